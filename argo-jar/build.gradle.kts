@@ -1,19 +1,3 @@
-dependencies {
-    // what is packed, with all that it needs but Jason
-    runtimeOnly(project(":argo-arch"))
-    runtimeOnly(project(":argo-view"))
-    runtimeOnly(project(":argo-ros"))
-    runtimeOnly(project(":argo-recording"))
-    runtimeOnly(project(":argo-tools"))
-    // what packs
-    compileOnly(libs.asm.commons)
-    testImplementation(libs.asm.commons)
-    testImplementation(libs.archunit) // which package may know which
-}
-
-// Java-WebSocket asks for another version than slf4j-jdk14
-configurations.all { resolutionStrategy.force("org.slf4j:slf4j-api:${libs.versions.slf4j.get()}") }
-
 /** The one jar that a Jason project adds: everything but Jason. */
 val argoJar by tasks.registering(JavaExec::class) {
     description = "Packs argo.jar."

@@ -68,6 +68,9 @@ errors() {
 # Ends with what went wrong, from Maven's log.
 build_failed() { errors "$1" >&2; fail "the build failed; the whole log is in $1"; }
 
+# The value of a property of the POM, such as argo.group.
+property() { sed -n "s|^    <$1>\(.*\)</$1>$|\1|p" "$here/pom.xml"; }
+
 # The modules' folders.
 modules() { sed -n 's|.*<module>\(.*\)</module>.*|\1|p' "$here/pom.xml"; }
 

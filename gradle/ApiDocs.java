@@ -12,8 +12,8 @@ import org.jetbrains.dokka.utilities.LoggingLevel;
 import org.jetbrains.dokka.utilities.MessageEmitter;
 
 /**
- * Writes a module's API documentation with Dokka, for builds that use no plugin but Kotlin's; Java runs it from source. What is written is
- * decided by Dokka's formats on the class path.
+ * Writes a module's API documentation with Dokka, for builds that use no plugin but Kotlin's; Java runs it from source. Dokka's formats on
+ * the class path decide about the form.
  *
  * <p>Arguments: the module's name, the folder to write into, the folders of its sources and the class path that they are compiled with, the
  * last two separated as in a class path.

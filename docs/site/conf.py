@@ -16,7 +16,7 @@ html_title = f"ARGO {release}"
 extensions = ["myst_parser"]
 root_doc = "README"
 include_patterns = [
-    "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "javino-arduino/README.md", "javino-arduino/extras/*.md",
+    "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "javino-arduino/README.md", "javino-arduino/extras/*.md",
     "javino-arduino/simulator/README.md", "javino-arduino/vectors/README.md", "javino-python/README.md",
     "samples/*/README.md", "experiment/README.md",
 ]

@@ -49,7 +49,7 @@
 -!config[error_msg(Why)] <- +trouble(Why).
 +trouble(Why) <- .print(Why).
 
-+!halt <- // whoever runs the agent gives it up
++!halt <- // the program that runs the agent gives it up
     .drop_desire(config);
     .drop_desire(moving);
     .act(stop);

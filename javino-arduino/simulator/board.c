@@ -26,7 +26,7 @@ enum {
 /* A quarter of a millisecond. */
 #define LOOK_CYCLES (BOARD_HZ / 4000)
 
-/* The pins that timers drive: where the bit is that connects the pin, and the register with the duty. */
+/* The pins that timers drive: the place of the bit that connects the pin, and the register with the duty. */
 static const struct {
     int pin;
     uint16_t control;
@@ -108,7 +108,7 @@ static void report(board *b, int pin)
     b->watcher(b->context, pin, state, board_ms(b));
 }
 
-/* The register has not been written yet when this is called, so the look is put off by a few cycles. */
+/* Puts the look off by a few cycles, since the register has not been written yet when this is called. */
 static avr_cycle_count_t look(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     int pin;
@@ -159,7 +159,7 @@ bool board_pulls_up(const board *board, int pin)
     return has_bit(board, PORTS[port_of(pin)].port, pin);
 }
 
-/* simavr gives an input its pull-up's level with each write to its port, unless something outside pulls it. */
+/* Sets the outside pull of an input: without one, simavr gives it its pull-up's level with each write to its port. */
 static void pull_from_outside(board *board, int port)
 {
     avr_ioport_external_t outside = {0};
@@ -213,7 +213,7 @@ static void drive_inputs(board *b)
         drive_input(b, input);
 }
 
-/* At the beginning of a conversion the converter's input is what is selected then. */
+/* Sets the converter's input at the beginning of a conversion to the one selected then. */
 static void conversion(avr_irq_t *irq, uint32_t value, void *context)
 {
     board *b = (board *)context;
@@ -249,7 +249,7 @@ static avr_uart_t *uart(const board *b)
     return (avr_uart_t *)io;
 }
 
-/* Ten bits. simavr allows eleven, so it is corrected whenever this is asked for, which is with every byte. */
+/* The time of a byte is that of ten bits. simavr assumes eleven, so this corrects it at each call, that is with every byte. */
 static avr_cycle_count_t byte_cycles(const board *b)
 {
     const uint8_t *data = b->avr->data;
@@ -280,7 +280,8 @@ static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
     return b->in_begin != b->in_end && b->in_at[b->in_begin] ? b->in_at[b->in_begin] : when + byte;
 }
 
-/* simavr's receiver hands bytes on somewhat more slowly than the line brings them, and drops what does not fit its queue. */
+/* Bytes wait here since simavr's receiver hands them on more slowly than the line brings them, and drops those that do not
+ * fit its queue. */
 static void receiver_full(avr_irq_t *irq, uint32_t value, void *context)
 {
     (void)irq;
@@ -449,7 +450,7 @@ static bool run(board *b, uint64_t cycle)
     return true;
 }
 
-/* A timer's compare register says nothing when it is written, so the pins are looked at in between. */
+/* A write to a timer's compare register causes no call, so the pins are looked at in between. */
 bool board_run(board *board, uint64_t cycle)
 {
     int pin;

@@ -13,7 +13,7 @@
 #define BOARD_SELECTS 4
 #define BOARD_CHANNELS (1 << BOARD_SELECTS)
 
-/** What a pin does. */
+/** The state of a pin. */
 typedef struct {
     enum { PIN_INPUT, PIN_LOW, PIN_HIGH, PIN_PWM } kind;
     uint8_t duty; /**< Of 255, for PIN_PWM. */
@@ -67,7 +67,7 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
 /** Runs until so many cycles have passed since power-on. @return false if the sketch has crashed or ended */
 bool board_run(board *board, uint64_t cycle);
 
-/** Presses the reset button. Time goes on; what is on the line is lost. */
+/** Presses the reset button. Time goes on; bytes on the line are lost. */
 void board_reset(board *board);
 
 /** @return how many bytes board_receive takes at present */
@@ -79,28 +79,28 @@ unsigned board_baud(const board *board);
 /** Sends a byte to the board; it arrives by the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 
-/** Sends a byte to the board whose first bit comes at a cycle, which has not passed and is not before those of earlier bytes. */
+/** Sends a byte to the board; its first bit comes at this cycle, which has not passed and is not before those of earlier bytes. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
 
-/** From now on bytes that the board sends go to this in place of the sink. */
+/** Hands the bytes that the board sends from now on to this instead of the sink. */
 void board_foretell(board *board, byte_forecast forecast);
 
 /** @return the number of a pin named 13, A0 or PB5; -1 if there is none of that name */
 int board_pin(const char *name);
 
-/** @return what a pin does at present */
+/** @return the present state of a pin */
 pin_state board_state(const board *board, int pin);
 
 /** Watches a pin. */
 void board_watch(board *board, int pin);
 
-/** @return the line of simavr that carries the level of a pin, whoever drives it */
+/** @return the line of simavr that carries the level of a pin, driven by the board or from outside */
 avr_irq_t *board_irq(const board *board, int pin);
 
-/** @return whether a pin that is an input is high */
+/** @return true if a pin that is an input is high */
 bool board_level(const board *board, int pin);
 
-/** @return whether a pin that is an input has its pull-up resistor on */
+/** @return true if a pin that is an input has its pull-up resistor on */
 bool board_pulls_up(const board *board, int pin);
 
 /** Puts a digital level on a pin. It stays there, whatever the pin's pull-up does, and over a reset. */

@@ -18,7 +18,7 @@ static bool fail(const char *what)
     return false;
 }
 
-/* Whether the link is there and leads to this pseudo-terminal. */
+/* True if the link is there and leads to this pseudo-terminal. */
 static bool leads_to(const char *link, const char *path)
 {
     char target[sizeof((line *)0)->path];
@@ -26,7 +26,7 @@ static bool leads_to(const char *link, const char *path)
     return length == (ssize_t)strlen(path) && memcmp(target, path, (size_t)length) == 0;
 }
 
-/* Takes the place of a link that a killed simulator has left, which leads nowhere or to its successor. */
+/* Replaces a link that a killed simulator has left, which leads nowhere or to its successor. */
 static bool make_link(const char *path, const char *link)
 {
     struct stat there;
@@ -73,7 +73,7 @@ bool line_opened(line *line)
         while (at < buffer + got) {
             const struct inotify_event *event = (const struct inotify_event *)at;
             if (event->mask & IN_OPEN) {
-                /* Nobody gets to see what the board said to the one before. */
+                /* Bytes of the board for the previous program are dropped. */
                 if (line->users++ == 0)
                     tcflush(line->slave, TCIFLUSH);
                 opened = true;

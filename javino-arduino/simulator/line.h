@@ -24,11 +24,11 @@ typedef struct {
  */
 bool line_open(line *line, const char *link);
 
-/** Takes note of who has opened and closed the far end. @return whether somebody has just opened it */
+/** Notes which programs have opened and closed the far end. @return true if one has just opened it */
 bool line_opened(line *line);
 
 /**
- * Bytes as the board receives them that the far end has written. If a program has set another rate there, they are not those.
+ * Reads the bytes that the far end has written, as the board receives them: other bytes, if a program has set another rate there.
  *
  * @param baud  the board's rate; 0: that of the far end
  * @return how many, at most size
@@ -36,8 +36,8 @@ bool line_opened(line *line);
 size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud);
 
 /**
- * Puts one byte on the line, at the board's rate. Where nobody has the far end open, or nobody reads, it is lost, as on a wire; where a
- * program has set another rate it gets another byte.
+ * Puts one byte on the line, at the board's rate. If nobody has the far end open, or nobody reads, it is lost, as on a wire; a program that
+ * has set another rate gets another byte.
  */
 void line_write(line *line, uint8_t byte, unsigned baud);
 

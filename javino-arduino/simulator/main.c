@@ -21,7 +21,7 @@
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
-/* When the machine has kept the simulator waiting for longer, the lost time is not made up for. */
+/* If the machine has kept the simulator waiting for longer, the lost time is not made up for. */
 #define LAG_NS 50000000ull
 /* From one look at the pins for a person to the next. */
 #define PANEL_NS 100000000ull
@@ -139,7 +139,7 @@ static void soft_byte_sent(void *context, uint8_t byte)
     line_write(&s->soft_line, byte, s->options.soft_baud);
 }
 
-/* The boot loader is not run: it takes its time, and what arrives meanwhile. */
+/* Leaves the boot loader out, since it takes time, and the bytes that arrive meanwhile. */
 static void boot(simulator *s)
 {
     if (s->options.boot_cycles)
@@ -234,7 +234,7 @@ static bool wait_for_work(simulator *s, bool *has_input)
                                {-1, POLLIN, 0}, {-1, POLLIN, 0}};
     struct timespec slice = {0, (long)SLICE_NS};
     int ready;
-    /* Where the board has no room for more bytes, they wait in the terminal. */
+    /* While the board has no room for more bytes, they wait in the terminal. */
     if (board_room(&s->board) < 256)
         sources[0].fd = -1;
     if (!*has_input)

@@ -18,7 +18,7 @@ static const char HELP[] =
     "set inputs: 7=1 a level, A0=512 an analogue value of 0-1023, 8=30cm the echo of an HC-SR04 (8=0cm: nothing in sight);\n"
     "several at once with blanks between them; reset presses the button, quit ends";
 
-/* ---- What is shown ---- */
+/* ---- Output ---- */
 
 static void name_of(int pin, char *name, size_t size)
 {
@@ -28,7 +28,7 @@ static void name_of(int pin, char *name, size_t size)
         snprintf(name, size, "%d", pin);
 }
 
-/* The least voltage that the converter gives this value for. */
+/* The least voltage for which the converter gives this value. */
 static int millivolts_of(int value)
 {
     return (value * MILLIVOLTS + STEPS - 1) / STEPS;
@@ -73,7 +73,7 @@ static size_t width(void)
     return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : USUAL_WIDTH;
 }
 
-/* One line: the pins, as many as fit, and what is being typed. */
+/* One line: the pins, as many as fit, and the text that is being typed. */
 static void draw(panel *p)
 {
     char line[sizeof p->line] = "";
@@ -130,7 +130,7 @@ void panel_look(panel *p)
     fflush(stdout);
 }
 
-/* ---- What is typed ---- */
+/* ---- Input ---- */
 
 /* A6 and A7, which are no pins of an ATmega328P in its usual case, are behind the pins. */
 static int pin_of(const char *name)
@@ -170,7 +170,7 @@ static bool set_number(panel *p, const char *setting, int pin, long number, cons
     return true;
 }
 
-/* Such as 7=1. */
+/* Sets an input, as 7=1 says. */
 static void set(panel *p, char *setting)
 {
     char whole[64];

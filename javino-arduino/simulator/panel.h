@@ -1,4 +1,4 @@
-/** @file What a person sees of the board and sets by the keyboard: its pins. */
+/** @file Shows the board's pins to a person, who sets inputs by the keyboard. */
 #ifndef PANEL_H
 #define PANEL_H
 
@@ -24,16 +24,16 @@ typedef struct {
     size_t typed_length;
 } panel;
 
-/** Prints the port's name and how inputs are set, and begins to show the pins of a board. The sonar is connected to it. */
+/** Prints the port's name and how to set inputs, and begins to show the pins of a board. The sonar is connected to it. */
 void panel_open(panel *panel, board *board, sonar *sonar, const char *port);
 
-/** Shows what has changed. Meant to be called some ten times a second. */
+/** Shows changes. Meant to be called some ten times a second. */
 void panel_look(panel *panel);
 
-/** Takes what was typed, and carries out each line of it. @return false if it was quit */
+/** Takes typed bytes, and carries out each line of them. @return false if it was quit */
 bool panel_type(panel *panel, const char *bytes, size_t count);
 
-/** Gives the terminal back as it was. */
+/** Restores the terminal's settings. */
 void panel_close(panel *panel);
 
 #endif

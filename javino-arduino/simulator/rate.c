@@ -1,9 +1,9 @@
 #include "rate.h"
 
-#include <asm/termbits.h> /* in place of termios.h, which knows no rates but those that have a name */
+#include <asm/termbits.h> /* instead of termios.h, which has only rates with a name */
 #include <sys/ioctl.h>
 
-/* Nobody asks for it, and programs that set no rate leave it. */
+/* A rate that nobody asks for; programs that set no rate leave it. */
 #define NO_RATE B50
 #define TOLERANCE_PERCENT 3
 
@@ -35,7 +35,7 @@ uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received)
     if (!sent || !received || difference * 100 <= received * TOLERANCE_PERCENT)
         return byte;
     for (bit = 0; bit < DATA_BITS; bit++) {
-        /* In the middle of its bit, which begins behind the start bit, the receiver finds this one of the sender's. */
+        /* The receiver samples this bit of the sender in the middle of its own bit, counted from behind the start bit. */
         unsigned long long place = (2 * bit + 3) * (unsigned long long)sent / (2ull * received);
         if (place > DATA_BITS || (place > 0 && byte >> (place - 1) & 1))
             sampled |= (uint8_t)(1 << bit);

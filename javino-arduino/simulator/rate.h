@@ -1,4 +1,4 @@
-/** @file Rates of serial lines, and what becomes of a byte between two ends that run at different ones. */
+/** @file Rates of serial lines, and the damage to a byte between two ends with different rates. */
 #ifndef RATE_H
 #define RATE_H
 
@@ -7,11 +7,11 @@
 /** The rate of a terminal, in baud; 0: no program has set one since rate_forget. */
 unsigned rate_of(int terminal);
 
-/** Has a terminal say that no program has set its rate. */
+/** Marks a terminal as one whose rate no program has set. */
 void rate_forget(int terminal);
 
 /**
- * What a receiver makes of a byte: itself, if the rates differ by at most 3 %; else the bits that it samples.
+ * Returns the byte that a receiver reads: the same, if the rates differ by at most 3 %; else the bits that it samples.
  *
  * @param sent      the sender's rate, in baud; 0: that of the receiver
  * @param received  the receiver's; 0: that of the sender

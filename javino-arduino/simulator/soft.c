@@ -49,7 +49,7 @@ static bool is_high(const soft *s)
     return board_state(s->board, s->sends).kind == PIN_HIGH;
 }
 
-/* In the middle of each bit. A byte without a stop bit is none: the pin was used otherwise. */
+/* Samples in the middle of each bit. Bits without a stop bit are no byte: the pin was used for something else. */
 static avr_cycle_count_t take_bit(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     soft *s = (soft *)context;

@@ -4,7 +4,7 @@
 
 #include "board.h"
 
-/** What is on the line. The members are private. */
+/** The state of the line. The members are private. */
 typedef struct {
     board *board;
     int receives; /* the board's pins */

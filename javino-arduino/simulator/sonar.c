@@ -5,7 +5,7 @@
 #include "avr_ioport.h"
 
 #define CYCLES_PER_US (BOARD_HZ / 1000000)
-/* A trigger pulse lasts 10 us or more; what is much longer is something else. */
+/* A trigger pulse lasts 10 us or more; a much longer pulse is something else. */
 #define LEAST_TRIGGER (8 * CYCLES_PER_US)
 #define LONGEST_TRIGGER (200 * CYCLES_PER_US)
 /* The sensor sends eight periods of sound first. */

@@ -4,12 +4,12 @@
 
 #include "board.h"
 
-/** The farthest that such a sensor measures, centimetres. */
+/** The range of such a sensor, in centimetres. */
 #define SONAR_MAX_CM 400
 
 /**
- * What the sensors measure. A sensor answers each trigger pulse with a pulse on the pin of its echo. All sensors answer a trigger
- * pulse on any pin: a sketch that has several reads one after the other.
+ * The sensors and their distances. A sensor answers each trigger pulse with a pulse on the pin of its echo. All sensors answer a trigger
+ * pulse on any pin: a sketch with several reads one after the other.
  */
 typedef struct sonar {
     board *board;
@@ -26,7 +26,7 @@ typedef struct sonar {
 void sonar_connect(sonar *sonar, board *board);
 
 /**
- * From now on there is a sensor whose echo is this pin.
+ * Adds a sensor whose echo is this pin, or sets its distance.
  *
  * @param cm  the distance it measures, at most SONAR_MAX_CM; 0 for nothing in sight, which gives a pulse of 38 ms
  */

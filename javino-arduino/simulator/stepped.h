@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 /**
- * Runs a sketch step by step: commands on standard input, answers on standard output, as README.md has them.
+ * Runs a sketch step by step: commands on standard input, answers on standard output, as README.md describes them.
  *
  * @param sketch  an .elf or .hex file
  * @return false with a message on stderr if the sketch cannot be loaded, or has crashed or ended

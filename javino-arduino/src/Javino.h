@@ -24,8 +24,8 @@
 #include "JavinoBoard.h"
 
 /**
- * A board with this many bytes of memory, for what arrives, for an answer and for the actions' table. At least
- * JAVINO_MEMORY_MIN; a message that is longer than what is left is not received.
+ * A board with this many bytes of memory, for incoming bytes, for an answer and for the actions' table. At least JAVINO_MEMORY_MIN; a
+ * message longer than the rest of the memory is not received.
  */
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
@@ -52,7 +52,7 @@ public:
     setTimeLimit(JAVINO_TIMEOUT_MS(baud));
   }
 
-  /** As start(), under the name that other libraries have for it. */
+  /** The same as start(), under the name that other libraries use. */
   void begin(unsigned long baud = 9600) { start(baud); }
 
 private:

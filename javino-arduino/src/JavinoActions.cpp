@@ -8,7 +8,8 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   if (!function)
     return false;
   Action *action = static_cast<Action *>(javino_board_take(board_, sizeof(Action)));
-  if (!action) {
+  uint8_t count = count_;
+  if (!action || count == JAVINO_ACTIONS_MAX) {
     board_->link.actions_lost++;
     return false;
   }
@@ -18,8 +19,9 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   action->caller = caller;
   /* The newest comes first, so it takes the place of an older one of the same name. */
   board_->link.actions = action;
-  count_++;
-  board_->link.action_count += described_;
+  count_ = ++count;
+  if (described_)
+    board_->link.action_count = count;
   return true;
 }
 
@@ -39,7 +41,7 @@ void JavinoActions::FlashPlace::operator()() const {
   Place(actions_, name)();
 }
 
-/** Whether a name begins with this text, in which any byte may stand. */
+/** Returns true if a name begins with this text, which may hold any bytes. */
 static bool begins(const char *name, const char *text, uint8_t length) {
   for (; length > 0; length--)
     if (!*name || *name++ != *text++)
@@ -47,7 +49,7 @@ static bool begins(const char *name, const char *text, uint8_t length) {
   return true;
 }
 
-/** Carries an action out, unless it is not certain that the text is whole and more of it could follow. */
+/** Carries an action out, unless the text may be cut short and a longer action begins with it. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();

@@ -10,9 +10,9 @@
 class JavinoBoard;
 
 /**
- * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; nothing is
- * allocated for them but where a name is a String. A name in flash, F("ledOn"), is copied into the board's memory, before anything has
- * arrived; any other is not copied, so it must last.
+ * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; the heap is used only for a name that
+ * is a String. A name in flash, F("ledOn"), is copied into the board's memory, before anything has arrived; any other is not copied, so it
+ * must last.
  */
 class JavinoActions {
 public:
@@ -30,7 +30,7 @@ public:
   public:
     Place(JavinoActions &actions, const char *name) : actions_(actions), name_(name) {}
 
-    /** Has the function called for the action whose whole text is the name. */
+    /** Registers the function for the action whose whole text is the name. */
     void operator=(Function function) { actions_.add(name_, function); }
 
     /** The same. A template, so that NULL is a Function. */
@@ -89,12 +89,12 @@ public:
   NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
   FlashPlace operator[](const __FlashStringHelper *name) { return FlashPlace(*this, name); }
 
-  /** How many actions there are. */
+  /** The number of actions. */
   uint8_t count() const { return count_; }
 
   /**
-   * Whether an action has been left out because the memory was full, of which JavinoSized has more, or because
-   * percepts had already been written.
+   * Returns true if an action has been left out because the memory was full (JavinoSized has more), because there were
+   * JAVINO_ACTIONS_MAX before it, or because percepts had already been written.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 
@@ -119,7 +119,7 @@ private:
     UNCERTAIN /* a longer text that begins with this one could be for another action */
   };
 
-  /** Does not compile, and says what does. */
+  /** Does not compile, and says in the error what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
@@ -149,8 +149,8 @@ private:
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
 
   /**
-   * Carries out what a function without the board and arguments is not there for. Found is the action of which the text is the whole
-   * name, or null; certain is whether the text is whole.
+   * Carries out all actions but those whose function takes neither the board nor arguments. `found` is the action with the whole text as
+   * its name, or null; `certain` is true if the text is known to be whole.
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
@@ -185,7 +185,7 @@ private:
   }
   ///@}
 
-  /** Has a function called for what no action is there for, or null none. */
+  /** Registers the function for unknown actions; null: none. */
   template <typename Result> void refuseWith(Result (*function)(JavinoBoard &, const char *)) {
     if (described_)
       known_ = reader_;
@@ -221,7 +221,7 @@ private:
   const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
 
   javino_board *board_;
-  /* Null until an action needs it, so that other sketches are spared the code. */
+  /* Null until an action needs it, so that other sketches do not link the code. */
   Reader reader_;
   Reader known_;     /* In its place while the board does not describe itself, and so is the next. */
   Function unknown_; /* Called for unknown actions. */

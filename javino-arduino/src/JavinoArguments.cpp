@@ -37,7 +37,7 @@ private:
 };
 
 #ifndef JAVINO_NO_DECIMALS
-/** As many digits of a number as a double tells apart, and a power of ten. */
+/** The digits of a number, as many as a double can hold, and a power of ten. */
 class Decimal {
 public:
   Decimal() : mantissa_(0), digits_(0), exponent_(0) {}
@@ -60,13 +60,13 @@ public:
     exponent_ += static_cast<int16_t>(exponent < -MOST ? -MOST : exponent > MOST ? MOST : exponent);
   }
 
-  /** Whether it is within the range of a double, or too small for it. */
+  /** Returns true if it is within the range of a double, or too small for it. */
   bool fits() const { return mantissa_ == 0 || digits_ + exponent_ <= DBL_MAX_10_EXP; }
 
-  /** Its value if it fits; what is too small is 0. */
+  /** Returns its value if it fits; 0 if it is too small. */
   double value() const {
     double power = 1;
-    /* A power that is too large is infinity, and what is divided by it 0. */
+    /* A power that is too large is infinity, and a number divided by it is 0. */
     for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
       power *= 10;
     return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;

@@ -18,31 +18,31 @@ public:
   /** Reads the arguments of a literal that is well formed; the text is not copied. */
   JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
 
-  /** How many there are. */
+  /** The number of arguments. */
   uint8_t count() const;
 
-  /** Whether there is such an argument and it is a whole number that a long holds. */
+  /** Returns true if there is such an argument and it is a whole number that a long holds. */
   bool isNumber(uint8_t index) const;
 
-  /** The whole number, or otherwise where there is none. */
+  /** Returns the whole number; `otherwise` if there is none. */
   long number(uint8_t index, long otherwise = 0) const;
 
 #ifndef JAVINO_NO_DECIMALS
   /**
-   * The number, which may have decimals and an exponent, or otherwise where there is none: never an infinity or what is no
-   * number. A string is none.
+   * Returns the number, which may have decimals and an exponent; `otherwise` if there is none. Never an infinity or a NaN. A string is no
+   * number.
    */
   double decimal(uint8_t index, double otherwise = 0) const;
 #endif
 
-  /** Whether the argument is this atom or string. */
+  /** Returns true if the argument is this atom or string. */
   bool is(uint8_t index, const char *text) const;
   bool is(uint8_t index, const __FlashStringHelper *text) const;
 
   /**
    * Copies an argument, a string without its quotes, and ends it with a zero.
    *
-   * @param size  bytes that to holds; what does not fit is cut off
+   * @param size  the bytes that `to` holds; a longer text is cut off
    * @return the bytes that the whole argument has, without the zero; 0 if there is none
    */
   size_t copy(uint8_t index, char *to, size_t size) const;

@@ -24,7 +24,7 @@ uint16_t JavinoBoard::receive() {
 
 void JavinoBoard::write(void *board, uint8_t byte) {
   JavinoBoard *self = static_cast<JavinoBoard *>(board);
-  /* A port on USB waits for each byte that nobody takes. */
+  /* Stops at the first byte that nobody takes, since a port on USB waits for each of them. */
   if (!self->mute_)
     self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
@@ -139,8 +139,8 @@ void JavinoBoard::handle() {
 /**
  * Carries out the action in hand; false if it has to wait.
  *
- * In version 1 the size may have been damaged. What is left of a longer action is none, mostly: its brackets
- * are open. Where it can be one, what follows decides.
+ * In version 1 the size may have been damaged. The rest of a longer action is mostly no action: its brackets are open. If it can be one,
+ * the following bytes decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;
@@ -240,7 +240,7 @@ void JavinoBoard::term(const JavinoDecimals &number) {
     parts *= 10;
   bool negative = number.value < 0;
   double magnitude = negative ? -number.value : number.value;
-  if (!(magnitude < 4294967040.0)) { /* nor is what is no number */
+  if (!(magnitude < 4294967040.0)) { /* nor is NaN */
     term(number.value);
     return;
   }

@@ -1,6 +1,5 @@
 /**
- * @file
- * A board of the Arduino family: what Javino.h, on serial ports, and JavinoNetwork.h share.
+ * @file A board of the Arduino family: the common part of Javino.h, on serial ports, and JavinoNetwork.h.
  */
 #ifndef JAVINO_BOARD_CLASS_H
 #define JAVINO_BOARD_CLASS_H
@@ -56,7 +55,7 @@ inline JavinoQuoted quoted(const char *text) {
 class JavinoBoard;
 
 /**
- * What a board counts, see JavinoBoard::countInto(). The sketch may read, set back and show it:
+ * The counters of a board, see JavinoBoard::countInto(). The sketch may read, reset and show them:
  * `board.percept("line", counters.frames, counters.damaged, counters.overruns, counters.longestLoop)`.
  */
 class JavinoCounters {
@@ -72,7 +71,7 @@ public:
 private:
   friend class JavinoBoard;
   void (*hook_)(JavinoBoard &); /* The board's, which is called behind counting. */
-  unsigned long look_ms_;                    /* When it looked for messages the last time. */
+  unsigned long look_ms_;                    /* The time of its last look for messages. */
   uint8_t frames_;                           /* As the core counts them. */
   uint8_t damaged_;
 };
@@ -83,8 +82,7 @@ typedef javino_later JavinoLater;
 /**
  * A board on a line. Use Javino or JavinoNetwork, or JavinoSized or JavinoNetworkSized for another amount of memory.
  *
- * Nothing is called from an interrupt, and nothing waits but a write to a line whose buffer is full; what
- * arrives meanwhile is kept.
+ * No function is called from an interrupt, and only a write to a line whose buffer is full waits; bytes that arrive meanwhile are kept.
  */
 class JavinoBoard {
 public:
@@ -98,28 +96,28 @@ public:
   typedef JavinoActions::BoardFunction BoardCallback;
 
   /**
-   * Sets how long a pause within a message may be, after which the message is given up.
+   * Sets the longest pause within a message, after which the message is given up.
    *
    * @param ms  milliseconds, at most 10,000; at a serial port 100 or, below 2000 baud, 20 byte times
    */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
-  /** Takes what has arrived. run() and availableMsg() do so too, so a sketch without serialEvent() works. */
+  /** Takes the bytes that have arrived. run() and availableMsg() do so too, so a sketch without serialEvent() works. */
   void readSerial() { receive(); }
 
   /** @name Callbacks */
   ///@{
 
   /**
-   * Handles what has arrived: answers requests for percepts, carries out actions, reports a lost link. An
-   * action that the board does not know is refused or, in version 1, ignored. Call it in every loop().
+   * Handles all messages that have arrived: answers requests for percepts, carries out actions, reports a lost link. An action that the
+   * board does not know is refused or, in version 1, ignored. Call it in every loop().
    *
-   * Within a callback it only takes what has arrived, so that nothing is lost in a callback that takes long; requests
-   * and actions wait until the callback has returned, `stop` too. See later().
+   * Within a callback it only takes the bytes that have arrived, so that none is lost in a callback that takes long; requests and actions
+   * wait until the callback has returned, `stop` too. See later().
    */
   void run();
 
-  /** Has percepts written by this function whenever they are asked for. It calls percept() or addPercept(). */
+  /** Registers the function that writes percepts whenever they are asked for. It calls percept() or addPercept(). */
   void perceive(Callback write) {
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
@@ -134,13 +132,13 @@ public:
   JavinoActions act;
 
   /**
-   * Has the function called for an action, with its arguments.
+   * Registers the function for an action with arguments.
    *
    * @param name       the functor, which is not copied; one in flash is copied into the board's memory, before anything has arrived
    * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that
    *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
-   * @param arguments  how many it takes: with another number the action is refused and the function not called
-   * @return false if there is no memory left for it
+   * @param arguments  the number of arguments: with another number the action is refused and the function not called
+   * @return false if there is no memory left for it, or there are JAVINO_ACTIONS_MAX before it
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
@@ -175,42 +173,42 @@ public:
   }
 
   /**
-   * Has the function called for each action that the board does not know, or that has another number of arguments than its function takes.
+   * Registers the function for each action that the board does not know, or that has another number of arguments than its function takes.
    * Without it such an action is refused, and `argo.act` fails with `error(act_refused)`; in version 1, which has no outcomes, nothing
    * happens.
    *
-   * While it is set the board does not tell computers which actions it has, since ARGO sends a board that does only those. So every action
-   * comes as text, and reaches it.
+   * While it is set the board does not describe its actions to computers, since ARGO sends a board only the actions that it has described.
+   * So every action comes as text, and reaches the function.
    *
    * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. It returns `void`, and the action is
-   *                  refused, so that it may count or show it; or `bool`: whether it has carried it out. NULL: none
+   *                  refused, so that it may count or show it; or `bool`: true if it has carried it out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
   /** The same. A template, so that NULL is a function of the other kind. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
-   * Within an action's function: its outcome is reported later, with done(). The function returns at once, what it
-   * returns is of no account, and the board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the
-   * outcome. Until then no other action of version 2 is carried out, not an urgent one either; what must be stopped on the
-   * way had better be reported as carried out when it begins, and its end with a percept.
+   * Call it in an action's function to report the outcome later, with done(). The function returns at once, its result is ignored, and the
+   * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
+   * version 2 is carried out, not even an urgent one; report an action that must be stoppable on the way as carried out when it begins, and
+   * its end with a percept.
    *
-   * @return what to hand to done(). In version 1, which has no outcomes, a value with which that does nothing
+   * @return the value for done(). In version 1, which has no outcomes, a value with which done() does nothing
    */
   JavinoLater later() { return javino_link_later(&board_.link); }
 
   /**
-   * Reports the outcome of an action of which later() was called.
+   * Reports the outcome of an action that called later().
    *
    * @param carried_out  false if it could not be carried out
-   * @return whether it was reported; not if the computer has begun anew since: then nobody waits for this one
+   * @return true if it was reported; not if the computer has begun anew since: then nobody waits for this outcome
    */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Has the function called when nothing valid has arrived for so long, so that motors stop when the computer
-   * has died. Called once, and again only after something has arrived. What has arrived while loop() was busy counts
-   * as having come at the beginning of that time. A loop() that never returns is a watchdog's to notice.
+   * Registers the function that is called if nothing valid has arrived for so long, so that motors stop if the computer has died. Called
+   * once, and again only after something has arrived. Bytes that arrived while loop() was busy count as having come at the beginning of
+   * that time. Only a watchdog notices a loop() that never returns.
    *
    * @param ms  milliseconds; 0: never
    */
@@ -227,7 +225,7 @@ public:
   }
 
   /**
-   * Counts into this from now on what arrives and how long loop() takes. A sketch that does not call it is spared the code.
+   * Counts incoming frames and the time of loop() into this from now on. A sketch that does not call it does not link the code.
    *
    * @param counters  lasts as long as the board
    */
@@ -244,11 +242,11 @@ public:
   }
 
   /**
-   * Has the board watch critical rules itself, which the computer sets: a reflex is carried out within a run(), at once when
-   * a rule begins to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name, which
-   * wants() tells; so it should read no sensor that is not wanted. Actions that are a reflex are called within percept().
+   * Lets the board watch critical rules itself, which the computer sets: a reflex is carried out within a run(), at once when a rule begins
+   * to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name; wants() tells these, so it
+   * should read no other sensor. Actions that are a reflex are called within percept().
    *
-   * Call it in setup(), before anything arrives. A sketch that does not is spared the code.
+   * Call it in setup(), before anything arrives. A sketch that does not call it does not link the code.
    *
    * @param bytes  of the board's memory for the rules; one takes some 20
    * @return false if there is too little memory, something has arrived, or version 2 is left out
@@ -271,9 +269,9 @@ public:
   /**
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
-   * @param functor  an atom, with a ~ before it where the percept is negated
+   * @param functor  an atom, with a ~ before it if the percept is negated
    * @param terms    whole numbers, of 64 bits too; numbers with decimals, of which two are written, or as many as decimals() has; true
-   *                 and false; text, which becomes an atom where it is one and otherwise a string
+   *                 and false; text, which becomes an atom if it is one and otherwise a string
    * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
    *         has asked
    */
@@ -284,12 +282,12 @@ public:
     return begins(functor) ? write(terms...) : true;
   }
 
-  /** Writes one percept as it is, without the `;` after it. @return as percept() */
+  /** Writes one percept given as text, without the `;` after it. @return as percept() */
   bool addPercept(const char *text);
   bool addPercept(const String &text) { return addPercept(text.c_str()); }
   bool addPercept(const __FlashStringHelper *text);
 
-  /** Whether the request in hand asks for percepts of this functor; spares reading a sensor. */
+  /** Returns true if the request in hand asks for percepts of this functor; spares reading a sensor. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;
 
@@ -309,10 +307,10 @@ public:
   /** The message's text: an action, or getPercepts for a request. Empty if there is none. Uses the heap. */
   String getMsg() const;
 
-  /** Whether the message asks for percepts. */
+  /** Returns true if the message asks for percepts. */
   bool requestPercepts() const { return board_.link.event == JAVINO_REQUEST; }
 
-  /** Whether the message is the action of this text. */
+  /** Returns true if the message is the action of this text. */
   bool requestAction(const char *text) const;
   bool requestAction(const String &text) const { return requestAction(text.c_str()); }
   bool requestAction(const __FlashStringHelper *text) const;
@@ -321,8 +319,8 @@ public:
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` after it. It goes out as it is, whatever
-   * functors the request names.
+   * Sends a message, at once or as an answer: percepts, each with a `;` after it. It goes out unchanged, whatever functors the request
+   * names.
    *
    * @return false if a percept in it is longer than version 1 can send
    */
@@ -342,13 +340,13 @@ protected:
   /** Opens a port at this rate. */
   typedef void (*Open)(Stream &port, unsigned long baud);
 
-  /* For the compiler alone, which asks for it in `Javino javino = Javino();` and then copies nothing. */
+  /* Only for the compiler, which asks for it in `Javino javino = Javino();` and then copies nothing. */
   JavinoBoard(const JavinoBoard &);
 
   /** A board on this stream. The memory is aligned for pointers. */
   JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size);
 
-  /** Forgets what has arrived of a message that is not whole: no more of it comes. */
+  /** Forgets the part of a message that has arrived, since the rest does not come. */
   void forgetPart() {
     javino_decoder *decoder = &board_.link.decoder;
     uint8_t session = decoder->session;
@@ -362,10 +360,7 @@ protected:
 private:
   JavinoBoard &operator=(const JavinoBoard &);
 
-  /**
-   * For what most sketches are spared the code of. Called before messages are looked for, and with an action in hand: whether it has
-   * handled that.
-   */
+  /** A hook for code that most sketches do not link. Called before messages are looked for. */
   typedef void (*Hook)(JavinoBoard &board);
 
   static void write(void *board, uint8_t byte);
@@ -380,7 +375,7 @@ private:
   static bool react(void *board, const char *text, uint8_t length);
   static bool isFree(void *board);
 
-  /** Takes what has arrived. @return when, by the core's clock */
+  /** Takes the bytes that have arrived. @return the time, by the core's clock */
   uint16_t receive();
 
   void next();
@@ -433,13 +428,13 @@ private:
 
   void (*look_)(JavinoBoard &); /* Calls the next one. */
   Callback perceive_;            /* Set together with look_. */
-  void (*supervise_)(JavinoBoard &); /* A sketch that does not supervise its link is spared the code. */
+  void (*supervise_)(JavinoBoard &); /* Null in a sketch that does not supervise its link, and so does not link the code. */
   Callback lost_;                    /* Set together with supervise_, and so is the time. */
   unsigned long silence_ms_;
   Hook hook_;
   JavinoCounters *counters_; /* Set together with the hook count. */
-  int free_;                                  /* What the port takes when all before has left. */
-  bool waiting_; /* The action in hand waits for what follows it. */
+  int free_;                                  /* The room of the port when all earlier bytes have left. */
+  bool waiting_; /* The action in hand waits for the bytes that follow it. */
   bool busy_;    /* run() or availableMsg() is under way. */
   bool mute_;    /* The port takes nothing more of this message. */
   javino_board board_;

@@ -18,7 +18,7 @@
  *       javino.run();
  *     }
  *
- * Everything of JavinoBoard is here too. What a run() writes goes out in one write, so that a frame is not a packet for each byte.
+ * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so that a frame is not a packet for each byte.
  */
 #ifndef JAVINO_NETWORK_H
 #define JAVINO_NETWORK_H
@@ -30,12 +30,12 @@
 #define JAVINO_GATHERED_BYTES 300
 #endif
 
-/** For JavinoNetworkSized: gathers what is written to a stream, which may change and be none. */
+/** For JavinoNetworkSized: gathers the bytes for a stream, which may change and be none. */
 class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
 
-  /** Forgets what was gathered for the stream before. */
+  /** Sets the stream, and forgets the bytes for the one before. */
   void setStream(Stream *stream) {
     to_ = stream;
     length_ = 0;
@@ -43,7 +43,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes what was gathered. What the stream does not take is dropped: nobody is there any more. */
+  /** Writes the gathered bytes. Drops those that the stream does not take: nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {
@@ -95,9 +95,9 @@ public:
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this stream from now on, such as the connection of a computer that has come. What came through the one before and is not a whole
-   * message is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once.
-   * Not within a callback.
+   * Uses this stream from now on, such as the connection of a computer that has come. The part of a message that came through the one
+   * before is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once. Not
+   * within a callback.
    *
    * @param stream  open; it lasts until another one is set
    */
@@ -109,10 +109,10 @@ public:
   /** Uses no stream any more. A lost link is still noticed in run(). */
   void removeStream() { gathering_.setStream(NULL); }
 
-  /** Whether a stream has been set. */
+  /** Returns true if a stream has been set. */
   bool hasStream() const { return !gathering_.isOn(NULL); }
 
-  /** @name As in JavinoBoard; what was written goes out. */
+  /** @name As in JavinoBoard; sends the gathered bytes. */
   ///@{
   void run() {
     JavinoBoard::run();

@@ -10,13 +10,13 @@
 #define IS_OPEN(board) false
 #define HEADER 0
 #else
-/* Whether parts of an answer have gone out, but not the last. */
+/* True if parts of an answer have gone out, but not the last. */
 #define IS_OPEN(board) ((board)->part != 0)
 #define HEADER JAVINO_ITEM_HEADER
-/* Bytes of an answer in a frame besides the numbers of the request and the part. */
+/* The bytes of an answer in a frame, without the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
-#define SPLITS /* percepts that are longer than the memory into pieces */
+#define SPLITS /* in pieces, if a percept is longer than the memory */
 #endif
 #endif
 
@@ -107,7 +107,7 @@ void *javino_board_take_front(javino_board *board, uint16_t size)
 }
 
 #ifndef JAVINO_NO_FUNCTOR_LISTS
-/* Whether the request's list has this functor, or there is none. */
+/* True if the request's list has this functor, or there is no list. */
 static bool is_named(const javino_link *link, const char *functor, uint8_t length)
 {
     const char *p = link->text;
@@ -211,7 +211,7 @@ void javino_board_send_text(javino_board *board, bool last, javino_room n)
 #endif
 }
 
-/* Codes what is not coded yet. What is not whole stays behind it. */
+/* Codes the percepts that are not coded yet. An incomplete one stays behind them. */
 static JAVINO_NOINLINE void code(javino_board *b)
 {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -231,7 +231,7 @@ static void begin_item(javino_board *b)
 }
 #endif
 
-/* Sends what is whole ahead of the rest, as much as a frame holds, or a piece of a percept that is longer than the memory. */
+/* Sends whole percepts ahead of the rest, as many as a frame holds, or a piece of a percept that is longer than the memory. */
 static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
@@ -249,7 +249,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set only what must go out now: the rest follows when they can be watched. */
+    /* While rules are set, sends only the part that must go out now: the rest follows when they can be watched. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -257,7 +257,7 @@ static void send_ahead(javino_board *b)
         javino_board_send_text(b, false, n);
 }
 
-/* Makes room for one byte more of an answer, where need be by sending what there is ahead of the rest. */
+/* Makes room for one byte more of an answer, if need be by sending a part ahead. */
 static void make_room(javino_board *b)
 {
     if (b->link.event == JAVINO_REQUEST) {
@@ -430,7 +430,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
         b->part = 0; /* An answer ends with its session. */
 #endif
 #if JAVINO_TEXT_MAX > 255
-    /* What has waited for version 2 may be too long for version 1. */
+    /* A percept that has waited for version 2 may be too long for version 1. */
     if (b->length == 0 || (!JAVINO_IS_2(&b->link) && b->room > JAVINO_MAX_PAYLOAD + HEADER))
         javino_board_clear(b);
 #endif

@@ -2,11 +2,11 @@
  * @file
  * A board: a link, and the percepts that it answers with when it is asked for them.
  *
- * An answer is text: percepts with a `;` after each. It is built in the memory that the link receives into, behind what has been
- * received, and coded in place when it is sent, or before that where there is no more room. In version 2 a percept whose text the
- * computer knows but for the digits takes half a byte for each digit. What does not fit then goes out ahead, in version 2 as a part of the
- * answer, in version 1 as messages of whole percepts. Percepts that nobody has asked for wait in all memory but JAVINO_WINDOW bytes, so
- * that the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
+ * An answer is text: percepts with a `;` after each. It is built in the memory into which the link receives, behind the received bytes, and
+ * coded in place when it is sent, or earlier if there is no more room. In version 2 a percept whose text the computer knows but for the
+ * digits takes half a byte for each digit. A beginning that does not fit then goes out ahead, in version 2 as a part of the answer, in
+ * version 1 as messages of whole percepts. Unasked percepts wait in all memory but JAVINO_WINDOW bytes, so that the longest frame still
+ * arrives; in version 1 they are one message of 255 bytes at most.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -25,7 +25,7 @@ extern "C" {
 #define JAVINO_MEMORY_MIN 160
 
 /**
- * Bytes of text at most: those of one frame, or in version 2 as many as the memory holds. The former takes less flash.
+ * The largest text in bytes: that of one frame, or in version 2 as many as the memory holds. The former takes less flash.
  */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
@@ -42,7 +42,7 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * Shapes, that is percepts' texts without their digits, that a board tells apart, at most 126; four bytes each. Percepts of
+ * The number of shapes, that is percepts' texts without their digits, that a board tells apart, at most 126; four bytes each. Percepts of
  * further shapes are sent as text.
  */
 #ifndef JAVINO_SHAPES
@@ -62,7 +62,7 @@ typedef struct {
 struct javino_board;
 struct javino_rules;
 
-/** Where rules take part in what a board does, see javino_rules.h. */
+/** The points at which a board calls its rules, see javino_rules.h. */
 enum {
     JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand, and is over then. */
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
@@ -99,8 +99,8 @@ typedef struct javino_board {
  * Prepares a board.
  *
  * @param memory   belongs to the board from now on
- * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are
- *                 not received; what is above serves long answers and what arrives meanwhile.
+ * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received; more memory
+ * serves long answers and bytes that arrive meanwhile.
  * @param write    as for javino_link_init
  * @param context  handed to write
  * @return false if the size is less than JAVINO_MEMORY_MIN; then do not use the board
@@ -122,31 +122,31 @@ void *javino_board_take(javino_board *board, uint16_t size);
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
- * As javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise
- * forgotten. Percepts that nobody has asked for wait for the next answer, or are forgotten where they do not fit there.
+ * As javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise forgotten. Unasked
+ * percepts wait for the next answer, or are forgotten if they do not fit there.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
-/** @return whether the request in hand asks for percepts of this functor. Without a request: true. */
+/** @return true if the request in hand asks for percepts of this functor. Without a request: true. */
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
- * Begins a percept with its functor, which must be an atom, a ~ before it where it is negated.
+ * Begins a percept with its functor, which must be an atom, with a ~ before it if it is negated.
  *
- * @return whether it is wanted; if not, write nothing and do not end it
+ * @return true if it is wanted; if not, write nothing and do not end it
  */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
-/** Writes one character as it is. */
+/** Writes one character unchanged. */
 void javino_percept_put(javino_board *board, char c);
 
-/** Writes text as it is. */
+/** Writes text unchanged. */
 void javino_percept_text(javino_board *board, const char *text);
 
 /** Writes a whole number. */
 void javino_percept_number(javino_board *board, uint32_t magnitude, bool negative);
 
-/** Writes text as an atom where it is one (front), otherwise as a string ("hi, you"). */
+/** Writes text as an atom if it is one (front), otherwise as a string ("hi, you"). */
 void javino_percept_term(javino_board *board, const char *text);
 
 /** Writes text as a string ("front"), whatever it is. */
@@ -155,28 +155,28 @@ void javino_percept_string(javino_board *board, const char *text);
 /**
  * Ends a percept.
  *
- * @return whether it will be sent. Not if in version 1 it is longer than 255 bytes, or if no request is in hand and
+ * @return true if it will be sent. Not if in version 1 it is longer than 255 bytes, or if no request is in hand and
  *         there is no more room.
  */
 bool javino_percept_end(javino_board *board);
 
-/** Sends the percepts written so far, be there none, as the answer; without a request unasked. */
+/** Sends the percepts written so far, even none, as the answer; without a request unasked. */
 void javino_board_answer(javino_board *board);
 
 /** For javino_rules.c: sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
-/** For javino_rules.c: lays the text at the end of the memory, behind this many bytes at least for what arrives. */
+/** For javino_rules.c: lays the text at the end of the memory, behind at least this many bytes for incoming frames. */
 void javino_board_place(javino_board *board, uint16_t base);
 
 /** Forgets the percepts written so far. */
 void javino_board_clear(javino_board *board);
 
 /**
- * Sends a message of any length: in version 2 in as many parts as it takes; in version 1, where it is
- * longer than one frame, as messages of whole percepts. Counts as an answer to the request in hand.
+ * Sends a message of any length: in version 2 in as many parts as it takes; in version 1, if it is longer than one frame, as messages of
+ * whole percepts. Counts as an answer to the request in hand.
  *
- * @return whether all of it has been sent; a percept longer than a frame of version 1 cannot be
+ * @return true if all of it has been sent; a percept longer than a frame of version 1 cannot be sent
  */
 bool javino_board_send(javino_board *board, const char *text, size_t length);
 

@@ -13,7 +13,7 @@ static const char PREAMBLE[] = "fffe";
 
 #define START JAVINO_START
 #define ESCAPE 0xA4
-#define ESCAPED 0xA0 /* what differs between a byte and the one behind an escape that stands for it */
+#define ESCAPED 0xA0 /* the bits by which a byte differs from the one that stands for it behind an escape */
 
 #ifdef JAVINO_VERSION_1_ONLY
 #define IS_FRAME_2(bytes) false
@@ -68,8 +68,8 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* Without room there may be bytes that have not been handed in, and when they came is not known. While a frame is in
- * hand there can be a second silence; then the first counts, since what lies before it has been waiting longer. */
+/* Without room there may be bytes that have not been handed in, and the time at which they came is not known. While a frame is in hand
+ * there can be a second silence; then the first counts, since the bytes before it have been waiting longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
@@ -136,7 +136,7 @@ static bool is_intact(const javino_decoder *d, const uint8_t *frame, const uint8
 /**
  * Reads on in the frame of version 2 at p, as far as the bytes go, and takes the escapes out of them.
  *
- * FOLLOWS_HEADER: it is whole; FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows it.
+ * FOLLOWS_HEADER: it is whole; FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows the damage.
  */
 static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *end)
 {
@@ -232,7 +232,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (!d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
-            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with what follows it. */
+            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with the bytes that must follow it. */
         if (whole > stop)
             goto cut;
         d->taken = whole;

@@ -2,19 +2,19 @@
  * @file
  * Frames of the Javino protocol, versions 1 and 2: finds them in the bytes that arrive, and writes them.
  *
- * Plain C99 without a heap, without floating point and without any board's header. All memory is the
- * caller's. Nothing waits: bytes are handed in one at a time, and the time, in milliseconds of a clock that
- * may wrap around, is handed in wherever it matters, often only its lower 16 bits. No function may be called from an interrupt; a receive
- * interrupt fills a buffer of its own, from which the program takes the bytes.
+ * Plain C99 without a heap, without floating point and without any board's header. All memory is the caller's. No function waits: the
+ * caller hands in bytes one at a time, and, where it matters, the time in milliseconds of a clock that may wrap around, often only its
+ * lower 16 bits. No function may be called from an interrupt; a receive interrupt fills a buffer of its own, from which the program takes
+ * the bytes.
  *
  * The layers, each usable without the next:
  *  - javino_frame.h: frames;
  *  - javino_link.h: the conversation, that is versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
  *
- * Defined for all files, JAVINO_VERSION_1_ONLY leaves version 2 out; JAVINO_VERSION_2_ONLY version 1: without a session nothing is
- * sent, and javino_link_send() is not there; JAVINO_NO_FUNCTOR_LISTS, that a request may name the functors that are wanted: the board
- * then answers with all percepts; JAVINO_NO_DECIMALS, numbers with decimals, in the Arduino class.
+ * Switches leave parts out if they are defined for all files: JAVINO_VERSION_1_ONLY version 2; JAVINO_VERSION_2_ONLY version 1: without a
+ * session nothing is sent, and there is no javino_link_send(); JAVINO_NO_FUNCTOR_LISTS the functors in requests: the board then answers
+ * with all percepts; JAVINO_NO_DECIMALS numbers with decimals, in the Arduino class.
  */
 #ifndef JAVINO_FRAME_H
 #define JAVINO_FRAME_H
@@ -28,7 +28,7 @@ extern "C" {
 #endif
 
 #if defined(__AVR__) && defined(__GNUC__)
-/* Here a copy of a function that knows its arguments takes more flash than the calls it spares. */
+/* Here a copy of a function that knows its arguments takes more flash than the calls it saves. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
 /* Here such a copy takes less than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
@@ -41,7 +41,7 @@ extern "C" {
 #error "JAVINO_VERSION_1_ONLY and JAVINO_VERSION_2_ONLY leave nothing"
 #endif
 
-/** Payload bytes that a frame holds at most. */
+/** The largest payload of a frame, in bytes. */
 #define JAVINO_MAX_PAYLOAD 255
 /** Bytes around a payload, in either version, before escaping. */
 #define JAVINO_OVERHEAD 6
@@ -82,10 +82,10 @@ uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 /** Begins a frame of version 2. One of version 1 begins with `f`. */
 #define JAVINO_START 0xA5
 
-/** Where the parts of a frame are that was received: of version 2, without escapes, and the payload of version 1. */
+/** The places of the parts of a received frame: of version 2, without escapes, and the payload of version 1. */
 enum { JAVINO_LENGTH_AT = 1, JAVINO_KIND_AT = 2, JAVINO_NUMBER_AT = 3, JAVINO_PAYLOAD_AT = 4, JAVINO_PAYLOAD_AT_1 = 6 };
 
-/** What stands after a frame of version 1. */
+/** The bytes that follow a frame of version 1. */
 enum {
     JAVINO_FOLLOWS_UNKNOWN, /**< Too few bytes yet to know. */
     JAVINO_FOLLOWS_HEADER,  /**< A preamble and two hex digits, or the start of a version 2 frame: the frame was read rightly. */
@@ -113,29 +113,29 @@ typedef struct {
  * Prepares a decoder.
  *
  * @param bytes       memory that belongs to the decoder from now on
- * @param size        its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost, but 12
+ * @param size        its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost, but at least 12
  * @param timeout_ms  silence between two bytes after which a frame that has begun is given up; at most
  *                    10,000. javino_decoder_next must be called more often than every 20 s.
  * @return false if the size is less than 12: such a decoder finds nothing
  */
 bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
 
-/** @return whether javino_decoder_put has room. If not, there is at the latest when javino_decoder_next is called again. */
+/** @return true if javino_decoder_put has room. If not, there is at the latest when javino_decoder_next is called again. */
 bool javino_decoder_ready(const javino_decoder *decoder);
 
 /**
- * Takes one received byte. Only after javino_decoder_ready has returned true. When the byte came does not matter: one
- * that has waited in a receive buffer is not late.
+ * Takes one received byte. Only after javino_decoder_ready has returned true. The time at which the byte came does not matter: one that has
+ * waited in a receive buffer is not late.
  *
- * @param now_ms  when it was taken out of the receive buffer
+ * @param now_ms  the time at which it was taken out of the receive buffer
  */
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
 
 /**
- * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does
- * so too; while that is not called, as during a long action, silences are known from this alone.
+ * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does so too; while
+ * that is not called, as during a long action, only this tells silences.
  *
- * @param now_ms  when the receive buffer was last looked into
+ * @param now_ms  the time of the last look into the receive buffer
  */
 void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
 
@@ -150,14 +150,14 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 /**
  * Looks for the next frame. Ends the use of the frame before.
  *
- * A frame is found with its last byte. The bytes of one of version 1 are kept until what follows them is known: a header or
- * silence confirms the frame; anything else means that it may have been misread, and the bytes after its
- * first are read again. When silence falls inside such a frame, its bytes after the first are read again too.
+ * A frame is found with its last byte. The bytes of one of version 1 are kept until it is known what follows them: a header or silence
+ * confirms the frame; anything else means that it may have been misread, and the bytes after its first are read again. When silence falls
+ * inside such a frame, its bytes after the first are read again too.
  *
  * A frame of version 2 that is damaged, too long for the memory, of another session or no computer's is dropped and never read again.
- * Without a session a checksum is looked at in HELLO only: the others cannot be checked, and only tell that a computer is there.
+ * Without a session only the checksum of HELLO is looked at: other frames cannot be checked, and only show that a computer is there.
  *
- * @param now_ms  when the receive buffer was last looked into. Unless javino_decoder_ready returns false, nothing
+ * @param now_ms  the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, nothing
  *                has come since the last byte handed in.
  * @return the frame, JAVINO_OVERHEAD bytes and its payload, of version 2 without escapes; if there is one, ask again before the
  *         next byte. NULL: there is none yet
@@ -165,8 +165,8 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms);
 
 /**
- * Whether the version 1 frame in hand can still turn out to be the beginning of a longer one whose size was damaged.
- * There is no checksum; what arrives next tells, or that nothing does for a sixteenth of the timeout.
+ * Decides if the version 1 frame in hand is whole, or the beginning of a longer one whose size was damaged. There is no checksum; the next
+ * bytes decide, or silence for a sixteenth of the timeout.
  *
  * @param now_ms  as for javino_decoder_next
  * @return JAVINO_FOLLOWS_HEADER: it is whole; JAVINO_FOLLOWS_OTHER: it is not, or may not be;

@@ -6,13 +6,13 @@
 
 #define END_OF_NUMBER 0xF
 
-/* The value of a digit; of any other character more than 9. */
+/* Returns the value of a digit; more than 9 for any other character. */
 static uint8_t value_of(char c)
 {
     return (uint8_t)c ^ '0';
 }
 
-/* The id of a text's shape, which is a new one if need be; JAVINO_ITEM_TEXT if there is no room for it. */
+/* Returns the id of a text's shape, a new one if need be; JAVINO_ITEM_TEXT if there is no room for it. */
 static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
 {
     uint16_t crc = JAVINO_CRC_START(0);
@@ -48,7 +48,7 @@ void javino_items_code(javino_board *board)
     uint8_t *out = (uint8_t *)b->text + b->coded;
     const uint8_t *in = out;
     const uint8_t *end = (uint8_t *)b->text + b->whole;
-    uint8_t *row = NULL; /* of digits, that the next percept may continue */
+    uint8_t *row = NULL; /* of digits, which the next percept may continue */
     bool half = false;   /* its last byte has room for a digit */
     javino_room rest = b->length - b->whole;
     while (in < end) {

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/** What begins an item that is no text with an id. */
+/** The first bytes of items that are no texts with an id. */
 enum {
     JAVINO_ITEM_CONTINUED = 0x7E, /**< The beginning of a text. */
     JAVINO_ITEM_TEXT = 0x7F,      /**< A text without an id. */
@@ -22,7 +22,7 @@ enum {
 /** Bytes in front of an item's text. */
 #define JAVINO_ITEM_HEADER 2
 
-/** Makes of the percepts that are not coded yet what the version of the answer is. Drops one that is not whole. */
+/** Codes the percepts that are not coded yet, in the version of the answer. Drops an incomplete one. */
 void javino_items_code(javino_board *board);
 
 #ifdef __cplusplus

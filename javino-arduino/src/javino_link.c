@@ -6,13 +6,13 @@
 #define REQUEST_LENGTH 11 /* of getPercepts */
 #endif
 
-/* Frames that one poll deals with by itself, so that a flood of them cannot keep the program. */
+/* The most frames that one poll handles by itself, so that a flood of them cannot hold the program up. */
 #define FRAMES_PER_POLL 8
 
 /* Behind a payload. */
 #define CRC_LENGTH 2
 
-/* What begins an item of a row of commands. */
+/* The first bytes of items in a row of commands. */
 #define LONG_TEXT 0x00
 #define BY_NUMBER 0x80
 #define NO_COMMAND 0xFE
@@ -91,7 +91,7 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     send(l, JAVINO_WELCOME, &l->session, 6);
 }
 
-/* A nonce of 0 ends the session that there was. */
+/* Begins a session; a nonce of 0 ends the present one. */
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
@@ -99,7 +99,7 @@ static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
     javino_decoder_session(&l->decoder, nonce);
 }
 
-/* The newest action of a program may come first. */
+/* `actions` may be stored newest first; number 0 is the oldest. */
 static JAVINO_NOINLINE const javino_action *action_at(const javino_link *l, uint8_t number)
 {
     return (const javino_action *)((const char *)l->actions + l->action_size * (uint8_t)(l->action_count - 1 - number));
@@ -177,7 +177,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* What a frame of version 2 means to the program. */
+/* Returns the event that a frame of version 2 is for the program. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];
@@ -211,7 +211,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 
 /* ---- Both versions ---- */
 
-/* What the frame that has just arrived means to the program. */
+/* Returns the event that the frame that has just arrived is for the program. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
 #ifndef JAVINO_VERSION_2_ONLY
@@ -228,7 +228,7 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
     return JAVINO_NOTHING;
 #else
 #ifndef JAVINO_VERSION_1_ONLY
-    begin_session(l, 0); /* Who speaks version 1 has begun no session. */
+    begin_session(l, 0); /* A computer that speaks version 1 has begun no session. */
 #endif
     l->text = (const char *)frame + JAVINO_PAYLOAD_AT_1;
     l->length = (uint8_t)(l->decoder.taken - JAVINO_PAYLOAD_AT_1);

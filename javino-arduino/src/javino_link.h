@@ -1,7 +1,6 @@
 /**
- * @file
- * The board's end of a line: sessions, commands that are carried out once and in order, requests, a lost link. See
- * javino_frame.h for what holds of all files.
+ * @file The board's end of a line: sessions, commands that are carried out once and in order, requests, a lost link. See javino_frame.h for
+ * the rules of all files.
  */
 #ifndef JAVINO_LINK_H
 #define JAVINO_LINK_H
@@ -12,7 +11,7 @@
 extern "C" {
 #endif
 
-/** Bytes of version 2 that the receive buffer holds while the program is busy; at most 255. */
+/** The bytes of version 2 that the receive buffer holds while the program is busy; at most 255. */
 #ifndef JAVINO_CREDIT
 #if !defined(SERIAL_RX_BUFFER_SIZE) /* which Arduino builds may set for all files */
 #define JAVINO_CREDIT 63
@@ -23,7 +22,7 @@ extern "C" {
 #endif
 #endif
 
-/** What javino_link_poll has found. */
+/** The result of javino_link_poll. */
 enum {
     JAVINO_NOTHING, /**< No message. */
     JAVINO_REQUEST, /**< Percepts are asked for. The text is empty or the functors that are wanted, as in (dist,light). */
@@ -33,7 +32,10 @@ enum {
 };
 typedef uint8_t javino_event;
 
-/** An action of a program, which the computer may ask for and name by its number. What else an action has may stand behind it. */
+/**
+ * An action of a program, which the computer may ask for and name by its number. A program's own data for the action may follow it in
+ * memory.
+ */
 typedef struct {
     const char *name;  /**< Its functor, which lasts. */
     uint8_t arguments; /**< How many it takes, or JAVINO_ANY. */
@@ -41,6 +43,9 @@ typedef struct {
 
 /** The revision of version 2 that this library speaks, as WELCOME says. */
 #define JAVINO_REVISION 1
+
+/** How many actions a board has at most: on the line the next numbers stand for no command and for rules. */
+#define JAVINO_ACTIONS_MAX 126
 
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
@@ -58,7 +63,7 @@ typedef struct {
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     const void *actions;  /**< A row of javino_action, which are numbered from the last. */
     uint8_t action_size;  /**< Bytes from one to the next. */
-    uint8_t action_count; /**< At most 126. 0, as at first: the actions have no numbers. */
+    uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, as at first: the actions have no numbers. */
     bool answered;
     bool drained; /* the last poll has read all that there was */
     bool heard;   /* something valid, since javino_link_lost was asked */
@@ -88,7 +93,7 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** Whether the message in hand is, or what is sent without one will be, of version 2: one of version 1 ends the session. */
+/** True if the message in hand is of version 2, or, without one, the next that is sent will be: a message of version 1 ends the session. */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)
@@ -101,7 +106,7 @@ typedef struct {
  * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
- * @param size     its bytes: JAVINO_WINDOW, or fewer where longer frames may be lost
+ * @param size     its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
  * @param write    puts bytes on the line; may call javino_link_receive, but nothing else of this link
  * @param context  handed to write
  */
@@ -114,22 +119,21 @@ void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_writ
  */
 void javino_link_timeout(javino_link *link, uint16_t timeout_ms);
 
-/** @return whether javino_link_receive has room. If not, leave the byte where it is and poll. */
+/** @return true if javino_link_receive has room. If not, leave the byte where it is and poll. */
 bool javino_link_ready(const javino_link *link);
 
 /** Takes one received byte. Only after javino_link_ready has returned true. As javino_decoder_put. */
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
- * Ends the message in hand, a command as carried out, and looks for the next. Whatever asks nothing of the
- * program is dealt with here; so are commands that are repeated because an acknowledgement was lost: they are
- * acknowledged again and not handed out. Call it more often than every 20 s, with a javino_board on top through
- * javino_board_poll.
+ * Ends the message in hand, a command as carried out, and looks for the next. Frames that ask nothing of the program are handled here; so
+ * are commands that are repeated because an acknowledgement was lost: they are acknowledged again and not handed out. Call it more often
+ * than every 20 s, with a javino_board on top through javino_board_poll.
  *
  * Before each call hand in all bytes that wait, until javino_link_ready returns false.
  *
- * @param now_ms  when the receive buffer was last looked into; a time read before that does no harm, a later one
- *                takes what came in between for late. No command is carried out twice whatever the time
+ * @param now_ms  the time of the last look into the receive buffer; an earlier time does no harm, with a later one bytes that came in
+ * between count as late. No command is carried out twice whatever the time
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
@@ -144,7 +148,7 @@ void javino_link_finish(javino_link *link, bool done);
  * Ends the command in hand without an outcome, which follows with javino_link_done. Until then no other command of
  * version 2 is carried out; requests are answered.
  *
- * @return what to hand to javino_link_done; 0 in version 1 and if no command is in hand
+ * @return the value for javino_link_done; 0 in version 1 and if no command is in hand
  */
 javino_later javino_link_later(javino_link *link);
 
@@ -152,7 +156,7 @@ javino_later javino_link_later(javino_link *link);
  * Reports the outcome of a command that javino_link_later has ended. Not while a frame is being written.
  *
  * @param done  whether it has been carried out; false if it could not be
- * @return whether it was reported; not if a new session has begun since, or for 0
+ * @return true if it was reported; not if a new session has begun since, or for 0
  */
 bool javino_link_done(javino_link *link, javino_later later, bool done);
 
@@ -160,10 +164,10 @@ bool javino_link_done(javino_link *link, javino_later later, bool done);
 void javino_link_supervise(javino_link *link, uint32_t now_ms);
 
 /**
- * Whether the far end has fallen silent, so that motors had better stop. Ask after every javino_link_poll. What is
- * found after a while in which the program was busy counts as having come at its beginning.
+ * Returns true if the far end has fallen silent, so that motors should stop. Ask after every javino_link_poll. Bytes found after a time in
+ * which the program was busy count as having come at the beginning of that time.
  *
- * @param silence_ms  how long nothing valid has to have arrived
+ * @param silence_ms  the time without anything valid after which the link is lost
  * @return true once, and again only after something has arrived
  */
 bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms);
@@ -174,7 +178,7 @@ void javino_link_send(javino_link *link, const char *text, uint8_t length);
 #endif
 
 /**
- * Begins a frame of version 2, with what is due next. Exactly length calls of javino_encoder_put and one of
+ * Begins a frame of version 2, with the number of the next command. Exactly length calls of javino_encoder_put and one of
  * javino_encoder_end must follow, on link->encoder.
  *
  * @param kind  JAVINO_ACK and so on, without flags

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** Where a reader stands in a text: how deep in brackets and in which quotes. Begins as all zero. */
+/** The place of a reader in a text: the depth of brackets, and the open quotes. Begins as all zero. */
 typedef struct {
     uint8_t depth;
     char quote; /**< 0 outside quotes. */
@@ -22,7 +22,7 @@ typedef struct {
     uint32_t kinds; /**< The innermost sixteen brackets that are open, two bits each. */
 } javino_nesting;
 
-/** Takes one character. @return whether it stands outside brackets and quotes, and is neither. */
+/** Takes one character. @return true if it stands outside brackets and quotes, and is neither. */
 bool javino_outside(javino_nesting *nesting, char c);
 
 /** @return the bytes before the first bracket, at most length; the text may end before that with a zero. */
@@ -46,7 +46,7 @@ uint8_t javino_argument(const char *text, uint8_t length, uint8_t index, const c
 /**
  * Reads a whole number.
  *
- * @return whether the text is one and fits
+ * @return true if the text is one and fits
  */
 bool javino_number(const char *text, uint8_t length, int32_t *number);
 

@@ -11,10 +11,10 @@
 
 #define ALIGNMENT sizeof(void *)
 
-/* What became of a reflex. */
+/* The outcome of a reflex. */
 enum { NO_REFLEX, CARRIED_OUT, NOT_CARRIED_OUT };
 
-/* Bytes of a percept that CRITICAL holds. */
+/* The largest percept in CRITICAL, in bytes. */
 #define PERCEPT_MAX (JAVINO_MAX_PAYLOAD - 2)
 
 /* ---- Numbers ---- */
@@ -66,7 +66,7 @@ static char digit_at(const decimal *d, uint8_t i)
     return i < d->length ? d->text[i] : '0';
 }
 
-/* Less than, equal to or more than 0, as a is than b. */
+/* Returns less than, equal to or more than 0, as a is than b. */
 static int8_t compare(decimal a, decimal b)
 {
     bool zero = true;
@@ -149,7 +149,7 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     }
 }
 
-/* Whether a percept meets a rule; reflex is set to where its reflex begins, the rule's end without one. */
+/* Returns true if a percept meets a rule; sets reflex to the beginning of its reflex, the rule's end without one. */
 static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -192,7 +192,7 @@ static void remove_rule(javino_board *b, uint8_t number)
     }
 }
 
-/* Bytes that the rule of this number takes. */
+/* Returns the bytes that the rule of this number takes. */
 static uint16_t bytes_of(const struct javino_rules *r, uint8_t number)
 {
     uint16_t at;
@@ -207,7 +207,7 @@ static void forget(struct javino_rules *r)
     r->used = r->met = 0;
 }
 
-/* Sets or removes rules as the command in hand says; false if it is malformed or there is no room. */
+/* Sets or removes rules by the command in hand; false if it is malformed or there is no room. */
 static bool set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
@@ -254,7 +254,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. What the program writes meanwhile waits, as if nobody asked. */
+/* Carries a reflex out. Percepts that the program writes meanwhile wait, as unasked ones. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -334,7 +334,7 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers part by part ---- */
 
-/* Sends the next part of an answer. The message in hand, if there is one, is another. */
+/* Sends the next part of an answer. A message in hand is not the one that it answers. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -352,7 +352,7 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
-/* Divides what the answer leaves free: until its last part has left, frames arrive in front of it, and percepts are compared
+/* Divides the memory that the answer leaves free: until its last part has left, frames arrive in front of it, and percepts are compared
  * behind it. */
 static void make_room(javino_board *b)
 {
@@ -365,7 +365,7 @@ static void make_room(javino_board *b)
     javino_board_place(b, place < arrived ? arrived : place);
 }
 
-/* Whether the answer goes out part by part from now on, or what is sent unasked goes with one that does. */
+/* Returns true if the answer goes out part by part from now on, or if unasked percepts join one that does. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;

@@ -13,10 +13,10 @@
 extern "C" {
 #endif
 
-/** How many rules a board holds at most, as far as their texts find room. */
+/** The largest number of rules on a board, as far as their texts find room. */
 #define JAVINO_RULES_MAX 8
 
-/** Bytes of an answer in a part while rules are set, so that what is critical waits for little. */
+/** Bytes of an answer in a part while rules are set, so that a critical report waits only for little. */
 #define JAVINO_SHORT_PART 12
 
 /** Milliseconds between two looks at the sensors. */
@@ -48,14 +48,14 @@ struct javino_rules {
  *
  * @param size     bytes, at most 255; a rule takes about 20
  * @param act      handed the board's context, as write is
- * @param is_free  whether what was written before has left, so that the next part may follow; NULL: it always may
- * @return whether there is so much memory, and nothing has arrived
+ * @param is_free  returns true if all earlier bytes have left, so that the next part may follow; NULL: it always may
+ * @return true if there is so much memory, and nothing has arrived
  */
 bool javino_rules_init(javino_board *board, uint8_t size, javino_act act, bool (*is_free)(void *context));
 
 /**
- * Looks at the sensors that the rules name, if JAVINO_RULES_MS have passed. When a rule begins to be met its
- * reflex is carried out and the computer told. In each turn of the main loop, after javino_board_poll.
+ * Looks at the sensors that the rules name, if JAVINO_RULES_MS have passed. When a rule begins to be met, carries out its reflex and
+ * reports it to the computer. Call it in each turn of the main loop, after javino_board_poll.
  */
 void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t now_ms);
 

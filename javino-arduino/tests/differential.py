@@ -4,8 +4,8 @@
     differential.py BOARD [STREAMS] [SEED]
 
 BOARD is differential_board.c, compiled. A record to it is a letter, a flag, the time in ms (2 bytes), a length (2 bytes), bytes:
-`n` a new board, `b` bytes that arrive, `p` the percepts' texts, `u` they are sent unasked, `d` the outcome of the action begun last. Each is
-answered with what the board has sent and what it has carried out, each with a length of 4 bytes in front.
+`n` a new board, `b` bytes that arrive, `p` the percepts' texts, `u` they are sent unasked, `d` the outcome of the action begun last. The
+answer to each has the bytes that the board has sent and the texts that it has carried out, each with a length of 4 bytes in front.
 """
 import pathlib
 import random
@@ -59,7 +59,7 @@ class Core:
 
 
 class Stream:
-    """One random conversation. What is sent follows what the reference says is due, mostly."""
+    """One random conversation. Mostly sends what the reference expects next."""
 
     TEXTS = [b"front", b"left", b"speed(5)", b"speed(fffe05front)", b"bump", b"grip", b"fly", b"say", b"speed(\"\xa4\xa5\xff\")"]
 

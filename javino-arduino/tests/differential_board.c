@@ -1,4 +1,4 @@
-/* A board with a small program, driven over standard input by differential.py, which says what the records mean. */
+/* A board with a small program, driven over standard input by differential.py, which explains the records. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@ static uint16_t now;
 static char percepts[4096]; /* texts without their `;`, each with a zero byte behind */
 static size_t percepts_length;
 
-/* What has come out since the last answer. */
+/* The output since the last answer. */
 static uint8_t out[1 << 20];
 static uint8_t carried[1 << 16];
 static uint32_t out_length, carried_length;
@@ -71,7 +71,7 @@ static void poll(void)
 {
     javino_event event;
     int quiet = 0;
-    /* A poll deals with some frames only, and then hands nothing out. */
+    /* A poll handles only some frames, and then hands nothing out. */
     while (quiet < 3) {
         event = javino_board_poll(&board, now);
         quiet = event == JAVINO_NOTHING ? quiet + 1 : 0;

@@ -2,9 +2,10 @@
 """Lets both ends of the reference talk over a line that changes, loses and doubles bytes, with restarts, refusals and late outcomes.
 
     exchange.py [COMMANDS] [SEED]   6000 commands and seed 1 if not said otherwise
-    exchange.py --defects           with each of some defects in the reference; expects that each is found
+    exchange.py --defects           with each of some defects in the reference; expects to find each
 
-Checks that everything is carried out once and in order, that outcomes are true, and that what is believed was said. Time is simulated.
+Checks that every command is carried out once and in order, that outcomes are true, and that the board sent each believed answer. Time is
+simulated.
 """
 import pathlib
 import random
@@ -33,8 +34,8 @@ def has_hello(data):
 
 
 class Wire:
-    """One direction: bytes arrive after a while, at the rate of the line; each is harmed with a probability, and what is sent at once comes
-    once more later with another if `is_copied` says so."""
+    """One direction: bytes arrive after a while, at the rate of the line; each is damaged with a probability, and bytes sent at once come
+    once more later with another, if `is_copied` is true for them."""
 
     def __init__(self, rng, rate, harm, is_copied):
         self.rng, self.rate, self.harm, self.is_copied = rng, rate, harm, is_copied
@@ -66,7 +67,7 @@ class Wire:
 
 
 class Program:
-    """Action number n is `c(n)`; whether it is carried out is decided when it comes."""
+    """Action number n is `c(n)`; its outcome is drawn when it comes."""
 
     actions = [(b"c", 1)]
 
@@ -215,8 +216,8 @@ DEFECTS = [
     ("FE is done when it is acknowledged", patch.object(window.Out, "as_nothing", False)),
     ("a part that is missing is not noticed", mutations.replaced(parts.Assembly, "take", mutations.any_part)),
 ]
-# Bytes a ms; probability that a byte is harmed, that a command is refused, that its outcome is late, that an end restarts in a ms, and what
-# of that which is sent at once may come once more later. HELLO and what follows it both late make a session once more, so either only is copied.
+# Bytes a ms; probability that a byte is damaged, that a command is refused, that its outcome is late, that an end restarts in a ms, and the
+# frames that may come once more later. HELLO and its successors, if both are late, make a session once more, so only one of them is copied.
 SETTINGS = [
     (11.5, 0, 0, 0, 0, nothing),
     (11.5, 1e-3, 0.02, 0, 0, nothing),
@@ -238,7 +239,7 @@ def run(commands, seed):
 
 
 def check_defects():
-    """Whether each defect is found."""
+    """Returns true if each defect is found."""
     missed = 0
     for name, defect in DEFECTS:
         with defect:

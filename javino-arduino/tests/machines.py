@@ -22,7 +22,7 @@ def freeze(value):
 
 
 class Machine:
-    """`step(object, event)` changes the object and returns what comes out of it."""
+    """`step(object, event)` changes the object and returns its output."""
 
     def __init__(self, step):
         self.step = step
@@ -36,7 +36,7 @@ class Machine:
         return self.ids[frozen]
 
     def after(self, id, event):
-        """(the state's number, what comes out) after an event in a state."""
+        """Returns (the new state's number, the output) after an event in a state."""
         made = self.steps.get((id, event))
         if made is None:
             thing = copy.deepcopy(self.objects[id])

@@ -5,13 +5,12 @@
     model.py --mutations  explore with each of a list of defects in a machine, and expect that a property fails
 
 The machines are those of the reference, with few numbers before they wrap and a small window. The lines keep the order of frames and lose
-any of them; damage is loss, and so is what belongs to another session. A frame to the board may come once more, later. Breadth first, so a
+any of them; damage is loss, and so are frames of another session. A frame to the board may come once more, later. Breadth first, so a
 failure is shown by the shortest way to it.
 
-The properties: what is reported done was carried out once, what is reported refused was refused; all in order, nothing twice; nothing
-behind a refused command is handled before the computer has seen the refusal; a command whose time is over is not sent; an answer that is
-believed was given to that request of that session; and from every state, if nothing more is lost, everything ends and a question is
-answered.
+The properties: a command reported done was carried out once, one reported refused was refused; all in order, none twice; no command behind
+a refused one is handled before the computer has seen the refusal; a command whose time is over is not sent; a believed answer was given to
+that request of that session; and from every state, if nothing more is lost, everything ends and a question is answered.
 """
 import sys
 import time
@@ -41,7 +40,7 @@ class Stuck(Exception):
 
 
 class Setup(NamedTuple):
-    """What may happen, and how often."""
+    """The events that may happen, and how often."""
     behaviour: tuple  # for each command: D done, R refused, d done later, r refused later
     asks: int = 0
     board_restarts: int = 0
@@ -157,7 +156,7 @@ class Model:
         self.believed = 0
         self.computers, self.boards = Machine(step_computer), Machine(step_board)
         self.fresh_board = self.boards.id_of(self._board())
-        # Nothing but the protocol's other rules may show that a number cannot be right.
+        # Only the protocol's other rules may show that a number cannot be right.
         session = sessions.Session(lambda last: next_nonce(last), NUMBERS, WINDOW, impossible=None)
         self.start = State(self.computers.id_of(session), self.fresh_board, (), (), (), setup[1:], 0, 0, 0, 0, (None,) * self.commands, ())
 
@@ -235,10 +234,10 @@ class Model:
                 if command is not NOTHING and state.over >> number_of(command) & 1:
                     raise Violation(f"command {number_of(command)} is sent although its time is over")
 
-    # ---- what may happen ----
+    # ---- events ----
 
     def next(self, state):
-        """All that may happen: its name, and a function that gives the state that follows."""
+        """Yields all events that may happen: the name, and a function that returns the next state."""
         session = self.computers.objects[state.computer]
         board = self.boards.objects[state.board]
         left = state.left
@@ -298,7 +297,7 @@ class Model:
         return self.computer(state, ("send", tuple(range(state.sent, state.sent + n))))._replace(sent=state.sent + n)
 
     def _restart(self, state, session):
-        """What was out is forgotten with the computer."""
+        """The commands that were out are forgotten with the computer."""
         reported = list(state.reported)
         if session.open:
             for entry in session.window.out:
@@ -313,11 +312,11 @@ class Model:
                 and not self._is_deaf(state))
 
     def _is_deaf(self, state):
-        """Whether the board has the session of an earlier HELLO, so that it takes and sends nothing of this one."""
+        """Returns true if the board has the session of an earlier HELLO, so that it takes and sends nothing of this one."""
         return self.boards.objects[state.board].session not in (0, self.computers.objects[state.computer].nonce)
 
     def fair(self, state):
-        """The next state where nothing is lost and no timer is early."""
+        """Returns the next state if nothing is lost and no timer is early."""
         if state.to_board:
             return self.to_board(state._replace(to_board=state.to_board[1:]), state.to_board[0])
         if state.to_computer:
@@ -340,7 +339,7 @@ class Model:
                 raise Stuck(state, violation) from None
 
     def _check_ends(self, state, good):
-        """From here on everything ends, and a question is answered; `good` are the states of which this is known."""
+        """Checks that from here on everything ends, and a question is answered; `good` are the states of which this is known."""
         way = set()
         while state not in good and not self.settled(state):
             if state in way:
@@ -353,7 +352,7 @@ class Model:
         good.add(state)
 
     def _check_answered(self, state):
-        """Of three questions one is answered: the first may find that the board was restarted, the second a void answer."""
+        """Checks that one of three questions is answered: the first may find that the board was restarted, the second a void answer."""
         before = self.believed
         for _ in range(3):
             state = self.computer(state, ("ask",))
@@ -438,7 +437,7 @@ def explore_all():
 
 
 def check_mutations():
-    """Whether the model finds every defect of the list."""
+    """Returns true if the model finds every defect of the list."""
     from mutations import MUTATIONS
     missed = 0
     for name, defect in MUTATIONS:

@@ -1,4 +1,4 @@
-"""Defects for the two state machines, each of which the model must find: what the protocol's rules are for."""
+"""Defects of the two state machines, each of which the model must find; they show the purpose of the protocol's rules."""
 from contextlib import contextmanager
 from unittest.mock import patch
 

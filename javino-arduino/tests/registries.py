@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder, by their rules."""
+"""Checks the files that the Arduino Library Manager, PlatformIO and the ESP component registry read of this folder, by their rules."""
 import json
 import pathlib
 import re
@@ -36,6 +36,9 @@ def the_library_manager_takes_the_properties():
     check(re.fullmatch(r"https?://[\w.-]+\.\w+(/\S*)?", found["url"]), "the url is none")
     check(found["category"] in CATEGORIES, f"there is no category {found['category']}")
     check(found["sentence"].endswith("."), "the sentence is none")
+    check("arduino" not in found["maintainer"].lower(), "the maintainer is not Arduino (arduino-lint LP057)")
+    check(found["sentence"] not in found["paragraph"], "the paragraph repeats the sentence (arduino-lint LP036)")
+    check(re.fullmatch(r"\*|[a-z0-9_]+(,[a-z0-9_]+)*", found["architectures"]), "an architecture is none (arduino-lint LP043)")
     for header in found["includes"].split(","):
         check((ROOT / "src" / header).is_file(), f"there is no src/{header}")
     check((ROOT / "src" / (found["name"] + ".h")).is_file(), "no header has the library's name")
@@ -120,7 +123,7 @@ def public_members(source):
 def keywords_are_those_of_the_headers():
     members, types = set(), set()
     for header in ("JavinoBoard.h", "Javino.h", "JavinoNetwork.h", "JavinoActions.h", "JavinoArguments.h"):
-        # What no sketch names is left out.
+        # Names that no sketch uses are left out.
         found = public_members(re.sub(r"class JavinoGathering\b.*?^};", "", text(f"src/{header}"), flags=re.S | re.M))
         members |= found[0]
         types |= found[1]

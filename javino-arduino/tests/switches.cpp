@@ -1,4 +1,4 @@
-// What is left of the core where a switch leaves a part out. Built once for each.
+// The rest of the core if a switch leaves a part out. Built once for each switch.
 
 #include "conversation.h"
 
@@ -13,7 +13,7 @@ void look(Conversation &c) {
     }
 }
 
-/** The answer to a request in version 1. */
+/** Returns the answer to a request in version 1. */
 std::string answer1(Conversation &c, const std::string &request) {
   if (c.hear(frame1(request)) != JAVINO_REQUEST)
     return c.sent();

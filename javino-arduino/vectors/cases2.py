@@ -1,4 +1,4 @@
-"""The cases of javino2-vectors.json: what goes in is written here, what comes out is what the reference makes of it."""
+"""The cases of javino2-vectors.json: the inputs are written here, and the reference computes the outputs."""
 from javino2 import commands, parts, rules, vocabulary
 from javino2.device import Device
 from javino2.frames import FROM_BOARD, TO_BOARD, Frame, Receiver, encode
@@ -54,7 +54,7 @@ def frames():
              "frameHex": encode(frame, nonce).hex()}
 
     def found(name, start, condition):
-        """The first case of a row whose checksum is as asked."""
+        """Returns the first case of a row that has the wanted checksum."""
         return next(c for c in start if condition(c["frameHex"])) | {"name": name}
 
     def acks():
@@ -278,7 +278,7 @@ def percepts():
         return {"name": name, "shapes": shapes, "answers": shown}
 
     def two(name, *texts, known=None, shapes=MAX_SHAPES):
-        """The same texts twice: first nothing is known, then as much as can be."""
+        """Sends the same texts twice: first none is known, then as many as possible."""
         distinct = Writer(shapes)
         distinct.write(list(texts), 0)
         return case(name, (0, list(texts)), (len(distinct.ids) if known is None else known, list(texts)), shapes=shapes)
@@ -500,7 +500,7 @@ def converse(name, has, *steps):
         for frame in map(read_frame, step.get("to", [])):
             if frame.kind == HELLO_KIND:
                 nonce = frame.number
-            # What is of another session is damaged, and passed over.
+            # Frames of another session count as damaged, and are passed over.
             if frame.kind == HELLO_KIND or board.session in (0, step.get("nonce", nonce)):
                 out += board.receive(frame)
         if "report" in step:

@@ -5,8 +5,8 @@
     reference.py --write    write javino2-vectors.json anew
 
 The reference is written from docs/protocol.md, as plainly as possible: version1.py, and javino2/ for version 2. It is the second opinion
-on the vectors, the C core and the Java link. The vectors of version 1 are written by hand; those of version 2 are what the reference makes
-of the cases in cases2.py.
+on the vectors, the C core and the Java link. The vectors of version 1 are written by hand; the reference makes those of version 2 from the
+cases in cases2.py.
 """
 import json
 import pathlib
@@ -20,7 +20,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def check1(vectors):
-    """The disagreements with the vectors of version 1, one text each."""
+    """Returns the disagreements with the vectors of version 1, one text each."""
     wrong = []
 
     def expect(name, what, found, expected):
@@ -44,7 +44,7 @@ def check1(vectors):
 
 
 def check2(vectors):
-    """The cases of version 2 with which the reference disagrees."""
+    """Returns the cases of version 2 with which the reference disagrees."""
     made, wrong = cases2.vectors(), []
     for group in made.keys() | vectors.keys():
         expected, found = vectors.get(group, []), made.get(group, [])
@@ -55,7 +55,7 @@ def check2(vectors):
 
 
 def compact(vectors):
-    """The vectors as JSON, a case on each line."""
+    """Returns the vectors as JSON, a case on each line."""
     groups = []
     for name, cases in vectors.items():
         groups.append(f"  {json.dumps(name)}: [\n" + ",\n".join("    " + json.dumps(c) for c in cases) + "\n  ]")

@@ -1,19 +1,19 @@
-"""Version 1 of the protocol. Times are in milliseconds and only ever passed in."""
+"""Version 1 of the protocol. Times are in milliseconds, and the caller passes them in."""
 
 PREAMBLE = b"fffe"
 HEX = b"0123456789abcdefABCDEF"
 
 
 def frame(payload):
-    """A frame around at most 255 bytes."""
+    """Returns a frame around at most 255 bytes."""
     return PREAMBLE + b"%02X" % len(payload) + payload
 
 
 class Decoder:
     """A receiver by the protocol's rules.
 
-    Where version 2 shares the line, `other` is the byte with which its frames begin. `anywhere` says whether a frame may begin at any byte,
-    or only at one in front of which `quiet` was set. Messages are given to `deliver`, or kept in `messages`.
+    If version 2 shares the line, `other` is the byte with which its frames begin. If `anywhere`, a frame may begin at any byte, else only
+    at one in front of which `quiet` was set. Messages are given to `deliver`, or kept in `messages`.
     """
 
     def __init__(self, timeout=100, other=None, deliver=None):
@@ -34,19 +34,19 @@ class Decoder:
         self.last = now
 
     def idle(self, now):
-        """Says that it is this late and that nothing else has arrived."""
+        """Call it if nothing else has arrived by this time."""
         if now - self.last <= self.timeout:
             return
         while self.window:
             self.give_up()
 
     def put(self, byte):
-        """Takes a byte. Returns the bytes from `other` on, if that is found where no frame of version 1 is."""
+        """Takes a byte. Returns the bytes from `other` on, if it is found outside of frames of version 1."""
         self.window += bytes([byte])
         return self._parse()
 
     def give_up(self):
-        """Nothing follows: drops the frame that was delivered, or reads what is incomplete again from its second byte. Returns as put."""
+        """Handles silence: drops the frame that was delivered, or reads an incomplete one again from its second byte. Returns as put."""
         following = self.window[self.delivered:]
         if self.delivered and (not following or self._header(following) == "yes"):
             self._drop(self.delivered)
@@ -55,7 +55,7 @@ class Decoder:
         return self._parse()
 
     def waits(self):
-        """Whether a frame is being read."""
+        """True if a frame is being read."""
         return len(self.window) > self.delivered
 
     def _drop(self, count):
@@ -98,7 +98,7 @@ class Decoder:
 
     @staticmethod
     def _header(data):
-        """Whether a preamble and two hex digits stand here: yes, no or maybe (too few bytes to know)."""
+        """Decides if a preamble and two hex digits are here: yes, no or maybe (too few bytes to know)."""
         if not PREAMBLE.startswith(data[:4]) or any(c not in HEX for c in data[4:6]):
             return "no"
         return "yes" if len(data) >= 6 else "maybe"

@@ -27,7 +27,7 @@ def turn(degrees):
     if not 0 <= degrees <= 180:
         return False
     servo.duty_u16(1638 + degrees * 6554 // 180)
-    turning["later"] = board.later()  # argo.act waits for done
+    turning["later"] = board.later()  # argo.act waits until done is called
     turning["until"] = ticks_add(ticks_ms(), 400)
 
 

@@ -21,12 +21,12 @@ _NOTHING = None  # a command whose number is used up
 
 
 class Refused(Exception):
-    """Raised by an action's function: it cannot be carried out. Returning False says the same."""
+    """An action's function raises it if the action cannot be carried out. Returning False has the same effect."""
 
 
 def _read_row(row):
-    """The commands of a payload: the number of an action, a text, (rule,) for the text of a rule, or _NOTHING. An item that cannot be read
-    ends the row."""
+    """Returns the commands of a payload: the number of an action, a text, (rule,) for the text of a rule, or _NOTHING. An unreadable item
+    ends the list."""
     at = 0
     while at < len(row):
         first = size = row[at]
@@ -45,7 +45,7 @@ def _read_row(row):
 
 
 def _asks_for(functors, functor):
-    """Whether a request that names functors, as `(dist,light)`, names this one. One without names asks for all."""
+    """Returns true if a request names this functor, as `(dist,light)` does, or names none: then it asks for all."""
     if "(" not in functors and "," not in functors:
         return True
     for before in "(,":
@@ -68,13 +68,13 @@ class _Acts:
 class Board:
     """A board on a line.
 
-    `line` is the name of one, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. Without one it is standard input and output, on a microcontroller the USB port. `baud` is the rate that a named serial port is
-    opened with and at which a reflex overtakes a long answer; 100 ms of silence end a frame that has begun, on a slower line than 2000
-    baud 20 byte times. `credit` is how many bytes the port's receive buffer holds, `longest` how many a frame's payload may have, `shapes`
-    how many kinds of percepts are sent by their digits alone. `ticks` is a clock of milliseconds.
+    `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
+    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate with which a named serial
+    port is opened and at which a reflex overtakes a long answer; 100 ms of silence end a frame that has begun, on a slower line than 2000
+    baud 20 byte times. `credit` is the size of the port's receive buffer in bytes, `longest` the largest payload of a frame in bytes,
+    `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of milliseconds.
 
-    One thread calls all of it, none from an interrupt.
+    Call it from only one thread, never from an interrupt.
     """
 
     def __init__(self, line=None, baud=None, credit=None, longest=frames.MAX_PAYLOAD, shapes=MAX_SHAPES, ticks=ticks_ms):
@@ -89,7 +89,7 @@ class Board:
         self._perceive = None
         self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
         self._running = False
-        self._inbox = b""  # what came while a function ran
+        self._inbox = b""  # frames that came while a function ran
         self._texts = []  # percepts that were written and not sent
         self._waiting = 0  # their bytes, while nobody has asked
         self._asked = None  # the functors of the request in hand
@@ -118,13 +118,13 @@ class Board:
         if self._rules is not None:
             self._rules.forget()
 
-    # ---- what a program registers ----
+    # ---- functions that a program registers ----
 
     def on_action(self, name, function=None, arguments=0):
-        """Has the function called for the action of this name, with the arguments' values: int, float, or str.
+        """Registers the function for the action of this name. It gets the arguments' values: int, float, or str.
 
-        `arguments` is how many it takes, or ANY; with another number the action is refused. The function refuses it too by returning False
-        or raising Refused. Another exception refuses it and ends `run`. Without a function this decorates one:
+        `arguments` is the number of its arguments, or ANY; with another number the action is refused. The function also refuses it by
+        returning False or raising Refused. Another exception refuses it and ends `run`. Without a function this decorates one:
         `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`. Registering a name again replaces its function.
         """
         if isinstance(function, int):
@@ -147,25 +147,26 @@ class Board:
         return function
 
     def perceive(self, function):
-        """Has percepts written by this function whenever they are asked for. Returns it, to decorate it."""
+        """Registers the function that writes percepts when they are asked for. Returns it, to decorate it."""
         self._perceive = function
         return function
 
     def watch_rules(self, room=8):
-        """Has the board watch up to `room` critical rules itself, which the computer sets. The function given to `perceive` is called at
-        most every 5 ms then, for the percepts that the rules name; `wants` is true for those alone. Call it before the first `run`."""
-        from .rules import Rules  # spared where no board watches
+        """Lets the board watch up to `room` critical rules itself, which the computer sets. The function given to `perceive` is then called
+        at most every 5 ms, for the percepts that the rules name; `wants` is true only for those. Call it before the first `run`."""
+        from .rules import Rules  # not imported on boards that watch no rules
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Has the function called when nothing valid has arrived for so many milliseconds, once until something arrives. 0: never."""
+        """Registers the function that is called if nothing valid has arrived for so many milliseconds, once until something arrives. 0:
+        never."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
     # ---- percepts ----
 
     def wants(self, functor):
-        """Whether the request in hand asks for percepts of this functor; spares reading a sensor."""
+        """Returns true if the request in hand asks for percepts of this functor; spares reading a sensor."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
@@ -181,7 +182,7 @@ class Board:
         return self._write(functor + "(" + ",".join([term(each) for each in values]) + ")" if values else functor)
 
     def add_percept(self, text):
-        """Writes a percept as it is, without the `;` behind it. Returns as `percept`."""
+        """Writes a percept given as text, without the `;` behind it. Returns as `percept`."""
         return not self.wants(functor_of(text)) or self._write(text)
 
     def _write(self, text):
@@ -204,7 +205,7 @@ class Board:
         self._waiting = 0
 
     def send_percepts(self):
-        """Sends the percepts that were written, though nobody asks. `run` sends those of a request by itself."""
+        """Sends the written percepts unasked. `run` sends those of a request by itself."""
         if self._asked is None and not self._is_looking:
             self._send_texts(0, 2 if self._session else 1)
             self._send_parts()
@@ -228,7 +229,7 @@ class Board:
             return
         size = _PART_WITH_RULES if self._rules else _PART
         answer = self._shapes.write(texts, self._known)
-        while len(answer) > size * _MAX_PARTS:  # what no answer holds is left out
+        while len(answer) > size * _MAX_PARTS:  # a percept that fits into no answer is left out
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
         if len(answer) <= (size if self._rules else size + 1):
@@ -240,7 +241,7 @@ class Board:
                 self._parts.append((kind, bytes((request, i)) + answer[i * size:i * size + size]))
 
     def _send_messages(self, texts):
-        """Messages of version 1, each of whole percepts."""
+        """Sends messages of version 1, each of whole percepts."""
         message = b""
         for text in texts:
             if len(text) > frames.MAX_PAYLOAD:
@@ -252,7 +253,7 @@ class Board:
         self._put(frames.frame1(message))
 
     def _send_parts(self):
-        """Sends parts of answers: with rules each when the one before has left, looking at the sensors between them."""
+        """Sends parts of answers; with rules, each when the one before has left, with a look at the sensors between them."""
         while self._parts and (not self._rules or self._has_left()):
             kind, payload = self._parts.pop(0)
             self._say(kind, payload)
@@ -262,7 +263,7 @@ class Board:
     # ---- actions ----
 
     def carry_out(self, text):
-        """Carries out the action of this text, as a reflex does. Returns whether it was."""
+        """Carries out the action of this text, as a reflex does. Returns true if it was carried out."""
         functor, arguments, is_whole = split(text)
         if not is_whole:
             return False
@@ -279,8 +280,8 @@ class Board:
             return False
 
     def later(self):
-        """In an action's function: its outcome is reported later, with `done`. Until then no other action of version 2 is carried out, and
-        requests are answered. Returns what to hand to `done`; 0 where nobody waits for an outcome, as in version 1."""
+        """Call it in an action's function to report the outcome later, with `done`. Until then no other action of version 2 is carried out,
+        and requests are answered. Returns the number for `done`; 0 if nobody waits for an outcome, as in version 1."""
         if not self._in_hand:
             return 0
         self._tokens += 1
@@ -288,8 +289,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action of which `later` was called. Returns whether it was reported: not if the computer has begun
-        anew since, or for 0."""
+        """Reports the outcome of an action that called `later`. Returns true if it was reported: not if the computer has begun anew since,
+        or for 0."""
         if not later or later != self._open:
             return False
         self._open = 0
@@ -343,7 +344,7 @@ class Board:
     # ---- rules ----
 
     def _look(self):
-        """Has the sensors compared with the rules, at most every 5 ms."""
+        """Compares the sensors with the rules, at most every 5 ms."""
         now = self._ticks()
         if not self._rules or not self._perceive or ticks_diff(now, self._looked) < _LOOK_MS:
             return
@@ -360,7 +361,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # what its function writes waits
+                self._is_looking = False  # percepts that its function writes wait
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -370,10 +371,9 @@ class Board:
     # ---- the line ----
 
     def run(self):
-        """Takes what has arrived: answers requests, carries out actions, reports a lost link. Call it in every round of the program. Within
-        a function that it has called it only takes what has arrived, so that a receive buffer does not overflow meanwhile.
-
-        Raises LineGone when the line is gone for good.
+        """Takes the bytes that have arrived: answers requests, carries out actions, reports a lost link. Call it in every round of the
+        program. Within a function that it has called it only stores the bytes, so that a receive buffer does not overflow meanwhile. Raises
+        LineGone when the line is gone for good.
         """
         if self._running:
             if len(self._inbox) < _MAX_WAITING:
@@ -405,7 +405,7 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits until something arrives, at most so many milliseconds; shorter where silence or the sensors matter sooner."""
+        """Waits until something arrives, at most so many milliseconds; shorter if silence or the sensors matter sooner."""
         if self._parts:
             ms = min(ms, 1)
         elif self._rules or self._receiver.is_waiting():  # rules that are set
@@ -428,7 +428,7 @@ class Board:
         self.line.write(data)
 
     def _has_left(self):
-        """Whether all that was written has left, by the line's rate."""
+        """Returns true if all written bytes have left, by the line's rate."""
         return not self._baud or ticks_diff(self._free_at, self._ticks()) <= 0
 
     def _say(self, kind, payload=b""):
@@ -441,7 +441,7 @@ class Board:
     # ---- frames, as the receiver finds them ----
 
     def take1(self, payload):
-        """Takes a message of version 1. Who sends one has begun no session, so that of an earlier program ends."""
+        """Takes a message of version 1. Its sender has no session, so the session of an earlier program ends."""
         self._note_valid()
         if self._session:
             self._begin(0)
@@ -456,7 +456,7 @@ class Board:
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Hears from what follows whether the message of version 1 in front was read rightly."""
+        """Takes the verdict of the following bytes on the message of version 1 before them: true if it was read rightly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)

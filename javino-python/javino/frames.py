@@ -1,6 +1,6 @@
 """Frames of the Javino protocol, versions 1 and 2: finds them in the bytes that arrive, and writes them.
 
-No line and no clock are in here: bytes and times, in milliseconds, are handed in.
+This module has no line and no clock: the caller hands in bytes and times, in milliseconds.
 """
 try:
     from binascii import crc_hqx  # the same polynomial, in C
@@ -26,10 +26,10 @@ REFUSED = 0x40
 BUSY = 0x20
 
 REVISION = 1
-"""The revision of version 2 that is spoken here, as WELCOME says."""
+"""The revision of version 2 of this implementation, for WELCOME."""
 
 MAX_PAYLOAD = 255
-"""Bytes of payload that a frame holds at most, in either version."""
+"""The largest payload of a frame in bytes, in either version."""
 
 _TO_BOARD = (HELLO, ASK, DESCRIBE, COMMANDS, RESUME)
 _PREAMBLE = b"fffe"
@@ -39,7 +39,7 @@ _NO, _MAYBE, _YES = 0, 1, 2
 
 
 def crc16(data, nonce=0):
-    """CRC-16/CCITT-FALSE of the bytes; with a nonce that of a frame of this session."""
+    """Returns the CRC-16/CCITT-FALSE of the bytes; with a nonce, that of a frame of this session."""
     crc = 0xFFFF ^ nonce << 8
     if crc_hqx:
         return crc_hqx(data, crc)
@@ -52,12 +52,12 @@ def crc16(data, nonce=0):
 
 
 def frame1(payload):
-    """A frame of version 1 around at most 255 bytes."""
+    """Returns a frame of version 1 around at most 255 bytes."""
     return _PREAMBLE + b"%02X" % len(payload) + payload
 
 
 def frame2(kind, number, payload, nonce):
-    """A frame of version 2 around at most 255 bytes, with its escapes, in the session with this nonce."""
+    """Returns a frame of version 2 around at most 255 bytes, with its escapes, in the session with this nonce."""
     body = bytes((len(payload), kind, number)) + payload
     crc = crc16(body, 0 if kind == HELLO or kind & ~(REFUSED | BUSY) == WELCOME else nonce)
     body += bytes((crc >> 8, crc & 255))
@@ -65,7 +65,7 @@ def frame2(kind, number, payload, nonce):
 
 
 def _header(data, at, end):
-    """Whether a preamble and two hex digits stand at this place; _MAYBE if there are too few bytes to know."""
+    """Returns true if a preamble and two hex digits are at this place; _MAYBE if there are too few bytes to know."""
     for i in range(min(_HEADER, end - at)):
         byte = data[at + i]
         if byte != _PREAMBLE[i] if i < 4 else byte not in _HEX:
@@ -77,7 +77,7 @@ class Receiver:
     """Finds the frames for a board on a line that both versions share.
 
     `sink` is an object with `take1(payload)` and `take2(kind, number, payload)`, which get each frame with its last byte, and
-    `followed(rightly)`, which hears what the bytes behind a frame of version 1 show: that it was read rightly, or that it may have been
+    `followed(rightly)`, which gets true if the bytes behind a frame of version 1 show that it was read rightly, false if it may have been
     misread.
     """
 
@@ -95,12 +95,12 @@ class Receiver:
         self._quiet = True  # a frame of version 1 may begin at the window's start
 
     def receive(self, data, now):
-        """Takes bytes. One that has waited in a receive buffer is not late: silences are known from `idle` alone."""
+        """Takes bytes. Bytes that have waited in a receive buffer are not late: only `idle` tells silences."""
         self._last = now
         self._read(data)
 
     def idle(self, now, diff=lambda a, b: a - b):
-        """Hears that at this time nothing more had arrived. `diff` subtracts times of a clock that wraps."""
+        """Call it if nothing more has arrived at this time. `diff` subtracts times of a clock that wraps."""
         silence = self._timeout + 1 if self._last is None else diff(now, self._last)
         if silence > self._timeout:
             while self._window:
@@ -113,7 +113,7 @@ class Receiver:
             self._sink.followed(True)
 
     def is_waiting(self):
-        """Whether silence would tell something."""
+        """Returns true if silence would change anything."""
         return bool(self._window) or self._body is not None
 
     def _read(self, data):
@@ -123,7 +123,7 @@ class Receiver:
     # ---- version 1 ----
 
     def _read1(self, data):
-        """Reads bytes outside of frames of version 2; returns what stands behind the start of such a frame."""
+        """Reads bytes outside of frames of version 2; returns the bytes behind the start of such a frame."""
         window = self._window + data
         end = len(window)
         at = 0
@@ -168,7 +168,7 @@ class Receiver:
             self._sink.followed(rightly)
 
     def _give_up(self):
-        """Nothing follows: drops the frame that was handed out, or reads what is incomplete again from its second byte."""
+        """Handles silence: drops the frame that was handed out, or reads an incomplete one again from its second byte."""
         window, held = self._window, self._held
         self._window = b""
         if held and (len(window) == held or _header(window, held, len(window)) == _YES):
@@ -186,7 +186,7 @@ class Receiver:
         self._escaped = False
 
     def _read2(self, data):
-        """Reads bytes of a frame of version 2; returns what stands behind its end."""
+        """Reads bytes of a frame of version 2; returns the bytes behind its end."""
         for i in range(len(data)):
             byte = data[i]
             if byte == START:

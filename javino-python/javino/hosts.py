@@ -1,4 +1,4 @@
-"""Lines of computers, by name. Needs nothing but Python on Linux and macOS; on Windows serial ports need pyserial."""
+"""Lines of computers, by name. Needs only Python on Linux and macOS; on Windows serial ports need pyserial."""
 import os
 import select
 import socket
@@ -7,7 +7,7 @@ import time
 
 from .lines import LineGone, Port
 
-_CREDIT = 255  # what the system keeps for a program that is busy is more
+_CREDIT = 255  # the system keeps more for a busy program
 _PATIENCE = 1.0  # seconds until bytes that nobody takes are lost, as on a serial line
 
 
@@ -80,7 +80,7 @@ class Descriptor:
         os.set_blocking(fd_out, False)
 
     def read(self):
-        """What has arrived, without waiting. Raises LineGone at the end of the input."""
+        """Returns the bytes that have arrived, without waiting. Raises LineGone at the end of the input."""
         try:
             data = os.read(self._in, 4096)
         except BlockingIOError:
@@ -92,7 +92,7 @@ class Descriptor:
         return data
 
     def write(self, data):
-        """Writes all of it, unless the far end takes nothing for a second: then the rest is lost."""
+        """Writes all bytes, unless the far end takes none for a second: then the rest is lost."""
         end = time.monotonic() + _PATIENCE
         while data:
             try:
@@ -115,7 +115,7 @@ class Descriptor:
 
 
 class PseudoTerminal(Descriptor):
-    """A pseudo-terminal; `name` is the device that a computer opens. Its settings and what it holds last as long as this."""
+    """A pseudo-terminal; `name` is the device that a computer opens. It keeps its settings and its bytes until it is closed."""
 
     def __init__(self, link=""):
         import tty
@@ -163,7 +163,7 @@ class Listener:
             self._connection = None
 
     def read(self):
-        """What has arrived, without waiting."""
+        """Returns the bytes that have arrived, without waiting."""
         self._accept()
         if not self._connection:
             return b""
@@ -178,7 +178,7 @@ class Listener:
         return data
 
     def write(self, data):
-        """Writes all of it, unless the far end has gone or takes nothing for a second."""
+        """Writes all bytes, unless the far end has gone or takes none for a second."""
         end = time.monotonic() + _PATIENCE
         while data and self._connection:
             try:

@@ -1,4 +1,4 @@
-"""Answers of version 2: percepts as a row of items, by text once and by the digits alone from then on."""
+"""Answers of version 2: percepts as a list of items, once by their text and from then on only by their digits."""
 
 MAX_SHAPES = 126
 _BY_NUMBER = 0x80
@@ -9,7 +9,7 @@ _END_OF_NUMBER = 0xF
 
 
 def _shape(text, halves):
-    """The text with one 0 in place of each run of digits. The digits go to `halves`, as half bytes with an F behind each run."""
+    """Returns the text with one 0 in place of each run of digits. The digits go to `halves`, as half bytes with an F behind each run."""
     shape = bytearray()
     was_digit = False
     for byte in text:
@@ -37,9 +37,10 @@ class Shapes:
         return len(self._ids)
 
     def write(self, texts, known):
-        """The items of an answer. `known` is how many texts the computer knows, as the newest request says, of those there were then."""
+        """Returns the items of an answer. `known` is the number of texts that the computer knows, by the newest request, of those at that
+        time."""
         items = bytearray()
-        first, count, halves = 0, 0, bytearray()  # percepts in turn, of which only the digits go
+        first, count, halves = 0, 0, bytearray()  # percepts in a row, sent only by their digits
         for text in texts:
             digits = bytearray()
             id = self._id(text, digits)
@@ -57,7 +58,7 @@ class Shapes:
         return bytes(items)
 
     def _id(self, text, digits):
-        """The text's id, or _WITHOUT_ID."""
+        """Returns the text's id, or _WITHOUT_ID."""
         if len(text) > _MAX_TEXT:
             return _WITHOUT_ID
         shape = _shape(text, digits)

@@ -11,7 +11,7 @@ class LineGone(OSError):
 
 
 def open_line(line, baud=None):
-    """The line that a name, an open port or nothing stands for; see `Board`, and `hosts.open_named` for the names."""
+    """Returns the line for a name, an open port or None; see `Board`, and `hosts.open_named` for the names."""
     if line is not None and not isinstance(line, str):
         return line if hasattr(line, "wait") else Port(line)
     if IS_COMPUTER:
@@ -32,7 +32,7 @@ def _sleep_ms(ms):
 
 
 class Port:
-    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or whatever has `read` and `write` like these."""
+    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or any object with `read` and `write` like these."""
 
     def __init__(self, port):
         self._port = port
@@ -44,12 +44,12 @@ class Port:
             raise TypeError("%r is no line: a port has read, write, and any or in_waiting; a line of your own read, write and wait" % port)
 
     def read(self):
-        """What has arrived, without waiting."""
+        """Returns the bytes that have arrived, without waiting."""
         count = self._count()
         return self._port.read(count) if count else b""
 
     def write(self, data):
-        """Writes all of it."""
+        """Writes all bytes."""
         while data:
             written = self._port.write(data)
             if written is None or written >= len(data):
@@ -89,7 +89,7 @@ class Console:
         return self._runtime.serial_bytes_available
 
     def read(self):
-        """What has arrived, without waiting."""
+        """Returns the bytes that have arrived, without waiting."""
         data = bytearray()
         while len(data) < 256 and self._is_ready(0):
             byte = self._in.read(1)
@@ -101,7 +101,7 @@ class Console:
         return bytes(data)
 
     def write(self, data):
-        """Writes all of it."""
+        """Writes all bytes."""
         self._out.write(data)
 
     def wait(self, ms):

@@ -5,7 +5,7 @@ _CLOSING = ")]}"
 
 
 def to_bytes(text):
-    """The text's bytes. Raises ValueError for a character that ISO 8859-1 does not have."""
+    """Returns the text's bytes. Raises ValueError for a character that ISO 8859-1 does not have."""
     data = text.encode()
     if len(data) == len(text):
         return data
@@ -16,7 +16,7 @@ def to_bytes(text):
 
 
 def to_text(data):
-    """The text of bytes."""
+    """Returns the text of bytes."""
     for byte in data:
         if byte > 127:
             return "".join([chr(b) for b in data])
@@ -24,7 +24,7 @@ def to_text(data):
 
 
 def functor_of(text):
-    """What stands in front of the arguments and annotations."""
+    """Returns the text in front of the arguments and annotations."""
     for i in range(len(text)):
         if text[i] in "([;":
             return text[:i].strip(" ")
@@ -32,8 +32,8 @@ def functor_of(text):
 
 
 def split(text):
-    """(functor, arguments, is_whole): the arguments as texts without blanks around them. `is_whole` is false for a text that is no literal,
-    because a bracket, a quote or an argument is missing, or because something is behind it."""
+    """Returns (functor, arguments, is_whole), with the arguments as texts without blanks around them. `is_whole` is false for a text that
+    is no literal, because a bracket, a quote or an argument is missing, or because text follows it."""
     functor = functor_of(text)
     i = 0
     while i < len(text) and text[i] not in "([;":
@@ -84,7 +84,7 @@ def _digits(text, at):
 
 
 def is_number(text):
-    """Whether the text is digits with a sign in front or none, and a point and digits behind or none."""
+    """Returns true if the text is digits, maybe with a sign in front, and maybe with a point and digits behind."""
     begin = 1 if text[:1] in ("+", "-") and text else 0
     point = _digits(text, begin)
     if point == begin or point == len(text):
@@ -105,7 +105,8 @@ def _scaled(text, places):
 
 
 def compare(a, b):
-    """Less than, equal to or more than 0, as number `a` is than number `b`; exact, which floats of microcontrollers are not."""
+    """Compares two numbers given as texts: returns less than 0 if `a < b`, 0 if they are equal, else more than 0. Exact, unlike floats of
+    microcontrollers."""
     places = len(a) + len(b)
     a, b = _scaled(a, places), _scaled(b, places)
     return (a > b) - (a < b)
@@ -115,7 +116,7 @@ def compare(a, b):
 
 
 def value(argument):
-    """The value of an action's argument: an int, a float, or a str without its quotes. Lists and structures are their text."""
+    """Returns the value of an action's argument: an int, a float, or a str without its quotes. Lists and structures stay text."""
     if is_number(argument):
         return float(argument) if "." in argument else int(argument)
     if argument[0] == '"' or argument[0] == "'":
@@ -142,9 +143,8 @@ def _unquoted(text):
 
 
 def term(value):
-    """The text of a Python value in a percept: numbers, True and False, atoms, other text as a string, lists.
-
-    Raises ValueError for a float that is no number or infinite, TypeError for what has no text.
+    """Returns the text of a Python value in a percept: numbers, True and False, atoms, other text as a string, lists. Raises ValueError for
+    a float that is no number or infinite, TypeError for other values.
     """
     if value is True or value is False:
         return "true" if value else "false"

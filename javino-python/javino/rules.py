@@ -2,7 +2,7 @@
 from .literals import compare, functor_of, is_number, split
 
 MAX_PERCEPT = 253
-"""Bytes of a percept that a report holds, with its `;`."""
+"""The largest percept in a report in bytes, with its `;`."""
 
 NO_REFLEX = 0
 CARRIED_OUT = 1
@@ -12,13 +12,13 @@ _REFLEX = "\x02"
 
 
 def _word(text, begin):
-    """The characters up to a 00, and the place behind it; (None, 0) if there is no 00."""
+    """Returns the characters up to a 00, and the place behind it; (None, 0) if there is no 00."""
     end = text.find("\x00", begin)
     return (None, 0) if end < 0 else (text[begin:end], end + 1)
 
 
 def read(text):
-    """The rule of a command without its number, as (functor, conditions, reflex); None if it has another form."""
+    """Returns the rule of a command without its number, as (functor, conditions, reflex); None if it has another form."""
     functor, at = _word(text, 0)
     if not functor:
         return None
@@ -51,7 +51,7 @@ def _holds(condition, arguments):
 
 
 def is_met(rule, percept):
-    """Whether the percept has the rule's functor and meets all its conditions."""
+    """Returns true if the percept has the rule's functor and meets all its conditions."""
     if functor_of(percept) != rule[0]:
         return False
     arguments = split(percept)[1]
@@ -79,7 +79,7 @@ class Rules:
         self._met = ()
 
     def set(self, text):
-        """Does what a command says. Returns false if it is refused."""
+        """Carries out a command on rules. Returns false if it is refused."""
         number = ord(text[0])
         if number == 0 and len(text) == 1:
             self.forget()
@@ -96,7 +96,7 @@ class Rules:
         return True
 
     def watches(self, functor):
-        """Whether a rule is about such percepts."""
+        """Returns true if a rule is on percepts of this functor."""
         for _, rule in self._rules:
             if rule[0].lstrip("~") == functor:
                 return True
@@ -107,7 +107,7 @@ class Rules:
         self._seen = []
 
     def newly_met(self, percept):
-        """The (number, reflex) of rules that this percept meets as the first of the look, and that were not met before."""
+        """Returns the (number, reflex) of rules that this percept is the first of the look to meet, and that were not met before."""
         found = []
         for number, rule in self._rules:
             if number not in self._seen and is_met(rule, percept):

@@ -14,7 +14,7 @@ def length(data):
     return 6 + size
 
 
-# What remains, the bytes of the frame at its beginning, or 0, and whether another one or silence is behind that.
+# Returns the rest, the bytes of the frame at its start, or 0, and True if another one or silence follows.
 def find(data, silence):
     while data:
         size = length(data)

@@ -45,7 +45,7 @@ class Board:
         uart.write(data)
 
     def run(self):
-        now = running_time()  # before the bytes: what passes in between is no silence
+        now = running_time()  # before the bytes: the time between is no silence
         if uart.any():
             self._in += uart.read(64)
             self._heard = now

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The board of ../../javino-arduino/tests/differential.py, which describes what it is sent, in Python in place of C."""
+"""The board of ../../javino-arduino/tests/differential.py, in Python instead of C; the test describes the commands."""
 import pathlib
 import struct
 import sys

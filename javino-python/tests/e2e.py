@@ -52,7 +52,7 @@ class Board:
         self.line.close()
 
     def carried(self, seconds=0.0):
-        """The actions that were carried out since the last call."""
+        """Returns the actions that were carried out since the last call."""
         while select.select([self.process.stderr], [], [], seconds)[0]:
             data = os.read(self.process.stderr.fileno(), 65536)
             if not data:
@@ -63,7 +63,7 @@ class Board:
         return [line.decode() for line in lines]
 
     def next(self):
-        """The next action that is carried out; fails if none is."""
+        """Returns the next action that is carried out; fails if none is."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             found = self.carried(0.5)
@@ -85,7 +85,7 @@ def answers_acts_and_refuses_in_both_versions(python):
         equal(session.ask("(count)"), "count(3);")
         for _ in range(3):
             equal(session.ask(), 'count(3);dist(f,100);text("a \\"b\\"; c",1.5,true,[1,x]);')
-        time.sleep(0.05)  # within a session a message of version 1 counts behind a silence
+        time.sleep(0.05)  # within a session a message of version 1 counts only if silence follows it
         line.write(frame1(b"ledOn"))
         equal(board.next(), "ledOn")
         time.sleep(0.05)

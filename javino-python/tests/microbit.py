@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE.parent.parent / "javino-arduino" / "tests" / "e2e"))
 from board import PATIENCE, FarEnd, frame1  # noqa: E402
 from cases import check, damage_one_in_200, equal, texts  # noqa: E402
 
-# At most what its receive buffer of 64 bytes holds, with what ends a line.
+# At most as many bytes as its receive buffer of 64 holds, with the end of a line.
 PIECE = 24
 
 FILES = ("javtext.py", "javframe.py", "javino.py")
@@ -66,7 +66,7 @@ class MicroBit:
         self.line.close()
 
     def until(self, end):
-        """What the prompt prints up to this."""
+        """Returns the prompt's output up to this text."""
         limit = time.monotonic() + PATIENCE
         while end not in self.seen:
             if not select.select([self.line.fd], [], [], max(0.0, limit - time.monotonic()))[0]:
@@ -76,7 +76,7 @@ class MicroBit:
         return found
 
     def do(self, code):
-        """Has the prompt, which echoes nothing, carry out a line."""
+        """Has the prompt, which does not echo, carry out a line."""
         self.line.write(code.encode() + b"\x04")
         self.until(b"OK")
         self.until(b"\x04")
@@ -103,13 +103,14 @@ class MicroBit:
 
 
 def done(text):
-    """The actions that an answer lists, but for the link that was lost meanwhile."""
+    """Returns the actions that an answer lists, but for the link that was lost meanwhile."""
     found = [percept[5:-1].strip('"') for percept in text.split(";") if percept.startswith("done(")]
     return [action for action in found if action != "lost"]
 
 
 def exchange(board, frame=b""):
-    """An answer to a request behind this frame. A machine that is busy may halt QEMU inside a frame, and the frame is lost: again then."""
+    """Returns the answer to a request behind this frame. Sends both again if the frame is lost, since a busy machine may halt QEMU inside
+    it."""
     board.line.messages()
     for _ in range(20):
         board.line.write(frame + frame1(b"getPercepts"))

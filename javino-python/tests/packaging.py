@@ -9,7 +9,7 @@ import tempfile
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HOSTS_ONLY = {"hosts.py"}  # what no microcontroller needs
+HOSTS_ONLY = {"hosts.py"}  # modules that no microcontroller needs
 
 
 def run(*command, cwd=None):
@@ -33,7 +33,7 @@ def wheels(python, folder):
 
 
 def main():
-    # What a microcontroller is sent is the package without what is for computers alone.
+    # A microcontroller gets the package without the modules that are only for computers.
     listed = json.loads((ROOT / "package.json").read_text())
     expected = sorted(f"javino/{path.name}" for path in (ROOT / "javino").glob("*.py") if path.name not in HOSTS_ONLY)
     check([each[0] for each in listed["urls"]] == expected, f"package.json should list {expected}")

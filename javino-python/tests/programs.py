@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Runs the examples, and the Python that pages show, against a computer that greets the board, asks it what it can do and for percepts, and
-sends it every action. What stands for hardware is in `stubs`: it shows that the programs call what they have to, not that they drive it."""
+"""Runs the examples, and the Python on pages, against a computer that greets the board, asks it for its description and for percepts, and
+sends it every action. `stubs` takes the place of hardware: it shows that the programs make the right calls, not that they drive real
+hardware."""
 import pathlib
 import re
 import sys
@@ -16,7 +17,7 @@ PAGES = [ROOT / "README.md", *sorted((ROOT.parent / "docs").glob("*.md"))]
 
 
 class Computer:
-    """A line whose far end asks one thing after the other, and is gone then."""
+    """A line whose far end sends one request after the other, and is gone then."""
 
     name = "the test's line"
 
@@ -44,7 +45,7 @@ class Computer:
 
 
 def run(name, text):
-    """The functors and the actions of the program."""
+    """Returns the functors and the actions of the program."""
     computer = Computer()
     opened, board_module.open_line = board_module.open_line, lambda line, baud=None: computer
     argv, sys.argv = sys.argv, [name]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the vectors do not show: the values of actions and percepts, what is refused, what a program may do wrong, lines and their names."""
+"""Tests beyond the vectors: the values of actions and percepts, refusals, mistakes of programs, lines and their names."""
 import pathlib
 import socket
 import sys
@@ -28,7 +28,7 @@ class Bench:
         self.board = javino.Board(self.line, ticks=lambda: self.now, **options)
 
     def hear(self, kind, number, payload=b""):
-        """The frames that answer this one."""
+        """Returns the frames that answer this one."""
         if kind == frames.HELLO:
             self.nonce = number
         self.line.arrives = frames.encode(frames.Frame(kind, number, payload), self.nonce)

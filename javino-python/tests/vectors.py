@@ -28,7 +28,7 @@ def to_hex(data):
 
 
 class Sink:
-    """Keeps what a receiver finds."""
+    """Keeps the frames that a receiver finds."""
 
     def __init__(self):
         self.found1, self.found2 = [], []
@@ -44,7 +44,7 @@ class Sink:
 
 
 def play(case, sink, receiver, end):
-    """Lets the chunks of a case arrive."""
+    """Feeds the chunks of a case."""
     now = 0
     for chunk in case["chunks"]:
         now += chunk["gapMs"]
@@ -63,7 +63,7 @@ def version1(vectors):
     for case in vectors["decode"]:
         sink = Sink()
         play(case, sink, Receiver(sink, case["timeoutMs"]), case["endGapMs"])
-        # Those vectors are of version 1 alone: A5 is a byte like any other there.
+        # Those vectors are only of version 1, in which A5 is a byte like any other.
         if "a5" not in "".join([chunk["hex"] for chunk in case["chunks"]]):
             expect(case, "the messages", sink.found1, case["messages"])
 
@@ -118,14 +118,14 @@ class Line:
         pass
 
     def frames(self):
-        """The frames that were sent, as hex of kind, number and payload."""
+        """Returns the frames that were sent, as hex of kind, number and payload."""
         found = [frame.replace(b"\xa4\x05", b"\xa5").replace(b"\xa4\x04", b"\xa4") for frame in self.sent]
         self.sent = []
         return [to_hex(frame[2:4] + frame[4:-2]) for frame in found]
 
 
 class Program:
-    """A board with the actions of a case."""
+    """Makes a board with the actions of a case."""
 
     def __init__(self, case):
         self.now, self.nonce, self.texts, self.carried, self.later = 0, 0, [], [], 0
@@ -185,9 +185,9 @@ def conversations(vectors):
                 program = Program(case["board"])
             program.take(step)
             found, expected = program.line.frames(), step["from"]
-            if step.get("look"):  # which of several rules comes first is the board's affair
+            if step.get("look"):  # the board may report several rules in any order
                 found, expected = sorted(found), sorted(expected)
-            # Of WELCOME the nonce only: what a board takes is its own affair.
+            # Of WELCOME only the nonce is compared: the rest describes the board.
             expect(case, "what it sends", [f[:6] if int(f[:2], 16) & 0x9F == 0x80 else f for f in found],
                    [f[:6] if int(f[:2], 16) & 0x9F == 0x80 else f for f in expected])
             expect(case, "what it carries out", program.carried, step.get("carried", []))

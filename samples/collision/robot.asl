@@ -29,7 +29,7 @@
     +status(front);
     !moving.
 
-+!moving : port(_, timeout) & status(front) <- // nobody drives into a world that is not seen any more
++!moving : port(_, timeout) & status(front) <- // an agent that does not see does not drive
     .act(stop);
     .wait(not port(_, timeout));
     !moving.
@@ -59,7 +59,7 @@
 -!config[error_msg(Why)] <- +trouble(Why).
 +trouble(Why) <- .print(Why).
 
-+!halt <- // whoever runs the agent gives it up
++!halt <- // the program that runs the agent gives it up
     .drop_desire(config);
     .drop_desire(moving);
     .act(stop);

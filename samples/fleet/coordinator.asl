@@ -1,7 +1,7 @@
 // Shares the places that must be watched among the scouts that it hears of, and anew when one falls silent or joins.
 
 place(north). place(east). place(south). place(west).
-patience(10). // rounds of 200 ms without a word until a scout is taken for lost: several of its reports
+patience(10). // rounds of 200 ms without a report until a scout counts as lost: several of its reports
 
 load(Scout,N) :- silent(Scout,_) & .count(watches(Scout,_),N).
 
@@ -12,7 +12,7 @@ load(Scout,N) :- silent(Scout,_) & .count(watches(Scout,_),N).
     -silent(Scout,Rounds);
     +silent(Scout,0).
 
-// one that comes back after it was taken for lost must not go on with what others do by now
+// a scout that comes back after it counted as lost must not go on with places that others watch by now
 +!hear[source(Scout)] <-
     +silent(Scout,0);
     .print(Scout, " is there");

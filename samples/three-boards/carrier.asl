@@ -30,7 +30,7 @@
     .print("the can is at the start");
     .stopMAS.
 
-// who does not see does not drive
+// an agent that does not see does not drive
 +stale(_) : not wheels::moving(no) <- !wheels::halt.
 
 -!fetch[error_msg(Why)] <- .print(Why); .stopMAS(0, 1).

@@ -1,4 +1,4 @@
-// A module for a board with wheels: what it says and does is in the namespace that this file is included in.
+// A module for a board with wheels: its percepts and actions are in the namespace in which this file is included.
 
 +!drive(Direction) : not moving(Direction) <- argo.act(Direction).
 +!drive(_).

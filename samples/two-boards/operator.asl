@@ -1,4 +1,4 @@
-// Works with two boards in turn. Both stay open; the one in use is the one that is perceived and that commands go to.
+// Works with two boards in turn. Both stay open; the agent perceives the one in use and sends commands to it.
 
 !work.
 
@@ -17,7 +17,7 @@
 +!use(Side) : board(Side, Port) <- argo.port(Port).
 
 +!see(Side, State) <-
-    .wait(led(Side, State), 5000); // until the board says so itself
+    .wait(led(Side, State), 5000); // until the board reports it
     .print("the ", Side, " LED is ", State).
 
 -!work[error_msg(Why)] <- .print(Why); .stopMAS(0, 1).

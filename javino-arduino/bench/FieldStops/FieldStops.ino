@@ -1,5 +1,5 @@
-// The robot of the bench of stops as the version 1 library in the field serves it: percepts, actions and pins are those
-// of the sketch Stops. Compiled with BAUD and LOOP_MS.
+// The robot of the bench of stops with the version 1 library in the field; it has the percepts, actions and pins of the sketch Stops.
+// Compiled with BAUD and LOOP_MS.
 #include "field.h"
 
 const uint8_t DRIVES = 8;

@@ -7,8 +7,8 @@
 //             +!start <- argo.port(ttyACM0, [mode(listen)]); argo.percepts(open).
 //             +pressed(N) <- .print("pressed ", N, " times"); argo.act(ledOn).
 //
-// mode(listen) has the computer ask for nothing. Without it the agent asks too, and a press is perceived all the same. What is sent while
-// no computer listens is lost, so what must not be lost is a percept of look(), as the number of presses is here.
+// mode(listen) has the computer ask for nothing. Without it the agent asks too, and a press is perceived all the same. A percept sent while
+// no computer listens is lost. If it must not be lost, write it in look(), as the number of presses here.
 
 #include <Javino.h>
 

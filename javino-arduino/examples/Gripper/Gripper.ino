@@ -8,7 +8,7 @@
 //             +!take <- argo.act(close); .print("I have it").
 //             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
-// What must be stopped on the way had better be reported as carried out when it begins: other actions wait for the outcome.
+// Report an action that must be stoppable on the way as carried out when it begins: other actions wait for its outcome.
 
 #include <Javino.h>
 

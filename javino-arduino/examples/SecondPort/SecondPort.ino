@@ -1,4 +1,4 @@
-// The agent on a second serial port, and the first one for the serial monitor: what arrives and what is carried out is printed there.
+// The agent on a second serial port, and the first one for the serial monitor, which shows the commands that arrive and are carried out.
 //
 //   wiring    the far end's TX to the board's RX1 (Mega: 19, Leonardo: 0), its RX to TX1 (Mega: 18, Leonardo: 1), GND to GND. A far end
 //             of 3.3 V takes no 5 V: two resistors divide TX1's voltage
@@ -18,7 +18,7 @@ const unsigned long SILENCE_MS = 1000;
 Javino javino(Serial1);
 uint8_t power = 0;
 
-// Prints only what finds room at once: a monitor that reads slowly, or is closed, does not hold the robot up.
+// Prints only text that finds room at once: a monitor that reads slowly, or is closed, does not hold the robot up.
 void print(const char *what, long value) {
   if (Serial.availableForWrite() < 24)
     return;

@@ -1,6 +1,6 @@
 // Two tasks of FreeRTOS, which is in the ESP32's core: one controls the robot every 10 ms, whatever the line does; the other has the line,
-// and alone calls the library. Commands go to the robot through a queue, and what it measures comes back through another one. Both hold the
-// newest only.
+// and is the only one to call the library. Commands go to the robot through a queue, and its readings come back through another one. Both
+// hold only the newest item.
 //
 //   wiring    a motor's driver at pin 25, a distance sensor with an analogue output at pin 34
 //   actions   speed(0..255), stop

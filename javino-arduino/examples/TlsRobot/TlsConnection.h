@@ -1,4 +1,4 @@
-// The board's end of TLS on a WiFiClient, by mbedTLS, which is in the ESP32's core. The core itself has TLS for clients alone
+// The board's end of TLS on a WiFiClient, by mbedTLS, which is in the ESP32's core. The core itself has TLS only for clients
 // (WiFiClientSecure); those of the ESP8266 and the Pico W have a WiFiServerSecure, and need none of this.
 
 #ifndef TLS_CONNECTION_H
@@ -13,7 +13,7 @@
 #include <mbedtls/version.h>
 #include <mbedtls/x509_crt.h>
 
-// Who the board is, and who may use it.
+// The identity of the board, and of the computer that may use it.
 class TlsIdentity {
 public:
   // The board's certificate and key, and the one certificate that a computer must prove to have, all in PEM. Returns 0, or mbedTLS' error.
@@ -82,7 +82,7 @@ public:
     mbedtls_ssl_set_bio(&tls_, this, send, receive, NULL);
   }
 
-  // Goes on with the handshake. Returns true once, when the far end has proved who it is.
+  // Goes on with the handshake. Returns true once, when the far end has proved its identity.
   bool hasOpened() {
     if (state_ != SHAKING)
       return false;
@@ -124,7 +124,7 @@ public:
     while (state_ == OPEN && written < n) {
       int result = mbedtls_ssl_write(&tls_, bytes + written, n - written);
       if (result <= 0)
-        close();  // a far end that takes nothing more is not waited for
+        close();  // does not wait for a far end that takes nothing more
       else
         written += static_cast<size_t>(result);
     }

@@ -1,10 +1,10 @@
-// Put yours here. They are made so, first those of the board, then those of the computer:
+// Put your certificates here. These commands make them, first those of the board, then those of the computer:
 //
 //   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3650 -subj /CN=robot -keyout robot.key -out robot.crt
 //   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:P-256 -nodes -days 3650 -subj /CN=me -keyout computer.key -out computer.crt
 //
 // The computer keeps computer.crt and computer.key in ~/.argo/tls, and robot.crt there as HOST_4433.crt, where HOST is the board's in the
-// port's name. Who has robot.key can pass for the board: keep the sketch with it to yourself.
+// port's name. Anybody with robot.key can pass for the board: keep the sketch with it to yourself.
 
 #ifndef CERTIFICATES_H
 #define CERTIFICATES_H

@@ -12,7 +12,7 @@
 
 #include <Javino.h>
 
-// On an ESP32 and an ESP8266 what an interrupt calls is kept in RAM.
+// On an ESP32 and an ESP8266, functions that an interrupt calls are kept in RAM.
 #ifndef IRAM_ATTR
 #define IRAM_ATTR
 #endif
@@ -25,7 +25,7 @@ const unsigned long MAX_CM = 400;
 
 Javino javino;
 
-// The interrupt's.
+// Written by the interrupt.
 volatile unsigned long rose = 0;
 volatile unsigned long lasted = 0;
 volatile bool isHigh = false;
@@ -44,7 +44,7 @@ void IRAM_ATTR echoChanged() {
     lasted = micros() - rose;
 }
 
-// What the measurement that has ended has found.
+// The result of the measurement that has ended.
 void judge() {
   noInterrupts();
   bool goesOn = isHigh;

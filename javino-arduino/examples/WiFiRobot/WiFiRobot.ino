@@ -60,7 +60,7 @@ void joinNetwork() {
   WiFi.begin(NETWORK, PASSWORD);
 }
 
-// Looks after the network: nothing here waits, so the motor stops in time.
+// Looks after the network without ever waiting, so the motor stops in time.
 void watchNetwork() {
   bool connected = WiFi.status() == WL_CONNECTED;
   if (connected && !onNetwork) {

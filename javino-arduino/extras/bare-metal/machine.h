@@ -1,7 +1,6 @@
 /**
- * @file
- * What a program needs of its microcontroller: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply it for two
- * machines; a port to another one is a third such file with its linker script.
+ * @file The functions of a microcontroller that a program needs: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply
+ * them for two machines; a port to another one is a third such file with its linker script.
  */
 #ifndef MACHINE_H
 #define MACHINE_H
@@ -27,7 +26,7 @@ uint32_t machine_ms(void);
 /** @return the oldest byte that the port has received, or -1 */
 int machine_take(uint8_t port);
 
-/** Puts a byte on a port; waits while its transmitter is full. What arrives meanwhile is kept by the interrupt. */
+/** Puts a byte on a port; waits while its transmitter is full. The interrupt keeps bytes that arrive meanwhile. */
 void machine_put(uint8_t port, uint8_t byte);
 
 /** Sleeps until an interrupt, at most a millisecond. */

@@ -1,7 +1,6 @@
 /**
- * @file
- * Pins for machines under QEMU, which have none: what sensors measure and what the program does with its outputs, as text on the second
- * serial port. The commands and lines are those of simulator/README.md: set, mux, watch and time.
+ * @file Pins for machines under QEMU, which have none: the readings of sensors and the states of the program's outputs, as text on the
+ * second serial port. The commands and lines are those of simulator/README.md: set, mux, watch and time.
  */
 #ifndef PINS_H
 #define PINS_H
@@ -13,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Pins, of which those from PIN_A0 on are analogue inputs too. */
+/** Pins. Those from PIN_A0 on are analogue inputs too. */
 enum { PIN_A0 = 14, PIN_COUNT = 22 };
 
 /** Carries out the commands that have arrived. In each turn of the main loop. */
@@ -25,7 +24,7 @@ void pin_output(uint8_t pin);
 /** Sets an output high or low. */
 void pin_write(uint8_t pin, bool high);
 
-/** Has an output on for so many of 255 parts of the time. */
+/** Turns an output on for so many of 255 parts of the time. */
 void pin_pwm(uint8_t pin, uint8_t duty);
 
 /** @return the level of an output, or of an input as it was set */

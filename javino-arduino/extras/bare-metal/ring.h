@@ -1,14 +1,13 @@
 /**
- * @file
- * A ring buffer between a receive interrupt, which alone puts, and the main loop, which alone takes. Neither needs the other to stand
- * still on a machine with one core, since an index is written by one side only.
+ * @file A ring buffer between a receive interrupt, the only one that puts, and the main loop, the only one that takes. On a machine with
+ * one core neither needs to lock out the other, since only one side writes each index.
  */
 #ifndef RING_H
 #define RING_H
 
 #include <stdint.h>
 
-/** Bytes that a ring holds, and one; a power of two of at most 256. More than JAVINO_CREDIT. */
+/** One more than the bytes that a ring holds; a power of two of at most 256. More than JAVINO_CREDIT. */
 #define RING_BYTES 256
 
 typedef struct {
@@ -17,7 +16,7 @@ typedef struct {
     volatile uint16_t taken;
 } ring;
 
-/** Keeps a received byte. One that finds no room is lost, as in a UART that nobody reads. */
+/** Keeps a received byte. If there is no room, the byte is lost, as in a UART that nobody reads. */
 static inline void ring_put(ring *r, uint8_t byte)
 {
     uint16_t next = (uint16_t)(r->put + 1) % RING_BYTES;

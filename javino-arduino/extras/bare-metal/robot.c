@@ -1,6 +1,5 @@
 /**
- * @file
- * A robot without Arduino: what examples/Robot4WD does, but its lamps, in C on the core, for every machine that machine.h is supplied for.
+ * @file A robot without Arduino: examples/Robot4WD without its lamps, in C on the core, for every machine with a machine.c.
  *
  *   actions   front  back  left  right  stop  speed(0..255)
  *   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023
@@ -49,7 +48,7 @@ static void drive(int left, int right)
     turn(&RIGHT, right);
 }
 
-/* What an action does: drives, or takes an argument. */
+/* The effect of an action: it drives, or takes an argument. */
 typedef struct {
     javino_action named; /* the core reads the names, and steps from one to the next by the size */
     int8_t left;
@@ -86,8 +85,8 @@ static uint8_t argument_count(const char *text, uint8_t length)
 /*
  * Carries out the text of an action. False: it is unknown or malformed.
  *
- * In version 1 a damaged size may cut an action short. No name here begins another one, and what ends within brackets is no literal, so
- * nothing is taken for another action. Where one name does begin another, ask javino_decoder_follows first.
+ * In version 1 a damaged size may cut an action short. No name here begins another one, and a text that ends within brackets is no literal,
+ * so no action is taken for another. If one name does begin another, ask javino_decoder_follows first.
  */
 static bool act(void *context, const char *text, uint8_t length)
 {
@@ -144,7 +143,7 @@ static void put_byte(void *context, uint8_t byte)
     machine_put(MACHINE_LINE, byte);
 }
 
-/* Takes what has arrived, as long as there is room for it. Returns when it looked. */
+/* Takes the bytes that have arrived, as long as there is room for them. Returns the time at which it looked. */
 static uint32_t take_bytes(void)
 {
     uint32_t now = machine_ms();

@@ -87,7 +87,7 @@ static void reset(void)
     halt();
 }
 
-/* What the processor reads at address 0: the stack, what to run, and a function for each exception and interrupt. */
+/* The table that the processor reads at address 0: the stack, the first function, and a function for each exception and interrupt. */
 typedef struct {
     uint32_t *stack;
     function exceptions[15];

@@ -62,7 +62,7 @@ static int open_port(const char *device, long baud)
     return fd;
 }
 
-/* Takes what has arrived, as long as there is room for it. Returns when it looked. */
+/* Takes the bytes that have arrived, as long as there is room for them. Returns the time at which it looked. */
 static uint32_t take_bytes(void)
 {
     struct pollfd source = {port, POLLIN, 0};
@@ -78,7 +78,7 @@ static uint32_t take_bytes(void)
     return now;
 }
 
-/* Called by the core. A microcontroller whose receive buffer is short takes bytes here too. */
+/* The core calls this. A microcontroller with a short receive buffer takes bytes here too. */
 static void put_byte(void *context, uint8_t byte)
 {
     (void)context;

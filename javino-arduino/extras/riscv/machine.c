@@ -35,7 +35,8 @@ enum { UART0_INTERRUPT = 3, UART1_INTERRUPT = 4 };
 #define PLIC_ON (*(reg *)0x0C002000)
 #define PLIC_CLAIM (*(reg *)0x0C200004)
 
-/* The clock, and when it next interrupts. QEMU's has 10 MHz; that of a real FE310 has 32,768 Hz, which is 32.8 ticks a millisecond. */
+/* The clock, and the time of its next interrupt. QEMU's has 10 MHz; that of a real FE310 has 32,768 Hz, which is 32.8 ticks a
+ * millisecond. */
 #define TIME_LOW (*(reg *)0x0200BFF8)
 #define TIME_HIGH (*(reg *)0x0200BFFC)
 #define ALARM_LOW (*(reg *)0x02004000)
@@ -106,7 +107,7 @@ typedef void (*function)(void);
 extern const function constructors_begin[], constructors_end[];
 int main(void);
 
-/* The first instruction. What the compiler reaches by gp and the stack are there from then on. */
+/* The first instruction. Sets up the stack, and the data that the compiler reaches by gp. */
 __asm__(".section .start, \"ax\"\n"
         ".globl start\n"
         "start:\n"

@@ -36,7 +36,7 @@ class Line:
         self.listen(HALT_MS)
 
     def listen(self, timeout):
-        """Forgets what has been read, and gives up what is silent for so many ms from now on."""
+        """Forgets all bytes, and from now on gives a frame up after so many ms of silence."""
         self.decoder1 = version1.Decoder(timeout, frames.START)
         self.decoder2 = frames.Receiver(frames.FROM_BOARD, timeout)
         self.taken = 0
@@ -44,7 +44,7 @@ class Line:
     def _take(self, data, now):
         self.decoder1.idle(now)
         for byte in data:
-            # What version 1 does not take begins a frame of version 2.
+            # Bytes that version 1 does not take begin a frame of version 2.
             rest = bytes([byte]) if self.decoder2.body is not None else self.decoder1.put(byte)
             if rest:
                 self.decoder2.nonce = self.nonce
@@ -67,7 +67,7 @@ class Line:
         self.write(frames.encode(frame, self.nonce))
 
     def answer_bytes(self, seconds):
-        """The bytes of the next frame of version 1, as the board has sent them; fewer if time runs out."""
+        """Returns the bytes of the next frame of version 1, as the board has sent them; fewer if time runs out."""
         end, data = time.monotonic() + seconds, b""
         while len(data) < 6 or len(data) < 6 + int(data[4:6], 16):
             if not select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]:
@@ -76,7 +76,7 @@ class Line:
         return data
 
     def _read(self, end):
-        """Reads what arrives until then, at once if anything does."""
+        """Reads bytes until then; returns at once if any arrive."""
         ready = select.select([self.fd], [], [], max(0.0, end - time.monotonic()))[0]
         now = time.monotonic() * 1000
         if ready:
@@ -85,7 +85,7 @@ class Line:
             self.decoder1.idle(now)
 
     def messages(self, seconds=0.0):
-        """The texts of version 1 that arrive within this time, at once if there are any."""
+        """Returns the texts of version 1 that arrive within this time, at once if there are any."""
         end = time.monotonic() + seconds
         while True:
             self._read(end)
@@ -95,7 +95,7 @@ class Line:
                 return [m.decode("latin1") for m in found]
 
     def frames(self, seconds=0.0):
-        """The frames of version 2 that arrive within this time, at once if there are any."""
+        """Returns the frames of version 2 that arrive within this time, at once if there are any."""
         end = time.monotonic() + seconds
         while True:
             self._read(end)
@@ -104,7 +104,7 @@ class Line:
                 return found
 
     def message(self, seconds=PATIENCE):
-        """The next text of version 1; fails if none arrives. Others that arrive with it are given back."""
+        """Returns the next text of version 1; fails if none arrives. Puts others that arrive with it back."""
         found = self.messages(seconds)
         if not found:
             raise AssertionError(f"nothing arrived within {seconds} s")
@@ -112,7 +112,7 @@ class Line:
         return found[0]
 
     def ask(self, text="getPercepts"):
-        """A request of version 1 and its answer's text."""
+        """Sends a request of version 1 and returns its answer's text."""
         self.write(frame1(text.encode()))
         return self.message()
 
@@ -166,7 +166,8 @@ class Session:
         return kind_of(frame) == frames.WELCOME and frame.payload[0] == self.nonce
 
     def send(self, *row):
-        """Commands, each a text, a number or a Rule. Returns how many were carried out; refused tells whether the last of them was not."""
+        """Sends commands, each a text, a number or a Rule. Returns how many were carried out; refused is true if the last of them was
+        not."""
         first = self.due
         kind = frames.COMMANDS_RESUME if self.refused else frames.COMMANDS
         row = [c.encode("latin1") if isinstance(c, str) else c for c in row]
@@ -181,7 +182,7 @@ class Session:
         return not self.busy and (news == count or news > 0 and self.refused)
 
     def ask(self, functors=""):
-        """The text of the percepts."""
+        """Returns the text of the percepts."""
         self.request = self.request % 255 + 1
         known = 0 if self.request == 1 else self.texts.known()
         answer = []
@@ -200,7 +201,7 @@ class Session:
         return texts is not None
 
     def vocabulary(self):
-        """The board's actions as (name, arguments)."""
+        """Returns the board's actions as (name, arguments)."""
         found = self.exchange(frames.Frame(frames.DESCRIBE, 1, bytes([0])), lambda f: kind_of(f) == frames.VOCABULARY)
         page, actions = found.payload[3:], []
         while page:
@@ -218,7 +219,7 @@ def frames_of_percepts(frame):
 
 
 def simulator_of(board, program, *options):
-    """The command that runs a program on an uno, or on one of machine.py's microcontrollers."""
+    """Returns the command that runs a program on an uno, or on one of machine.py's microcontrollers."""
     if board == "uno":
         return [ROOT / "build/simulator", *options, ROOT / f"build/avr/uno/{program}.elf"]
     return [sys.executable, ROOT / "tests/e2e/machine.py", board, ROOT / f"build/{board}/{program}.elf"]
@@ -272,7 +273,7 @@ class Board:
         self.pins.append((int(words[1]), " ".join(words[2:-1]), float(words[-1])))
 
     def command(self, text):
-        """Gives a command that is answered with ok."""
+        """Gives a command, which must be answered with ok."""
         self.process.stdin.write(text.encode() + b"\n")
         while (line := self._next_line()) is not None:
             if line.startswith("ok"):
@@ -286,7 +287,7 @@ class Board:
         self.process.stdin.write(f"watch {pin}\n".encode())
 
     def changes(self):
-        """What watched pins have done since the last call."""
+        """Returns the changes of watched pins since the last call."""
         self.command("time")
         found, self.pins = self.pins, []
         return found

@@ -1,4 +1,4 @@
-"""What the end-to-end cases of boards in C and in Python have in common."""
+"""The common part of the end-to-end cases of boards in C and in Python."""
 
 
 def check(condition, what):
@@ -11,7 +11,7 @@ def equal(found, expected):
 
 
 def damage_one_in_200(rng, count):
-    """Harms one byte in 200 of what it is given; count[0] has how many."""
+    """Damages one byte in 200; count[0] has the number of damaged bytes."""
     def damage(data):
         damaged = bytearray(data)
         for i in range(len(damaged)):
@@ -23,6 +23,6 @@ def damage_one_in_200(rng, count):
 
 
 def texts(rng):
-    """The texts of commands, without an end."""
+    """Yields the texts of commands, without an end."""
     while True:
         yield rng.choice(["led", "ledOn", "stop", f"speed({rng.randrange(10, 251)})"])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A program on a microcontroller under QEMU: machine.py MACHINE PROGRAM
 
-In use it is as build/simulator: prints "port PATH" of a pseudo-terminal that is the board's line, takes commands for pins on standard
+It is used like build/simulator: prints "port PATH" of a pseudo-terminal that is the board's line, takes commands for pins on standard
 input and ends with it. Bytes to the board take the time that 115200 baud gives them.
 """
 import ctypes
@@ -49,7 +49,7 @@ class Pacer:
         self.to, self.waiting, self.free = to, b"", 0.0
 
     def delay(self):
-        """Seconds until the next bytes are due; None: none are."""
+        """Returns the seconds until the next bytes are due; None: none are."""
         return max(0.0, self.free - time.monotonic()) if self.waiting else None
 
     def move(self):

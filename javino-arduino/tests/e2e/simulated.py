@@ -17,11 +17,11 @@ from machine import MACHINES
 
 
 def figure(text):
-    """Prints what was measured."""
+    """Prints a measured figure."""
     print("  " + text if Board.kind == "uno" else f"  {Board.kind}: {text}")
 
 
-# ---- what sketches do ----
+# ---- behaviour of sketches ----
 
 def an_led_follows_actions_in_both_versions():
     with Board("Blink") as board:
@@ -251,7 +251,7 @@ def a_servo_is_sent_pulses_of_the_angle_that_it_goes_to():
 
 
 def pulse(board):
-    """The length in microseconds of a pulse on pin 9 that begins from now on."""
+    """Returns the length in microseconds of the next pulse on pin 9."""
     board.pins.clear()
     board.await_pin(9, "low")
     rose = board.await_pin(9, "high")
@@ -295,7 +295,7 @@ def the_agents_line_may_be_on_two_other_pins():
 
 
 def read_text(line, part, times):
-    """What a port prints until this part was there so many times."""
+    """Returns the output of a port until this part has come so many times."""
     text, until = "", time.monotonic() + PATIENCE
     while text.count(part) < times:
         check(time.monotonic() < until, f"printed was {text!r}")
@@ -322,7 +322,7 @@ def two_computers_have_a_conversation_each():
             equal(driver.ask(), "motor(0);")
         driver.send("speed(200)")
         board.await_pin(5, "pwm 200")
-        # The watcher alone does not keep the motor going.
+        # The watcher by itself does not keep the motor going.
         board.await_pin(5, "low")
         equal(watcher.ask("(motor)"), "motor(0);")
 
@@ -396,7 +396,7 @@ def no_frame_is_lost_while_the_loop_stalls():
                     board.line.write(frame1(f"stall({stall})".encode()))
                 due = float(board.command("time")) + 1000
                 for i in range(1, sent + 1):
-                    # By the board's clock; what comes in the meantime finds room in its receive buffer.
+                    # By the board's clock; bytes that come in the meantime find room in its receive buffer.
                     while float(board.command("time")) < due:
                         time.sleep(0.005)
                     board.line.write(command(i))
@@ -523,7 +523,7 @@ def duty_of(text):
 
 
 def carried_out(board):
-    """The duty that pin 5 had at each change of pin 13."""
+    """Returns the duty that pin 5 had at each change of pin 13."""
     duties, duty = [], None
     for pin, state, _ in board.changes():
         if pin == 5:
@@ -589,7 +589,7 @@ def commands_and_requests_pass_at_every_pace_of_the_loop():
 
 
 def reads_as_an_intact_stream(data):
-    """Whether a damaged size swallows what follows to the byte; no receiver could know."""
+    """Returns true if a damaged size swallows exactly the bytes of the following frames; no receiver could know."""
     decoder = version1.Decoder()
     decoder.receive(data, 0)
     decoder.idle(101)
@@ -670,7 +670,7 @@ CASES = [
 ]
 
 
-# Those whose time is the program's, and not that of a UART and a processor which QEMU does not time.
+# The cases whose time is the program's, and not that of a UART and a processor, which QEMU does not time.
 MACHINE_CASES = [
     an_led_follows_actions_in_both_versions,
     a_command_and_a_request_in_one_burst_are_both_handled,

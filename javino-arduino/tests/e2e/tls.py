@@ -31,7 +31,7 @@ class Robot:
         self.process.stdout.close()
 
     def motor(self):
-        """The motor's power when it changes next."""
+        """Returns the motor's power after its next change."""
         check(select.select([self.process.stdout], [], [], PATIENCE)[0], "the motor did not change")
         return int(self.process.stdout.readline().split()[1])
 
@@ -39,7 +39,7 @@ class Robot:
         return socket.create_connection(("127.0.0.1", self.port), PATIENCE)
 
     def tls(self, who, board="robot"):
-        """A connection of who has this certificate, None for none, and takes only this board."""
+        """Opens a connection with this certificate, None for none, that accepts only this board."""
         context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
         context.check_hostname = False
         context.load_verify_locations(FOLDER / f"{board}.crt")
@@ -76,7 +76,7 @@ def line(connection):
 
 
 def is_cut(connection):
-    """Whether the board ends this connection, without an answer."""
+    """Returns true if the board ends this connection, without an answer."""
     try:
         connection.settimeout(PATIENCE)
         connection.sendall(frame1(b"getPercepts"))

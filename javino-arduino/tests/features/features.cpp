@@ -1,4 +1,4 @@
-// The smallest sketch, and what a macro FEATURE_... adds to it. tests/features/table measures the difference.
+// The smallest sketch, and the feature that a macro FEATURE_... adds to it. tests/features/table measures the difference.
 
 #include <Javino.h>
 

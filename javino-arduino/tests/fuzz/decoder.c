@@ -43,7 +43,7 @@ static void answer(javino_board *board, uint8_t seed)
     javino_board_answer(board);
 }
 
-/* The board is the context of what is called back. */
+/* The board is the context of the callbacks. */
 static void perceive(void *context)
 {
     javino_board *board = context;
@@ -76,7 +76,7 @@ static void arrive(void *context, uint8_t byte)
         javino_link_receive(&l->board->link, byte, l->now);
 }
 
-/* An intact frame of version 2, which chance alone would not find. Returns the bytes that it is made of. */
+/* Makes an intact frame of version 2, which mere chance would not find. Returns the input bytes that it used. */
 static size_t arrive_frame(javino_board *board, uint16_t now, const uint8_t *data, size_t size)
 {
     static const uint8_t kinds[] = {JAVINO_HELLO, JAVINO_ASK, JAVINO_DESCRIBE, JAVINO_COMMANDS, JAVINO_RESUME};

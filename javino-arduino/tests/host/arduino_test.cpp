@@ -51,7 +51,7 @@ struct Board {
   /** Begins a session and forgets the answer. */
   void begin(unsigned nonce = 7) { run(hello(nonce)); }
 
-  /** The text of the answer to a request, known as far as what was answered before. */
+  /** Returns the text of the answer to a request, read with the shapes of earlier answers. */
   std::string percepts(unsigned request, const std::string &functors = "") {
     return percepts_.read(run(ask(request, percepts_.known(), functors)), request);
   }
@@ -606,6 +606,23 @@ TEST_CASE("actions beyond the memory are reported, and those before them still w
   CHECK(done.size() == 1);
 }
 
+TEST_CASE("of more actions than have numbers the others are left out, and told") {
+  JavinoSized<JAVINO_MEMORY + 130 * 4 * sizeof(void *)> javino;
+  for (int i = 0; i < 126; i++)
+    CHECK(javino.onAction("ledOn", ledOn));
+  CHECK(!javino.act.full());
+  for (int i = 0; i < 3; i++)
+    CHECK(!javino.onAction("more", ledOn));
+  CHECK(javino.act.count() == 126);
+  Serial.in.clear();
+  Serial.sent();
+  Serial.receive(hello(9));
+  javino.run();
+  auto welcome = frames2(Serial.sent());
+  REQUIRE(welcome.size() == 1);
+  CHECK(welcome[0].payload.back() == 3);
+}
+
 TEST_CASE("any size of memory keeps the actions' table aligned") {
   JavinoSized<JAVINO_MEMORY + 255 + 3> javino;
   Serial.in.clear();
@@ -828,7 +845,7 @@ namespace {
 
 std::mt19937 chance(6);
 
-/** Damages one byte in 200. @return whether any was */
+/** Damages one byte in 200. @return true if any was */
 bool damage(std::string &bytes) {
   bool damaged = false;
   for (char &c : bytes)

@@ -29,13 +29,13 @@ struct Conversation {
 
   static void write(void *self, uint8_t byte) { static_cast<Conversation *>(self)->out += static_cast<char>(byte); }
 
-  /** What arrives while the program polls often. */
+  /** Receives bytes while the program polls often. */
   void receive(const std::string &bytes) {
     javino_decoder_idle(&board.link.decoder, now);
     find(bytes);
   }
 
-  /** What has waited in the receive buffer when the program comes to look into it. */
+  /** Receives bytes that have waited in the receive buffer until the program looks into it. */
   void find(const std::string &bytes) {
     waiting += bytes;
     size_t n = 0;
@@ -44,7 +44,7 @@ struct Conversation {
     waiting.erase(0, n);
   }
 
-  /** The board's actions are those of now. */
+  /** Gives the link the board's present actions. */
   void name() {
     named.clear();
     for (auto action = actions.rbegin(); action != actions.rend(); ++action)
@@ -90,14 +90,14 @@ struct Conversation {
     return javino_percept_end(&board);
   }
 
-  /** The text of the answer that the board sends now. */
+  /** Returns the text of the answer that the board sends now. */
   std::string answered(unsigned request) {
     javino_board_answer(&board);
     return percepts.read(sent(), request);
   }
 };
 
-/** The payloads of version 1 frames that follow each other; the test fails if the bytes are anything else. */
+/** Returns the payloads of version 1 frames that follow each other; the test fails if the bytes are anything else. */
 inline std::vector<std::string> payloads1(const std::string &bytes) {
   std::vector<std::string> found;
   size_t at = 0;

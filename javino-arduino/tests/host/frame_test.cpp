@@ -83,7 +83,7 @@ struct Receiver {
   }
 };
 
-/** Whether a case of the vectors is one of version 1 alone. */
+/** Returns true if a case of the vectors is only for version 1. */
 bool isVersion1(const json &c) {
   return c.contains("receivers") ? c["receivers"][0] == json{1} : c.value("version", 1) == 1;
 }
@@ -189,7 +189,7 @@ TEST_CASE("what arrives is read as in the vectors of version 2") {
 
 namespace {
 
-/** Whether the stream ends with the last message delivered: then its bytes are those of an intact stream. */
+/** Returns true if the stream ends with the last message delivered: then its bytes are those of an intact stream. */
 bool readsAsIntact(const json &messages, const std::string &stream) {
   if (messages.empty())
     return false;
@@ -289,7 +289,7 @@ TEST_CASE("every single damage to a frame of version 2 is found, and in a sessio
           damaged.insert(at, "0");
         else
           damaged.resize(at);
-        // What remains of a whole frame would be one.
+        // The rest of a whole frame would be a frame.
         if (damaged.find(whole) != std::string::npos)
           continue;
         Receiver receiver(100, session);

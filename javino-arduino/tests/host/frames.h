@@ -32,7 +32,7 @@ inline char octet(unsigned value) {
   return static_cast<char>(value);
 }
 
-/** The bytes that a row of hexadecimal digits stands for; spaces do not count. */
+/** Returns the bytes of a row of hexadecimal digits; spaces do not count. */
 inline std::string bytesOf(const std::string &hex) {
   std::string bytes;
   for (size_t i = 0; i + 1 < hex.size(); i += 2) {
@@ -53,7 +53,7 @@ inline std::string hexOf(const std::string &bytes) {
   return hex;
 }
 
-/** The bytes of a text whose characters, in UTF-8, are of ISO 8859-1. */
+/** Returns the ISO 8859-1 bytes of a text in UTF-8. */
 inline std::string latin1(const std::string &text) {
   std::string bytes;
   for (size_t i = 0; i < text.size(); i++) {
@@ -67,7 +67,7 @@ inline std::string frame1(const std::string &payload) {
   return "fffe" + hexOf(static_cast<unsigned>(payload.size()), 2) + payload;
 }
 
-/** Whether frames of this kind have the same checksum in all sessions. */
+/** Returns true if frames of this kind have the same checksum in all sessions. */
 inline bool beginsSessions(unsigned kind) {
   return kind == 0x10 || (kind & 0x9F) == 0x80;
 }
@@ -115,7 +115,7 @@ inline std::string command(unsigned first, const std::string &text) {
   return frame2(0x30, first, item(text));
 }
 
-/** What the board says to commands. */
+/** Returns the board's acknowledgement of commands. */
 inline std::string ack(unsigned due, unsigned flags = 0) {
   return frame2(0x81 | flags, due);
 }
@@ -127,7 +127,7 @@ struct Frame2 {
   std::string payload;
 };
 
-/** The frames of version 2 that follow each other, of this session; the test fails if the bytes are anything else. */
+/** Returns the frames of version 2 that follow each other, of this session; the test fails if the bytes are anything else. */
 inline std::vector<Frame2> frames2(const std::string &bytes, unsigned nonce = session) {
   std::vector<Frame2> found;
   for (size_t at = 0; at < bytes.size();) {
@@ -150,7 +150,7 @@ inline std::vector<Frame2> frames2(const std::string &bytes, unsigned nonce = se
 /** The texts of answers, as a computer reads them: it keeps the shapes of a session. */
 class Percepts {
 public:
-  /** How many shapes it knows without a gap. */
+  /** The number of shapes that it knows without a gap. */
   unsigned known() const {
     unsigned n = 0;
     while (n < shapes_.size() && !shapes_[n].empty())
@@ -158,7 +158,7 @@ public:
     return n;
   }
 
-  /** The text of one answer to this request, of which these are the parts; the test fails if there is anything else. */
+  /** Returns the text of one answer to this request from the bytes of its parts; the test fails if there is anything else. */
   std::string read(const std::string &bytes, unsigned request) {
     std::string items;
     unsigned part = 0;

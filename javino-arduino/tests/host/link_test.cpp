@@ -402,7 +402,7 @@ TEST_CASE("what has waited while the program was busy is not fresh") {
   };
   javino_link_supervise(&c.board.link, now);
   CHECK(!turn(10, frame1("hello")));
-  // Where several have waited none is newer than the others.
+  // If several have waited, none is newer than the others.
   CHECK(turn(2000, frame1("hello") + frame1("hello") + frame1("hello")));
   CHECK(!turn(10, frame1("hello")));
   CHECK(!turn(900, ""));
@@ -446,7 +446,7 @@ TEST_CASE("random bytes through the whole conversation do no harm") {
 
 namespace {
 
-/** A computer and a board of which the line damages one byte in a hundred, loses some and is silent now and then. */
+/** A computer and a board on a line that damages one byte in a hundred, loses some and is silent now and then. */
 struct Exchange {
   std::mt19937 random;
   Conversation board;

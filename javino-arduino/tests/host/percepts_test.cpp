@@ -151,7 +151,7 @@ TEST_CASE("a percept longer than a frame: version 1 leaves it out and keeps the 
         together += payload;
       CHECK(together == (fits ? "a;" + huge + ";b;" : "a;b;"));
 #if JAVINO_TEXT_MAX == 255
-      // There a percept is as long as the memory holds.
+      // There a percept may fill the memory.
       if (size > 30)
         continue;
 #endif
@@ -381,7 +381,7 @@ TEST_CASE("a frame of 255 bytes arrives whole in the least memory that promises 
   std::string payload(255, 'x');
   CHECK(c.hear(frame1(payload)) == JAVINO_ACTION);
   CHECK(c.text() == payload);
-  // What follows has to wait for the bytes of this one.
+  // Later frames have to wait for the bytes of this one.
   std::string next = frame1("ledOn");
   c.receive(next.substr(0, 6));
   CHECK(c.poll() == JAVINO_NOTHING);

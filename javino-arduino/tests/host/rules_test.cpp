@@ -93,7 +93,7 @@ TEST_CASE("a reflex is carried out and told once, each time that its rule begins
   distance = 10;
   CHECK(r.run("", 4) == "");
   CHECK(r.run("", 1) == critical(1, 3, 1, "dist(f,10);"));
-  // What the reflex has written goes with the next answer.
+  // Percepts that the reflex has written go with the next answer.
   Percepts percepts;
   std::string answer = r.run(ask(1, 0, "(light)"));
   for (int i = 0; i < 9; i++)
@@ -178,7 +178,7 @@ TEST_CASE("a board that does not watch rules refuses them") {
 
 namespace {
 
-/** A board without Arduino whose line is free when a test says so. */
+/** A board without Arduino whose line a test sets free. */
 struct Watcher : Conversation {
   std::vector<std::string> readings, carried;
   bool free = true;
@@ -252,7 +252,7 @@ TEST_CASE("commands are carried out while an answer goes out, and another reques
   CHECK(w.poll() == JAVINO_NOTHING);
   w.now += 30;
   w.poll();
-  // Unasked percepts go with what is on its way.
+  // Unasked percepts go with the answer on its way.
   CHECK(w.percept("bumped"));
   CHECK(w.hear(ask(2)) == JAVINO_REQUEST);
   std::string answer;

@@ -64,7 +64,7 @@ struct Program : Conversation {
     REQUIRE(javino_rules_init(&this->board, 250, react, nullptr));
   }
 
-  /** Whether the program has such an action and takes the arguments. */
+  /** Returns true if the program has such an action and takes the arguments. */
   bool takes(const std::string &text) const {
     const uint8_t length = static_cast<uint8_t>(text.size());
     const std::string name = text.substr(0, javino_functor(text.data(), length));
@@ -283,13 +283,13 @@ TEST_CASE("conversations with a board run as in the vectors") {
       std::vector<std::string> found = hexOfFrames(program->sent());
       std::vector<std::string> expected = step["from"];
       if (step.value("look", false)) {
-        // Which of several rules is looked at first is the board's affair.
+        // The board may look at several rules in any order.
         std::sort(found.begin(), found.end());
         std::sort(expected.begin(), expected.end());
       }
       REQUIRE(found.size() == expected.size());
       for (size_t i = 0; i < found.size(); i++) {
-        // Of WELCOME the nonce only: what a board takes is its own affair.
+        // Of WELCOME only the nonce is compared: the rest describes the board.
         size_t compared = (bytesOf(expected[i])[0] & 0x9F) == 0x80 ? 6 : std::string::npos;
         CHECK(found[i].substr(0, compared) == expected[i].substr(0, compared));
       }

@@ -30,7 +30,7 @@
 class __FlashStringHelper;
 #define F(text) (reinterpret_cast<const __FlashStringHelper *>(text))
 
-/** Text of at most 299 bytes, without a heap; what is longer is cut off. */
+/** Text of at most 299 bytes, without a heap; a longer text is cut off. */
 class String {
 public:
   String(const char *text = "") : length_(0) { append(text); }

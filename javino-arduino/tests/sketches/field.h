@@ -1,6 +1,6 @@
-// Receives as the version 1 library in the field does: all that has arrived is read between two rounds of loop(), with room
-// for one message. The first byte of the next frame empties it, and until the fifth the sketch takes it for a message
-// still: there is no handler for "", so a null pointer is called.
+// Receives as the version 1 library in the field does: all bytes that have arrived are read between two rounds of loop(), with room for one
+// message. The first byte of the next frame empties it, and until the fifth the sketch takes it for a message still: there is no handler
+// for "", so a null pointer is called.
 #ifndef FIELD_H
 #define FIELD_H
 
@@ -30,7 +30,7 @@ inline void accept(char c) {
   }
 }
 
-/** Reads what has arrived, and has the message handled if there is one. */
+/** Reads the bytes that have arrived, and handles the message if there is one. */
 inline void receive(void (*answer)(), void (*act)()) {
   while (Serial.available())
     accept(Serial.read());

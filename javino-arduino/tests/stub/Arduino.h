@@ -85,7 +85,7 @@ public:
   virtual int availableForWrite() { return 0; }
 };
 
-/** A port of which a test holds the far end. */
+/** A port whose far end a test holds. */
 class FakeSerial : public Stream {
 public:
   std::deque<uint8_t> in;
@@ -93,11 +93,11 @@ public:
   unsigned long baud = 0;
   /** Bytes that arrive while one is written, as on a line that works in both directions. */
   std::deque<uint8_t> meanwhile;
-  /** Whether it takes what is written, and how often it has not. */
+  /** While false, it takes nothing that is written; `refused` counts those writes. */
   bool takes = true;
   int refused = 0;
 
-  /** How many writes there have been. */
+  /** The number of writes. */
   int writes = 0;
 
   void begin(unsigned long rate) { baud = rate; }

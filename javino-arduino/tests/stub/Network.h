@@ -1,6 +1,5 @@
 /**
- * @file
- * What the ESP32's, the ESP8266's and the Pico W's Arduino cores have in common of WiFi, written after their interfaces: enough to compile and
+ * @file The common WiFi interface of the ESP32's, the ESP8266's and the Pico W's Arduino cores, written after theirs: enough to compile and
  * run sketches on this machine. It is not their code, and no radio.
  */
 #ifndef NETWORK_STUB_H
@@ -14,7 +13,7 @@ typedef enum { WL_IDLE_STATUS = 0, WL_CONNECTED = 3, WL_DISCONNECTED = 6 } wl_st
 
 class IPAddress {};
 
-/** A connection, of which a test holds the far end; copies are the same connection. Without begin(), as in the cores. */
+/** A connection whose far end a test holds; copies are the same connection. Without begin(), as in the cores. */
 class WiFiClient : public Stream {
 public:
   explicit WiFiClient(FakeSerial *far = NULL) : far_(far) {}

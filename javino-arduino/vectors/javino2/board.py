@@ -14,7 +14,7 @@ class Board:
     """A board with a program on it: an object with `actions` (pairs of name and number of arguments), `percepts(functors)`, the
     texts of now, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
 
-    `numbers` is how many numbers there are before they wrap; the protocol has 256 of them, a model fewer. Parts of an answer have
+    Numbers wrap after `numbers`; the protocol has 256 of them, a model fewer. Parts of an answer have
     `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
     """
 
@@ -36,7 +36,7 @@ class Board:
         self.met = set()
 
     def receive(self, frame):
-        """The frames that answer this one."""
+        """Returns the frames that answer this one."""
         if frame.kind == HELLO:
             if frame.number != self.session:
                 self._begin(frame.number)
@@ -52,7 +52,7 @@ class Board:
         return [self._say(ACK)]
 
     def end(self):
-        """A message of version 1 has come: who sends it knows of no session."""
+        """Takes a message of version 1: its sender knows of no session."""
         self._begin(0)
 
     def _say(self, kind, payload=b""):
@@ -72,7 +72,7 @@ class Board:
                 self._handle(command)
 
     def _is_next(self, number):
-        """Whether a command is carried out now: those before `due` were handled, those behind it are dropped."""
+        """Returns true if a command is carried out now: those before `due` were handled, those behind it are dropped."""
         return number == self.due and not self.refused and not self.busy
 
     def _handle(self, command):
@@ -87,7 +87,7 @@ class Board:
         self.refused = outcome == REFUSES
 
     def report(self, outcome):
-        """The program reports the outcome of the action that it is busy with. What was begun in an earlier session counts no more."""
+        """Takes the outcome of the action that the program is busy with. An action begun in an earlier session does not count any more."""
         if not self.busy:
             return []
         self.busy = False
@@ -141,7 +141,7 @@ class Board:
         return DONE
 
     def look(self):
-        """The board looks at its sensors: rules that begin to be met have their reflexes carried out, and are sent."""
+        """Looks at the sensors: carries out the reflexes of rules that begin to be met, and sends reports of these rules."""
         texts, sent = [t for t in self.program.percepts(b"") if len(t) <= MAX_CRITICAL_PERCEPT], []
         for number in sorted(self.rules):
             rule = self.rules[number]

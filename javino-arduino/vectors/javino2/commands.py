@@ -11,7 +11,7 @@ class Rule(NamedTuple):
 
 
 def item(command):
-    """The bytes of one command: the number of an action, a text, a Rule, or NOTHING."""
+    """Returns the bytes of one command: the number of an action, a text, a Rule, or NOTHING."""
     if command is NOTHING:
         return b"\xfe"
     if isinstance(command, int):
@@ -30,7 +30,7 @@ def write_row(commands):
 
 
 def read_row(row):
-    """The commands of a payload; an item that is cut or empty ends it."""
+    """Returns the commands of a payload; an item that is cut or empty ends it."""
     commands = []
     while row:
         first, row = row[0], row[1:]

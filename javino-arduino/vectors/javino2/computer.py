@@ -18,7 +18,7 @@ class Waiting(NamedTuple):
 
 
 class Carrier(NamedTuple):
-    """A frame that is out: how many commands it carries and how many bytes it has on the line."""
+    """A frame that is out: the number of its commands, and of its bytes on the line."""
     commands: int
     bytes: int
 
@@ -54,13 +54,13 @@ class Computer:
         self.backoff = 1
         self.repetitions, self.repeated_at, self.heard_at = 0, None, now
 
-    # ---- what the program asks for ----
+    # ---- requests of the program ----
 
     def submit(self, command, deadline=None):
         self.waiting.append(Waiting(command, deadline))
 
     def ask(self):
-        """Asks for percepts; the answer is one of the session's `answers`. Returns whether it could."""
+        """Asks for percepts; the answer is one of the session's `answers`. Returns true if it could."""
         if not self.session.open:
             return False
         frame = self.session.ask()
@@ -71,7 +71,7 @@ class Computer:
     # ---- time and bytes ----
 
     def poll(self, now):
-        """The bytes to send now."""
+        """Returns the bytes to send now."""
         self._look_at_deadlines(now)
         if now >= self.due_at:
             self._time_over(now)

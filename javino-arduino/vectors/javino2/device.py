@@ -16,7 +16,7 @@ class Device:
         self.sending = b""
 
     def receive(self, data, now):
-        """The bytes that answer these, be there none."""
+        """Returns the bytes that answer these, which may be none."""
         self.line.idle(now)
         self.line.receive(data, now)
         return self._sent()
@@ -42,7 +42,7 @@ class Device:
         self.line.session = self.board.session
 
     def message(self, message):
-        """The messages that answer this one of version 1."""
+        """Returns the messages that answer this one of version 1."""
         self.board.end()
         if message[:len(REQUEST)] == REQUEST and message[len(REQUEST):len(REQUEST) + 1] in (b"", b"("):
             return [b"".join(self.program.percepts(message[len(REQUEST):]))]

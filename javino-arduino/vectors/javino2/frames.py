@@ -18,7 +18,7 @@ class Frame(NamedTuple):
 
 
 def crc16(data, nonce=0):
-    """CRC-16/CCITT-FALSE of the bytes; with a nonce that of a frame of this session."""
+    """Returns the CRC-16/CCITT-FALSE of the bytes; with a nonce, that of a frame of this session."""
     crc = 0xFFFF ^ nonce << 8
     for byte in data:
         crc ^= byte << 8
@@ -33,12 +33,12 @@ def escape(data):
 
 
 def begins_sessions(kind):
-    """Whether the checksum of frames of this kind is the same in all sessions."""
+    """Returns true if the checksum of frames of this kind is the same in all sessions."""
     return kind == HELLO or kind & ~FLAGS == WELCOME
 
 
 def encode(frame, nonce=0):
-    """The bytes of a frame on the line, in the session with this nonce."""
+    """Returns the bytes of a frame on the line, in the session with this nonce."""
     body = bytes([len(frame.payload), frame.kind, frame.number]) + frame.payload
     return bytes([START]) + escape(body + crc16(body, 0 if begins_sessions(frame.kind) else nonce).to_bytes(2, "big"))
 

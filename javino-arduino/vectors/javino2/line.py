@@ -1,11 +1,11 @@
-"""What a board receives on a line that both versions share."""
+"""The receiver of a board on a line that both versions share."""
 import version1
 
 from .frames import START, TO_BOARD, Receiver
 
 
 class Line:
-    """Finds frames of version 2, and of version 1 where they count, and hands each to `deliver`: a Frame, or a payload of version 1.
+    """Finds frames of version 2, and those of version 1 that count, and hands each to `deliver`: a Frame, or a payload of version 1.
 
     `session` is the nonce of the board's session now, 0 for none; set it before the next byte comes, in `deliver` at the latest.
     """
@@ -26,7 +26,7 @@ class Line:
             self.last = now
 
     def idle(self, now):
-        """Says that it is this late and that nothing else has arrived."""
+        """Call it if nothing else has arrived by this time."""
         silence = now - self.last
         if silence > self.timeout:
             while self.version1.window:

@@ -5,7 +5,7 @@ MAX_PARTS = 255
 
 
 def split(request, answer, size=None):
-    """The frames of an answer as (kind, payload); parts have `size` bytes of it, or as many as a frame holds."""
+    """Returns the frames of an answer as (kind, payload); parts have `size` bytes of it, or as many as a frame holds."""
     if len(answer) <= (size or 254):
         return [(PERCEPTS, bytes([request]) + answer)]
     size = size or 253
@@ -23,7 +23,7 @@ class Assembly:
         self.request, self.parts, self.answer = None, 0, b""
 
     def take(self, kind, payload):
-        """The (request, answer) that this frame completes, or None."""
+        """Returns the (request, answer) that this frame completes, or None."""
         kind &= ~FLAGS
         if len(payload) < (1 if kind == PERCEPTS else 2):
             return None

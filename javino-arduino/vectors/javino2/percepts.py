@@ -1,4 +1,4 @@
-"""Answers: percept texts as rows of items, by text once and by the digits alone from then on."""
+"""Answers: percept texts as rows of items, once by their text and from then on only by their digits."""
 import re
 
 MAX_SHAPES = 126
@@ -10,12 +10,12 @@ _NUMBER = re.compile(rb"[0-9]+")
 
 
 def shape(text):
-    """The text without its digits: the pieces between the numbers, one more than there are numbers."""
+    """Returns the text without its digits: the pieces between the numbers, one more than there are numbers."""
     return tuple(_NUMBER.split(text))
 
 
 def half_bytes(text):
-    """The digits of the text's numbers, F behind each number."""
+    """Returns the digits of the text's numbers, F behind each number."""
     return [h for number in _NUMBER.findall(text) for h in [d - 0x30 for d in number] + [END_OF_NUMBER]]
 
 
@@ -32,7 +32,7 @@ class Writer:
         self.ids = {}
 
     def write(self, texts, known):
-        """The items of an answer, when the newest ASK has said that so many texts are known. Ids are joined into runs."""
+        """Returns the items of an answer if by the newest ASK so many texts are known. Ids are joined into runs."""
         items, run = [], None  # run: [first id, count, half bytes]
         for text in texts:
             id = self._id(text)
@@ -75,14 +75,14 @@ class Reader:
         self.shapes = {}
 
     def known(self):
-        """How many ids are known, from 0 without a gap."""
+        """Returns the number of known ids, from 0 without a gap."""
         n = 0
         while n in self.shapes:
             n += 1
         return n
 
     def read(self, items):
-        """The texts of an answer, or None if it is void; then no id is known any more."""
+        """Returns the texts of an answer, or None if it is void; then no id is known any more."""
         try:
             return self._read(items)
         except Void:

@@ -7,7 +7,7 @@ from .rules import literal
 
 
 class Program:
-    """Carries out what is an action with the right number of arguments, unless its text is in `refuses` or `later`."""
+    """Carries out an action with the right number of arguments, unless its text is in `refuses` or `later`."""
 
     def __init__(self, actions=(), refuses=(), later=()):
         self.actions, self.refuses, self.later = list(actions), set(refuses), set(later)
@@ -15,7 +15,7 @@ class Program:
         self.carried_out = []
 
     def percepts(self, functors):
-        """All texts, or those of the functors in `(dist,light)`: what stands between a bracket or comma and another."""
+        """Returns all texts, or those of the functors in `(dist,light)`: the words between a bracket or comma and another."""
         if not set(b"(,") & set(functors):
             return self.texts
         return [t for t in self.texts if re.search(rb"[(,]" + re.escape(literal(t)[0]) + rb"[,)]", functors)]

@@ -1,4 +1,4 @@
-"""The computer's side of a session: frames in, frames out. When something is repeated is decided by who calls; no clocks are in here."""
+"""The computer's side of a session: frames in, frames out. The caller decides when to repeat frames; this module has no clock."""
 from . import vocabulary
 from .frames import ACK, ASK, BUSY, CRITICAL, DESCRIBE, FLAGS, HELLO, LAST_PART, PART, PERCEPTS, REFUSED, VOCABULARY, WELCOME, Frame
 from .parts import Assembly
@@ -9,13 +9,13 @@ REVISION = 1
 
 
 class Session:
-    """`next_nonce` gives a nonce from the last one. What comes in is added to `outcomes` (command, outcome), `answers` (request, texts;
-    texts is None where the answer is void), `critical` (payloads) and `pages` of the vocabulary, for who calls to take."""
+    """`next_nonce` gives a nonce from the last one. Results are added to `outcomes` (command, outcome), `answers` (request, texts; texts is
+    None if the answer is void), `critical` (payloads) and `pages` of the vocabulary, from which the caller takes them."""
 
     def __init__(self, next_nonce, numbers=256, size=16, impossible=16):
         self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
-        self.impossible = impossible  # how many numbers in a row that cannot be right end a session
-        self.other_revision = None  # of a board with which there is no session
+        self.impossible = impossible  # so many impossible numbers in a row end a session
+        self.other_revision = None  # from a board with which there is no session
         self.nonce = 0
         self.outcomes, self.answers, self.critical, self.pages = [], [], [], []
         self.window = Window(numbers, size)
@@ -39,7 +39,7 @@ class Session:
         return Frame(HELLO, self.nonce)
 
     def give_up(self):
-        """Ends the session; the frame with which the next one begins."""
+        """Ends the session; returns the frame with which the next one begins."""
         self._close()
         return self.hello()
 
@@ -49,13 +49,13 @@ class Session:
         return Frame(ASK, self.requests, bytes([self.reader.known()]) + functors)
 
     def repeat(self):
-        """The frame that is sent when the time for an answer is over, or None."""
+        """Returns the frame that is sent when the time for an answer is over, or None."""
         if not self.open:
             return self.hello()
         return self.window.repetition() if self.window.out else None
 
     def receive(self, frame, repeated_lately):
-        """The frames that are sent at once, when this one comes."""
+        """Returns the frames that are sent at once, when this one comes."""
         kind = frame.kind & ~FLAGS
         if kind == WELCOME:
             return [] if self._welcomed(frame) else [self.hello()]
@@ -77,7 +77,7 @@ class Session:
         return [self.window.repetition()] if self.window.out and (news.again or without_news) else []
 
     def _welcomed(self, frame):
-        """Takes a WELCOME; returns whether it leaves things as they are, or opens the session."""
+        """Takes a WELCOME; returns true if it leaves things as they are, or opens the session."""
         nonce, revision = frame.payload[:1], (frame.payload[4:5] or b"\0")[0]
         is_own = nonce == bytes([self.nonce])
         if is_own == self.open:

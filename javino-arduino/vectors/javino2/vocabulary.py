@@ -1,10 +1,10 @@
-"""What a board can do: pages of actions."""
+"""The actions of a board, in pages."""
 
 ANY_NUMBER = 0xFF  # of arguments
 
 
 def write_page(request, actions, first, room=252):
-    """The payload with actions from number `first` on, as many whole ones as `room` bytes hold. An action is (name, arguments)."""
+    """Returns the payload with actions from number `first` on, as many whole ones as `room` bytes hold. An action is (name, arguments)."""
     page = bytes([request, first, len(actions)])
     for name, arguments in actions[first:]:
         action = bytes([arguments, len(name)]) + name
@@ -15,7 +15,7 @@ def write_page(request, actions, first, room=252):
 
 
 def read_page(payload):
-    """(request, first, total, actions) of a payload, or None if it is cut."""
+    """Returns (request, first, total, actions) of a payload, or None if it is cut."""
     if len(payload) < 3:
         return None
     request, first, total = payload[:3]
@@ -30,7 +30,7 @@ def read_page(payload):
 
 
 def number_of(actions, name):
-    """The number by which the command `name`, without arguments, goes: the newest of that name; None if it goes as text."""
+    """Returns the number that stands for the command `name`, without arguments: the newest of that name; None if it goes as text."""
     for i in reversed(range(len(actions))):
         if actions[i][0] == name:
             return i if i <= 125 and actions[i][1] in (0, ANY_NUMBER) else None

@@ -1,4 +1,4 @@
-"""The commands that are out: sent to the board and not acknowledged. No clocks are in here."""
+"""The commands that are out: sent to the board and not acknowledged. This module has no clock."""
 from typing import NamedTuple
 
 from . import commands
@@ -16,12 +16,12 @@ class Out(NamedTuple):
 
 class News(NamedTuple):
     outcomes: list = []  # (command, outcome), in order
-    again: bool = False  # what is out is to be sent again at once
+    again: bool = False  # the commands that are out are to be sent again at once
     accepted: bool = False  # the frame's number and flags were taken
 
 
 class Window:
-    """`numbers` is how many numbers there are before they wrap, `size` how many commands may be out."""
+    """Numbers wrap after `numbers`; at most `size` commands may be out."""
 
     def __init__(self, numbers=256, size=16):
         self.numbers, self.size = numbers, size
@@ -33,13 +33,13 @@ class Window:
         return self.size - len(self.out)
 
     def send(self, row):
-        """The frame for commands that go out for the first time."""
+        """Returns the frame for commands that go out for the first time."""
         first = (self.oldest + len(self.out)) % self.numbers
         self.out += [Out(command) for command in row]
         return self._frame(first, row)
 
     def repetition(self):
-        """The frame that repeats the oldest commands that are out, as many as fit."""
+        """Returns the frame that repeats the oldest commands that are out, as many as fit."""
         row = []
         for i, entry in enumerate(self.out):
             command = commands.NOTHING if entry.over else entry.command
@@ -57,7 +57,7 @@ class Window:
         self.out = [entry._replace(over=True) if entry.command == command else entry for entry in self.out]
 
     def heard(self, due, refused, busy):
-        """What a frame that says so brings."""
+        """Takes the acknowledgement in a frame from the board."""
         count = (due - self.oldest) % self.numbers
         if not self.accepts(count):
             return News()
@@ -78,7 +78,7 @@ class Window:
         return count <= len(self.out)
 
     def give_up(self):
-        """The outcomes when the session ends."""
+        """Returns the outcomes when the session ends."""
         outcomes = [(entry.command, UNCONFIRMED) for entry in self.out]
         self.out = []
         return outcomes

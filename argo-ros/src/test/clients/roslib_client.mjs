@@ -1,4 +1,4 @@
-// A client of roslib: reads what a board says, has it act, and prints what it saw as JSON.
+// A client of roslib: reads a board's messages, has it act, and prints all that it saw as JSON.
 //
 //     node roslib_client.mjs NODE_MODULES PORT MESSAGES
 

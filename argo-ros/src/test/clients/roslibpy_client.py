@@ -1,4 +1,4 @@
-"""A client of roslibpy: reads what a board says, has it act in each way that there is, and prints what it saw as JSON.
+"""A client of roslibpy: reads a board's messages, has it act in every way, and prints all that it saw as JSON.
 
     roslibpy_client.py PORT MESSAGES
 """

@@ -1,4 +1,4 @@
-"""Stands between one client and a bridge, and writes what each sends as JSON lines, for TranscriptBridge to answer as that bridge did.
+"""Stands between one client and a bridge, and writes the messages of both as JSON lines, for TranscriptBridge to answer as that bridge did.
 
     record.py PORT BRIDGE_PORT FILE
 

@@ -1,9 +1,9 @@
-"""A robot on a real ROS 1 graph: what tests, and recordings of bridges, have behind their bridge.
+"""A robot on a real ROS 1 graph, behind the bridge of tests and of recorded transcripts.
 
     robot.py [HZ]
 
 Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range, with the time) and /scan (sensor_msgs/LaserScan, with a NaN and an infinite
-range) at HZ, 20 unless given, and on /driven what comes on /cmd_vel. Serves /horn (std_srvs/Trigger) and /lamp (std_srvs/SetBool, no
+range) at HZ, 20 unless given, and each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger) and /lamp (std_srvs/SetBool, no
 success when it is switched off), and the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second,
 one below is aborted, and 0 is rejected.
 """

@@ -1,4 +1,4 @@
-/* What the library uses of the C library, for compilers that come without one. */
+/* The functions of the C library that this library uses, for compilers that come without one. */
 #ifndef STRING_H
 #define STRING_H
 
@@ -14,7 +14,7 @@ void *memset(void *to, int value, size_t n);
 int memcmp(const void *a, const void *b, size_t n);
 size_t strlen(const char *text);
 int strcmp(const char *a, const char *b);
-char *strdup(const char *text); /* declared alone: nothing here has a heap */
+char *strdup(const char *text); /* only declared: there is no heap here */
 
 #ifdef __cplusplus
 }

@@ -47,16 +47,16 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The boards of one agent: those that it perceives, the hand-over of what they sense, and the commands to them. [Arch] connects it with
+ * The boards of one agent: those that it perceives, the hand-over of their snapshots, and the commands to them. [Arch] connects it with
  * Jason.
  *
- * Whether the agent perceives, how often, and which boards are each written by one thread at a time and read where they are needed;
- * nobody keeps a copy. After each change those who wait are woken to read again. Functions belong to the agent's thread unless they say
+ * Holds whether the agent perceives, how often, and which boards: one thread at a time writes each of these, and all others read it here
+ * without a copy. After each change waiting threads are woken to read again. Functions belong to the agent's thread unless they say
  * otherwise.
  *
  * @property owner the agent's name
- * @param events makes what knows the percept events of one board in Jason's queue, which its argument recognises
- * @param intentions makes what knows the intentions that such events have begun
+ * @param events makes the tracker of one board's percept events in Jason's queue; its argument recognises them
+ * @param intentions makes the tracker of the intentions that such events have begun
  * @param observing the agent's observers
  */
 internal class AgentIo(
@@ -69,10 +69,10 @@ internal class AgentIo(
     private val intentions: (isOwn: (Literal) -> Boolean) -> PerceptIntentions,
     private val observing: () -> Observers,
 ) : Perceiver {
-    /** The boards that the agent perceives, and those that it perceived before them and still has beliefs of. Does not change. */
+    /** The boards that the agent perceives, and those that it perceived before and still has beliefs about. Immutable. */
     private class Perceived(val boards: List<Board>, val former: List<Board>)
 
-    /** Whether the agent perceives its boards. Any thread may read. */
+    /** True if the agent perceives its boards. Any thread may read. */
     @Volatile
     var isPerceiving = false
         private set
@@ -88,18 +88,18 @@ internal class AgentIo(
     private val coupling = if (options.policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else Decoupled
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All that were perceived since ports were closed last; changed while the ports in use are. */
+    /** All boards that were perceived since all ports were last closed; changes while the ports in use change. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
 
     private val instant = OneInstant(platform, waker::wake)
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
 
-    /** Other boards are perceived than the agent's beliefs are about. */
+    /** True if the agent's beliefs are not yet about the boards that it perceives. */
     @Volatile
     private var isOtherBoards = false
 
-    /** Whether a board has, or has had, a namespace of its own. Any thread may read. */
+    /** True if a board has, or has had, a namespace of its own. Any thread may read. */
     @Volatile
     var hasNamespaces = false
         private set
@@ -128,7 +128,7 @@ internal class AgentIo(
 
     private fun freshHandOver(ledger: CommandLedger, isOwn: (Literal) -> Boolean) = FreshHandOver(ledger, events(isOwn), intentions(isOwn))
 
-    /** Whether [percept] is of [board], or of no board that the agent perceives. */
+    /** Returns true if [percept] is a percept of [board], or of no board that the agent perceives. */
     private fun isOf(board: Board, percept: Literal): Boolean {
         if (perceivedBoards().size < 2) return true
         val claiming = boardsOf(percept)
@@ -148,10 +148,10 @@ internal class AgentIo(
     /** The port in use, or null. Any thread. */
     fun portInUse(): OpenPort? = ports.current
 
-    /** The open port of the agent that it calls [port], or the one that it waits for; null: there is none. Any thread. */
+    /** Returns the open port that the agent calls [port], or the one that it waits for; null: there is none. Any thread. */
     fun openPort(port: Term): OpenPort? = (perceivedBoards().map { it.port } + ports.all()).find { port in it.terms }
 
-    /** The boards that the agent perceives and that say [percept]. */
+    /** Returns the perceived boards that have [percept]. */
     fun boardsOf(percept: Literal): List<Board> = perceivedBoards().let { boards ->
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
@@ -166,10 +166,10 @@ internal class AgentIo(
     /** Closes all ports; [closed] is called by another thread. */
     fun closePorts(closed: () -> Unit) = ports.closeAll(closed)
 
-    /** The board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. Any thread. */
+    /** Returns the board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. Any thread. */
     fun board(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
-    /** The boards that the agent perceives. Any thread. */
+    /** Returns the boards that the agent perceives. Any thread. */
     fun perceivedBoards(): List<Board> = perceived.get().boards
 
     /** Perceives all boards through [filter] from the next perception on; null: everything. */
@@ -179,21 +179,24 @@ internal class AgentIo(
         renewLines()
     }
 
-    /** Perceives [board] alone through [filter] from the next perception on; null: everything. */
+    /** Perceives only [board] through [filter] from the next perception on; null: everything. */
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
         renewLines()
         observers().boardFilterChanged(board.port.link.port, filter)
     }
 
-    /** Why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
+    /** Explains why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
     fun explain(percept: Literal): String {
         val named = perceivedBoards().filter { it.namespace != null && it.namespace == percept.ns.functor }
         return if (named.isEmpty()) explain(perceptText(percept), perceivedBoards().filter { it.namespace == null })
         else explain(perceptText(percept.cloneNS(Literal.DefaultNS) as Literal), named)
     }
 
-    /** Why the filters of the boards keep or drop the text [percept], and who watches the critical rule that decides. Any thread. */
+    /**
+     * Explains why the filters of the boards keep or drop the text [percept], and names the side that watches the critical rule that
+     * decides. Any thread.
+     */
     fun explain(percept: String): String = explain(percept, perceivedBoards())
 
     private fun explain(percept: String, boards: List<Board>): String {
@@ -209,23 +212,23 @@ internal class AgentIo(
     private fun explainAlone(percept: String) =
         MessageSession({ emptyList() }).also { it.switchTo(filter) }.explain(percept, platform.nowMs()).toString()
 
-    /** The critical rules of the active filter, and who watches each. Any thread. */
+    /** Returns the critical rules of the active filter, each with the side that watches it. Any thread. */
     fun criticalRules(): List<WatchedRule> = perceivedBoards().flatMap { it.criticalRules() }.distinct()
         .ifEmpty { filter?.critical.orEmpty().map { WatchedRule(it, RuleWatcher.COMPUTER) } }
 
     override fun isWatchedBy(port: OpenPort, rule: CriticalRule) = lines[port]?.rules?.isWatching(rule) == true
 
-    /** What the agent wants of its boards has changed. */
+    /** Tells the lines that the agent's wishes to its boards have changed. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
-    /** The youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
+    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
         val now = platform.clock.nanos()
         return believed().mapNotNull { it.youngest(beliefs, percept, un, now) }.minByOrNull { (_, seen) -> now - seen }
             ?.let { (belief, seen) -> belief to TimeUnit.NANOSECONDS.toMillis(now - seen) }
     }
 
-    /** The boards that the agent has beliefs of. */
+    /** Returns the boards about which the agent has beliefs. */
     private fun believed(): List<Board> = perceived.get().run { boards + former }
 
     /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
@@ -244,15 +247,15 @@ internal class AgentIo(
         renewLines()
     }
 
-    /** Sets the sensing interval of [board] alone. */
+    /** Sets the sensing interval of only [board]. */
     fun senseEvery(intervalMs: Int, board: Board) {
         board.ownIntervalMs = intervalMs
         renewLines()
     }
 
     /**
-     * The time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. Boards that are
-     * off, time out or are stale do not count. Any thread.
+     * Returns the time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. Boards
+     * that are off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
         val readings = perceivedBoards().filter { answers(it.port) }.mapNotNull { it.sensedNanos }
@@ -283,10 +286,10 @@ internal class AgentIo(
     }
 
     /**
-     * Has the snapshots of a board wait for a command that was [sent][send] on [port].
+     * Makes the snapshots of a board wait for a command that was [sent][send] on [port].
      *
-     * @param cause the percept that the agent has sent it on account of, so that the board of this percept holds the command; else, or if
-     *     no board says it, the board holds it that it goes to
+     * @param cause the percept that made the agent send it: the board of this percept holds the command. If there is none, or no board has
+     * it, the command's own board holds it
      * @param outcome as of [Transmission.follow]
      */
     fun hold(transmission: Transmission, port: OpenPort, cause: Literal?, outcome: (Failure?) -> Unit) {
@@ -297,7 +300,7 @@ internal class AgentIo(
         transmission.follow({ ledger.done(port, number) }, outcome)
     }
 
-    /** Takes in what is new for the agent since the last call, and returns whether [beliefs] may have changed. */
+    /** Takes in all news for the agent since the last call, and returns true if [beliefs] may have changed. */
     fun update(): Boolean {
         val isOther = isOtherBoards
         isOtherBoards = false
@@ -317,25 +320,25 @@ internal class AgentIo(
         return boards.mapNotNull(Board::take)
     }
 
-    /** What is critical in the snapshots that the last [update] handed over; empty when asked again. */
+    /** Returns the new critical percepts of the snapshots that the last [update] handed over; empty when asked again. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
-    /** The beliefs about the boards, about the ports, and about the outcomes of reflexes. */
+    /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */
     fun beliefs(): List<Literal> =
         believed().flatMap { it.sensed } + states.beliefs() + perceived.get().boards.flatMap(Board::metaBeliefs)
 
-    /** The time in ms until [update] has something to do without news from a board; null: it will not have. */
+    /** Returns the time in ms until [update] has something to do without news from a board; null: it will not have. */
     fun dueInMs(): Long? = perceivedBoards().mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Whether [update] has something to do now. Any thread. */
+    /** Returns true if [update] has something to do now. Any thread. */
     fun hasNews(): Boolean = isOtherBoards || states.hasNews() || perceivedBoards().any(Board::hasNews) || hasSnapshots()
 
     private fun hasSnapshots() = perceivedBoards().let { boards -> boards.any(Board::isReady) && !instant.isAwaited(boards) }
 
-    /** Whether the agent believes that [port] is stale. Any thread. */
+    /** Returns true if the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = perceived.get().boards.any { it.isStale(port) }
 
-    /** Gives up all ports and threads. Never waits for a line. Any thread; may be called twice. */
+    /** Closes all ports and ends all threads. Never waits for a line. Any thread; may be called twice. */
     fun stop() = ports.stop()
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {

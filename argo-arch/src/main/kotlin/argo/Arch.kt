@@ -31,9 +31,9 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. Options: `[argo_sensing=fresh]` (the default), `every` or `in_cycle`,
- * which is when snapshots of the sensors are handed over; `argo_percepts=4096`, how many percepts of a board are believed at once; and
- * those of observers, such as `argo_view=8080` of the live view.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. Options: `[argo_sensing=fresh]` (the default), `every`
+ * or `in_cycle`, the policy by which snapshots of the sensors are handed over; `argo_percepts=4096`, the most percepts of a board that are
+ * believed at once; and those of observers, such as `argo_view=8080` of the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
  * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
@@ -48,32 +48,32 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var waiting: Int? = null // see Perception
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // what the boundary calls, made once for all cycles
+    // called by the boundary, made once for all cycles
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { io.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
     private val sleepLive = { super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep() }
 
-    /** The agent's boards. There from [init] on. */
+    /** The agent's boards. Available from [init] on. */
     internal lateinit var io: AgentIo
         private set
 
     internal lateinit var policy: SensingPolicy
         private set
 
-    /** Where everything enters the agent. Any thread may ask. */
+    /** The boundary at which everything enters the agent. Any thread may ask. */
     @Volatile
     internal var boundary: Boundary = Live
         private set
 
-    /** The agent as its observers see it. There from [init] on. Any thread may ask. */
+    /** The agent for its observers. Available from [init] on. Any thread may ask. */
     lateinit var observed: ObservedAgent
         private set
 
     @Volatile
     private var observing = Observers(emptyList(), Logger.getLogger(Arch::class.java.name), platform.clock::nanos)
 
-    /** The agent's observers, such as its live view. There from [init] on. Any thread may ask. */
+    /** The agent's observers, such as its live view. Available from [init] on. Any thread may ask. */
     val observers: List<AgentObserver> get() = observing.observers
 
     override fun init() {
@@ -92,7 +92,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private fun perceptIntentions(isOwn: (Literal) -> Boolean) =
         PerceptIntentions(platform.nowMs, isOwn) { if (isQueueStanding()) emptyList() else ts.c.runningIntentions }
 
-    /** Whether Jason takes no events: an atomic plan holds back all, and with `events=requeue` those without a plan come back for ever. */
+    /**
+     * Returns true if Jason takes no events: an atomic plan holds all back, and with `events=requeue` events without a plan come back for
+     * ever.
+     */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
@@ -103,8 +106,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * The youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the agent's
-     * thread.
+     * Returns the youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the
+     * agent's thread.
      */
     internal fun youngest(percept: Literal, un: Unifier): Pair<Literal, Long>? = io.youngest(ts.ag.bb, percept, un)
 
@@ -117,7 +120,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleStarting()
     }
 
-    /** What is new since the last call: from the boards, about the ports, from the Jason environment; null if nothing is. */
+    /**
+     * Returns the percepts if anything is new since the last call, from the boards, about the ports or from the Jason environment; else
+     * null.
+     */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
@@ -134,7 +140,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         return Perception((environment.percepts + io.beliefs()).toMutableList(), waiting, io.hasNamespaces)
     }
 
-    /** Jason calls it when it has added the events of what was perceived. */
+    /** Jason calls it when it has added the events of the new percepts. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
         waiting?.let { before -> takeTurns(ts.c.events, before) { boundary.boardOf(it) { boardOf(it) } } }
@@ -164,7 +170,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleFinished()
     }
 
-    /** Gives up all ports and threads. Never waits for a line. */
+    /** Closes all ports and ends all threads. Never waits for a line. */
     override fun stop() {
         observing.close()
         if (::io.isInitialized) io.stop()
@@ -172,7 +178,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Whether Jason stops each architecture of this agent: its Local infrastructure does, others only the first, and not each can be
+     * True if Jason stops each architecture of this agent: its Local infrastructure does, others only the first, and not each can be
      * stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }

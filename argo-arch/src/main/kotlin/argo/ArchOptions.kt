@@ -12,13 +12,13 @@ import java.util.logging.Logger
  * An unknown option or value is reported to [log] and ignored.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger) {
-    /** When snapshots are handed over. */
+    /** The policy by which snapshots are handed over. */
     val policy: SensingPolicy = sensingPolicy()
 
-    /** How many percepts of a board are believed at once. */
+    /** The most percepts of a board that are believed at once. */
     val maxPercepts: Int = maxPercepts()
 
-    /** The observers that are asked for, such as a live view. */
+    /** The observers that the options ask for, such as a live view. */
     val observers = ObserverOptions(observerOptions(), log)
 
     init {

@@ -14,18 +14,18 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 
 /**
- * What the internal actions of ARGO have in common: the agent they belong to, and how they fail.
+ * The base of ARGO's internal actions: finds the agent that a call belongs to, and fails plans.
  *
  * An action either does its work at once, or suspends the intention, never the agent, until another thread has done it.
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
-    /** Whether the intention waits until [Call.resume] or [Call.fail]. */
+    /** Returns true if the intention waits until [Call.resume] or [Call.fail]. */
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
 
-    /** Does what the action is for. Called by the agent's thread. */
+    /** Does the action's work. Called by the agent's thread. */
     internal abstract fun run(call: Call)
 
     final override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -44,7 +44,7 @@ abstract class BoardInternalAction internal constructor(private val name: String
         return true
     }
 
-    /** Never happens: the links that an action waits for have time limits of their own. */
+    /** Is never called: the links that an action waits for have time limits of their own. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
     /** One call of the action in a plan. */
@@ -56,12 +56,12 @@ abstract class BoardInternalAction internal constructor(private val name: String
         val arch: Arch
             get() = archOf(ts) ?: throw notArgo(ts).of(text)
 
-        /** The exception that fails the plan now. */
+        /** Returns the exception that fails the plan now. */
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
          * Suspends the intention.
-         * @return takes the outcome later, from any thread: null, or why the plan fails
+         * @return takes the outcome later, from any thread: null, or the reason why the plan fails
          */
         fun suspendIntention(): (Failure?) -> Unit {
             val key = suspendInt(ts, name, 0)
@@ -78,15 +78,15 @@ private fun counted(arguments: IntRange) = when {
     else -> "${arguments.first} to ${arguments.last} arguments"
 }
 
-/** All architectures of the agent of [ts], the first one first. */
+/** Returns all architectures of the agent of [ts], the first one first. */
 internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
 
-/** The [Arch] of the agent of [ts]; null: it has none. */
+/** Returns the [Arch] of the agent of [ts]; null: it has none. */
 internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
 
 /** The boundary of the agent of this transition system. */
 internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
 
-/** The agent of [ts] has no [Arch]. */
+/** Returns the failure of an action whose agent, that of [ts], has no [Arch]. */
 internal fun notArgo(ts: TransitionSystem) =
     Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j")

@@ -7,8 +7,8 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
- * @throws ArgumentException if they are others
+ * Returns the board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
+ * @throws ArgumentException if there are other options
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val port = portIn(optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]")) ?: return null
@@ -20,6 +20,6 @@ private fun portIn(options: List<Term>): Term? = options.map { option ->
         ?: throw ArgumentException("$option is not an option; there is port(P)")
 }.lastOrNull()
 
-/** Why [port] names no board of [io]'s agent. */
+/** Explains why [port] names no board of [io]'s agent. */
 internal fun unknownBoard(port: Term, io: AgentIo): String =
     "there is no board on port $port; the agent perceives ${io.perceivedBoards().joinToString { "${it.term}" }.ifEmpty { "none" }}"

@@ -9,19 +9,19 @@ import argo.sensing.Sensing
 import argo.sensing.SensingPolicy
 import java.util.concurrent.TimeUnit
 
-/** How closely reasoning cycles and lines are coupled, after the [SensingPolicy]. Belongs to the agent's thread but for [send]. */
+/** The coupling of reasoning cycles and lines, by the [SensingPolicy]. Belongs to the agent's thread but for [send]. */
 internal interface Coupling {
-    /** Whether messages are written at the pace of the line, see [javino.LinkSettings.paced]. */
+    /** True if messages are written at the pace of the line, see [javino.LinkSettings.paced]. */
     val isPaced: Boolean
 
     /**
-     * The agent begins to perceive.
+     * Begins to perceive.
      *
      * @param sensings returns the sensing of each port in use; none while perceiving is blocked
      */
     fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>)
 
-    /** Has [text] sent. Any thread. */
+    /** Sends [text] as a command. Any thread. */
     fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission
 }
 

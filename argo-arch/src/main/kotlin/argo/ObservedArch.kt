@@ -22,7 +22,7 @@ import javino.wire.BoardAction
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger
 
-/** [arch] as its observers see it. */
+/** The interface of [arch] for its observers. */
 internal class ObservedArch(
     private val arch: Arch,
     private val waker: Waker,

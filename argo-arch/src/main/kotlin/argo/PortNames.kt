@@ -8,8 +8,8 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The name of the port that [term] stands for, as a transport takes it.
- * @throws ArgumentException if it stands for none
+ * Returns the name of the port [term] in the form for a transport.
+ * @throws ArgumentException if it names no port
  */
 internal fun portName(term: Term): String {
     val name = when {
@@ -23,5 +23,5 @@ internal fun portName(term: Term): String {
     return name
 }
 
-/** The port in the agent's beliefs: what it wrote, or for a variable its name as an atom if it can be one, else as a string. */
+/** Returns the port for the agent's beliefs: the term [written], or for a variable its name, as an atom if possible, else as a string. */
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written

@@ -14,25 +14,25 @@ import jason.bb.BeliefBase
 import kotlin.io.path.Path
 
 /**
- * Which board of [io]'s agent a command is for. Belongs to the agent's thread.
+ * Finds the board of [io]'s agent for a command. Belongs to the agent's thread.
  *
- * A command names its board by its namespace, or by a port in its options. One that does neither is for the board of the module that it
- * stands in, unless that board has described itself without it; else for the one board that has described itself with it; else, if no
- * board has, for the one on the port in use.
+ * A command names its board by its namespace, or by a port in its options. A command that does neither is for the board of its plan's
+ * module, unless that board has described itself without it; else for the one board that has described itself with it; else, if no board
+ * has, for the one on the port in use.
  */
 internal class Routing(private val io: AgentIo) {
-    /** A board was found, or why there is none. */
+    /** The port of a board, or the reason why there is none. */
     sealed interface Route {
         data class To(val port: OpenPort) : Route
         data class Nowhere(val failure: Failure) : Route
     }
 
     /**
-     * The port for [command].
+     * Returns the port for [command].
      *
      * @param command a literal, or a string
      * @param port the port that the options name; null: they name none
-     * @param module the namespace of the module that the command stands in; null: it stands in none
+     * @param module the namespace of the module in which the command is; null: it is in none
      */
     fun routeOf(command: Term, port: Term?, module: String?): Route {
         if (port != null) return io.openPort(port)?.let { Route.To(it) } ?: unknown(unknownBoard(port, io))
@@ -59,7 +59,7 @@ internal class Routing(private val io: AgentIo) {
         return if (boards.isEmpty()) null else within(checkNotNull(module), command, inUse)
     }
 
-    /** The one of [boards] that has described itself with [command]; null: none has. */
+    /** Returns the one of [boards] that has described itself with [command]; null: none has. */
     private fun among(boards: List<Board>, command: Literal, inUse: OpenPort): Route? {
         val knowing = boards.filter { it.knows(command) }
         return when (knowing.size) {
@@ -89,30 +89,30 @@ internal class Routing(private val io: AgentIo) {
     }
 }
 
-/** The command as a literal; null: it is a string that holds none. */
+/** Returns the command as a literal; null: it is a string that holds none. */
 private fun literalOf(command: Term): Literal? = try {
     if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
 } catch (_: PerceptSyntaxException) {
     null
 }
 
-/** The namespace of the module that the plan stands in which the agent of [ts] is carrying out; null: it stands in none. */
+/** Returns the namespace of the module with the plan that the agent of [ts] is carrying out; null: the plan is in no module. */
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
 
-/** Whether both name one file, of which Jason gives the whole path, a URL or the name alone. */
+/** Returns true if both name one file. Jason gives its whole path, a URL or only its name. */
 private fun isSameFile(one: String?, other: String?): Boolean {
     if (one == null || other == null) return one == other
     val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }
     return path.endsWith(otherPath) || otherPath.endsWith(path)
 }
 
-/** The percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
+/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
 internal fun perceptBehind(ts: TransitionSystem): Literal? = intentionOf(ts)?.bottom?.trigger?.literal
     ?.takeIf { it.hasSource(BeliefBase.APercept) }
 
-/** The intention that the agent of [ts] is carrying out; null: it has finished. */
+/** Returns the intention that the agent of [ts] is carrying out; null: it has finished. */
 private fun intentionOf(ts: TransitionSystem): Intention? = ts.c.selectedIntention?.takeUnless { it.isFinished }

@@ -17,10 +17,9 @@ import jason.asSyntax.UnnamedVar
 import javino.wire.BoardAction.ANY
 
 /**
- * The internal action `argo.can(Action)`: true if a board that the agent perceives has registered Action, that is its functor with this
- * number of arguments; their values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and
- * `argo.can(B::stop)` binds B to each namespace whose board has the action. It is meant for contexts:
- * `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ * The internal action `argo.can(Action)`: true if a board that the agent perceives has registered Action by its functor and its number of
+ * arguments; their values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and `argo.can(B::stop)` binds
+ * B to each namespace whose board has the action. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
  * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`, or
  * `.findall(left::A, argo.can(left::A), All)` for those of one namespace. An action that takes any number of arguments is given without
@@ -74,7 +73,7 @@ open class can : DefaultInternalAction() {
     }
 }
 
-/** Literals that the agent can act by, in [namespace]; without those of [board] whose names are no atoms. */
+/** Returns the literals in [namespace] for the actions of [board], without actions whose names are no atoms. */
 private fun literalsOf(board: Board, namespace: Atom?) = board.actions.orEmpty().filter { isPlainName(it.name) }.map { action ->
     val arguments = if (action.arguments == ANY) 0 else action.arguments
     ASSyntax.createLiteral(namespace ?: Literal.DefaultNS, action.name, *Array<Term>(arguments) { UnnamedVar() })

@@ -15,9 +15,9 @@ import java.util.ServiceConfigurationError
 import java.util.logging.Logger
 
 /**
- * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the
- * name of a filter or of its file; `none` lets everything through. Works for agents without [Arch] too, whose percepts come
- * from a Jason environment. `argo.change_filter(F, [port(P)])` changes that of the board on P alone; without it that of all boards.
+ * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the name of a
+ * filter or of its file; `none` lets everything through. It also works for agents without [Arch], whose percepts come from a Jason
+ * environment. `argo.change_filter(F, [port(P)])` changes only the filter of the board on P; without the option, that of all boards.
  *
  * Parts of the filter that have no effect are reported in the log.
  *
@@ -55,7 +55,7 @@ open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
         throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
     }
 
-    /** Logs what of [filter] has no effect, once for each text of a filter. */
+    /** Logs the parts of [filter] that have no effect, once for each text of a filter. */
     private fun warn(call: Call, filter: PerceptionFilter) {
         if (!reported.add(filter.name to filter)) return
         val log = Logger.getLogger("${Arch::class.java.name}.${call.ts.agArch.agName}")

@@ -11,9 +11,9 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that explains whether the active filter drops Percept,
- * and by which rule: the filter of the board in whose namespace Percept is. It may be used in the context of a plan, and by agents
- * without [Arch] too.
+ * The internal action `argo.explain(Percept, Why)`: unifies Why with a text that explains whether the active filter drops Percept, and by
+ * which rule: the filter of the board in whose namespace Percept is. It may be used in the context of a plan, and also by agents without
+ * [Arch].
  *
  * Fails the plan with `error(wrong_arguments)`.
  */

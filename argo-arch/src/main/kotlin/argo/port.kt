@@ -6,13 +6,13 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The internal action `argo.port(P)` or `argo.port(P, Options)`: selects the port for sensing and acting, and no other.
+ * The internal action `argo.port(P)` or `argo.port(P, Options)`: selects P as the only port for sensing and acting.
  *
  * P is an atom or a string: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`; an unbound variable, as
  * in programs for other versions, stands for its own name. `none` closes all ports of the agent. Options is a list of `baud(Rate)`,
  * `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
- * `queue(Messages)`, `stale(Ms)`, `as(Namespace)`; without it the agent's last options for P apply. With `as(left)` what the board says is
- * believed in the namespace `left`, as `left::dist(f,30)`. For several boards at once see `argo.ports`.
+ * `queue(Messages)`, `stale(Ms)`, `as(Namespace)`; without it the agent's last options for P apply. With `as(left)` the board's percepts
+ * are believed in the namespace `left`, as `left::dist(f,30)`. For several boards at once see `argo.ports`.
  *
  * The intention is suspended until the port is open. Ports opened before stay open. A port whose device was lost is reopened with the same
  * options when the device is back. The state of P is the belief `port(P,on)`, `port(P,off)` or `port(P,timeout)`; `stale(P)` is believed
@@ -36,7 +36,7 @@ open class port : BoardInternalAction("argo.port", 1..2) {
     }
 }
 
-/** Who wrote a variable may have meant its value. */
+/** Adds a hint if the port was written as a variable: the author may have meant its value. */
 private fun Failure.hinting(written: Term): Failure =
     if (written !is VarTerm || error != "no_such_port") this
     else copy(cause = "$cause ($written has no value, so its name was taken for the port's)")

@@ -9,9 +9,8 @@ import jason.asSyntax.Term
 
 /**
  * The internal action `argo.ports(List)`: the agent perceives the boards on all ports of List, and no others. An element is a port as
- * `argo.port` takes it, or `port(P, Options)` with the options of `argo.port`:
- * `[ttyACM0, port(ttyACM1, [as(left)]), "tcp://arm:4000"]`. The first one is the port in use, where commands go for which no other board
- * is found.
+ * `argo.port` takes it, or `port(P, Options)` with the options of `argo.port`: `[ttyACM0, port(ttyACM1, [as(left)]), "tcp://arm:4000"]`.
+ * The first one is the port in use, which gets commands for which no other board is found.
  *
  * Ports that are not open are opened, all at once, and each board is perceived as soon as its port is open. Boards that were perceived
  * before and are in List are not disturbed; those that are not in List are no longer perceived, but their ports stay open.

@@ -7,7 +7,9 @@ import javino.Transport
 import javino.TransportProvider
 import javino.Transports
 
-/** Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, or what [opening] makes, if [refusal] has nothing against it. */
+/**
+ * Ports that may refuse to be opened: `fussy:robot` is `sim:robot`, or the line that [opening] makes, unless [refusal] returns a reason.
+ */
 class FussyProvider : TransportProvider {
     override fun scheme() = "fussy"
 
@@ -23,11 +25,11 @@ class FussyProvider : TransportProvider {
     override fun isPresent(address: String) = Transports.isPresent("sim:$address")
 
     companion object {
-        /** What opening a port at a rate fails with, or null. */
+        /** Returns the exception with which opening a port at a rate fails, or null. */
         @Volatile
         var refusal: (String, LineSettings) -> PortException? = { _, _ -> null }
 
-        /** The line to an address. */
+        /** Opens the line to an address. */
         @Volatile
         var opening: (String, LineSettings) -> Transport = ::openSimulated
 

@@ -22,7 +22,7 @@ import kotlin.io.path.writeText
 
 /**
  * A small agent with one fault that beginners make, and the same agent without it. Both are in one file, `planted/NAME.asl`: lines that end
- * in `//-` are the fault, and in their place are those behind `//+` once it is mended.
+ * in `//-` are the fault, and those behind `//+` take their place once it is mended.
  *
  * @property rule the name of the rule that the fault breaks
  * @property describe the board and the rules, which do not depend on the fault
@@ -38,7 +38,7 @@ class Planted(val name: String, val rule: String, val describe: Exploration.() -
     override fun toString() = name
 }
 
-/** All of them. */
+/** All planted faults. */
 val PLANTED: List<Planted> = listOf(
     Planted("ages", "stops when blind") { driver() },
     Planted("silence", "stops when blind") { driver() },
@@ -71,7 +71,7 @@ private const val NEAR = "dist(front,D) & D < 20"
 
 private val MOVING = listOf("front", "left", "steer")
 
-/** A robot that drives towards things and stops before them. */
+/** Describes a robot that drives towards things and stops before them. */
 private fun Exploration.driver(vararg more: Rule, isVersion2: Boolean = false) {
     board("ttyACM0") {
         if (isVersion2) version2()
@@ -85,7 +85,7 @@ private fun Exploration.driver(vararg more: Rule, isVersion2: Boolean = false) {
     )
 }
 
-/** What any of them has to keep. */
+/** Returns the rules that each of them has to keep. */
 private fun any() = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(intentions = 10, beliefs = 30), neverFloods(10),
     neverOscillates(), perceivesAgain(),

@@ -2,7 +2,9 @@
 
 package planted
 
+import argo.Arch
 import argo.platform.Plans
+import argo.platform.Platform
 import jason.asSemantics.Agent
 import jason.asSemantics.DefaultArithFunction
 import jason.asSemantics.DefaultInternalAction
@@ -36,7 +38,7 @@ class dice : SourceOfChance(Math::random)
 /** Makes a name that nobody else has. */
 class name : SourceOfChance(UUID::randomUUID)
 
-/** Takes the order of a set of objects without a hash of their own. */
+/** Takes the order of a set of objects that have no hash of their own. */
 class order : SourceOfChance({
     List(8) { Any() to it }.associate { it }.keys.toHashSet().joinToString { "${System.identityHashCode(it)}" }
 })
@@ -90,6 +92,18 @@ class believes : DefaultInternalAction() {
         ts.ag.addBel(ASSyntax.createLiteral("drawn", ASSyntax.createString("${System.nanoTime()}")))
 }
 
+/** Prints the time, as a plan prints. */
+class prints : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also { ts.logger.info("${System.nanoTime()}") }
+}
+
+/** Has another thread put an event into the agent's queue, while the cycle goes on. */
+class rings : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        thread { ts.c.addExternalEv(ASSyntax.parseTrigger("+ring(1)")) }.join()
+    }
+}
+
 /** A function that drifts. */
 class drift : DefaultArithFunction() {
     override fun getName() = "planted.drift"
@@ -104,6 +118,17 @@ class Moody : Agent()
 
 /** A belief base of a project. */
 class Shuffled : DefaultBeliefBase()
+
+/** An architecture of a project, that counts how often it is made. */
+class Counted(platform: Platform) : Arch(platform) {
+    init {
+        made++
+    }
+
+    companion object {
+        var made = 0
+    }
+}
 
 /** A class that nobody is to make. */
 class Bomb : java.io.Serializable {
@@ -121,7 +146,7 @@ class Bomb : java.io.Serializable {
     }
 }
 
-/** Writes the agent's plans and what it is to do, as a project that keeps its agents does. */
+/** Writes the agent's plans and intentions, as a project that keeps its agents does. */
 class writes : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         val bytes = ByteArrayOutputStream()

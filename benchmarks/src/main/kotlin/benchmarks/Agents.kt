@@ -47,7 +47,7 @@ class Agents : AutoCloseable {
     }
 }
 
-/** Waits until [condition] holds, at most [seconds] s; returns whether it does. */
+/** Waits until [condition] holds, at most [seconds] s; returns true if it does. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {
     val end = System.nanoTime() + seconds * 1_000_000_000L
     while (!condition()) {

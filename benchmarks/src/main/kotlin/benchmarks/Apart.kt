@@ -4,9 +4,9 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * The numbers in the last line that this program prints with [arguments] in a Java machine of its own, where nothing has run before.
+ * Runs this program with [arguments] in a Java machine of its own, where nothing has run before, and returns the numbers in its last line.
  *
- * @param options of the Java machine
+ * @param options the options of the Java machine
  * @throws IllegalStateException if it fails, or prints no numbers
  */
 internal fun figuresApart(vararg arguments: String, options: List<String> = emptyList()): List<Double> {

@@ -6,7 +6,7 @@ import java.util.concurrent.atomic.AtomicLong
 
 /** A thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed. */
 internal class Crowd {
-    /** Answers a second that all agents got together, and the most memory that the process had resident, in MB. */
+    /** The answers a second that all agents got together, and the largest resident memory of the process, in MB. */
     class Result(val rate: Double, val residentMb: Double)
 
     /** Measures in a Java machine of its own that may have [HEAP_MB] MB of heap. */
@@ -44,7 +44,7 @@ internal class Crowd {
         const val AGENTS = 1000
         const val HEAP_MB = 400
 
-        /** So fast that the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
+        /** At this rate the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
         const val BAUD = 20_000_000
         private val BESIDES = SensorBoard.robot(0).substringAfter(';')
 

@@ -14,8 +14,8 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /**
- * Explores 25 agents with a planted fault each, and the same agents mended, and returns whether that is found as it should: 20 within 60 s,
- * made to at most five events, and nothing in the mended ones.
+ * Explores 25 agents with a planted fault each, and the same agents mended, and returns true if at least 20 faults are found within 60 s,
+ * shortened to at most five events, and none in the mended agents.
  *
  * @param only the name of the one agent that is explored; null: all
  */

@@ -6,9 +6,11 @@ import javino.Transports
 import javino.sim.SimulatedBoards
 import java.lang.ref.Reference
 
-/** Bytes of heap of an agent that has nothing to do. */
+/** The heap of an idle agent, in bytes. */
 internal class IdleHeap {
-    /** An agent of Jason's own, and what `argo.Arch` and an open port add to it; without the simulated line and board. */
+    /**
+     * Measures an agent of Jason's own, and the parts that `argo.Arch` and an open port add to it; without the simulated line and board.
+     */
     fun measure(): Map<String, Double> {
         val plain = perAgent("!start.\n+!start.\n", null, line = false)
         val arch = perAgent("!start.\n+!start.\n", "argo.Arch", line = false)
@@ -54,7 +56,7 @@ internal class IdleHeap {
     }
 }
 
-/** Bytes of heap in use once what is garbage has been collected. */
+/** Collects garbage and returns the heap in use, in bytes. */
 internal fun usedHeap(): Long {
     repeat(3) { System.gc() }
     return Runtime.getRuntime().run { totalMemory() - freeMemory() }

@@ -11,7 +11,7 @@ private enum class Part(val title: String, val exchanges: IntRange) {
 
 private const val ROUNDS = 3
 
-/** How long it took in each part of a course, over all rounds. */
+/** The latencies in each part of a course, over all rounds. */
 internal class Latencies(private val rounds: List<LongArray>) {
     val firstSecond get() = of(Part.FIRST_SECOND)
     val first20Seconds get() = of(Part.FIRST_20_SECONDS)
@@ -21,8 +21,8 @@ internal class Latencies(private val rounds: List<LongArray>) {
 }
 
 /**
- * From the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that it causes.
- * The courses take turns, so that what else the machine does meets all of them, and each starts a Java machine of its own.
+ * Measures the time from the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that
+ * it causes. The courses take turns, so that other work of the machine affects all of them, and each starts a Java machine of its own.
  */
 internal fun measureLatencies(): Map<LatencyCourse, Latencies> {
     val rounds = List(ROUNDS) { LatencyCourse.entries.associateWith(::measureApart) }
@@ -44,7 +44,7 @@ internal fun latencyCourse(name: String) {
     println(LatencyCourse.valueOf(name).measure(exchanges).joinToString(" "))
 }
 
-/** Measures all courses and prints the figures, and what an agent with ARGO takes of the time of the one on one thread. */
+/** Measures all courses and prints the figures, and the ratio of ARGO's latency to that of the agent on one thread. */
 fun latency() {
     println("frame to command over a pseudo-terminal, 12 percepts, $ROUNDS rounds, ${machine()}:")
     val measured = measureLatencies()

@@ -10,7 +10,7 @@ import javino.sim.PseudoTerminals
 import kotlin.concurrent.thread
 
 /**
- * Who answers the board's frames, each in a Java machine of its own: `ping(N)` among twelve percepts by the command `pong(N)`, over a
+ * A program that answers the board's frames, in a Java machine of its own: `ping(N)` among twelve percepts by the command `pong(N)`, over a
  * pseudo-terminal with `socat` and jSerialComm, at 50 Hz.
  */
 internal enum class LatencyCourse(val title: String) {
@@ -43,7 +43,7 @@ internal enum class LatencyCourse(val title: String) {
     /** Lets the answers be [measure]d through [port]. */
     protected abstract fun run(port: String, measure: () -> LongArray): LongArray
 
-    /** The latencies in ns, in their order. */
+    /** Measures the latencies, in ns, in their order. */
     fun measure(exchanges: Int): LongArray = PseudoTerminals.open().use { line ->
         val board = PingBoard(line.board(), exchanges)
         run("${line.computer()}", board::measure)

@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * How much of what a line's bytes allow an agent gets that senses with `argo.limit(0)`: requests and answers a second, times the line time
- * of both. The board answers at once, with twelve percepts; the line is in memory and gives each byte its time.
+ * The share of a line's time that an agent with `argo.limit(0)` uses: requests and answers a second, times the line time of both. The board
+ * answers at once, with twelve percepts; the line is in memory and gives each byte its time.
  */
 internal class LineUse(private val baud: Int, private val protocol: Protocol) {
     private class Seen(val count: Int, val nanos: Long)
@@ -15,7 +15,7 @@ internal class LineUse(private val baud: Int, private val protocol: Protocol) {
     private val bytes = AtomicLong()
     private val latest = AtomicReference(Seen(0, 0))
 
-    /** The share, 0 to 1. */
+    /** Measures the share, 0 to 1. */
     fun measure(): Double {
         val board = SensorBoard(
             protocol, SensorBoard::robot,

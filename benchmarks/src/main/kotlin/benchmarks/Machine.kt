@@ -2,12 +2,15 @@ package benchmarks
 
 import java.io.File
 
-/** The machine that a figure was measured on, in a few words. */
+/** Describes this machine in a few words. */
 fun machine(): String =
     "${Runtime.getRuntime().availableProcessors()} processors, Java ${Runtime.version().feature()}, ${System.getProperty("os.name")} " +
         "${System.getProperty("os.arch")}"
 
-/** The memory that this process has resident, in MB: `VmRSS` now, `VmHWM` at most so far. NaN where it is not known, as beside Linux. */
+/**
+ * Returns the resident memory of this process in MB: `VmRSS` now, `VmHWM` the largest so far. NaN if it is not known, as on systems other
+ * than Linux.
+ */
 internal fun residentMb(figure: String): Double {
     val status = File("/proc/self/status")
     if (!status.exists()) return Double.NaN

@@ -12,7 +12,7 @@ import benchmarks.stops.stops
 import java.io.File
 import kotlin.system.exitProcess
 
-/** The name of a benchmark, and for some the file for all their results: prints the figures. */
+/** Runs the benchmark that the first argument names and prints its figures; some take a file for all their results. */
 fun main(args: Array<String>) {
     when (args.firstOrNull()) {
         "latency" -> latency()

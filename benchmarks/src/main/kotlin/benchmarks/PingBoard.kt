@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit
  * A board on a pseudo-terminal that answers each request with twelve changing percepts, one of them `ping(N)`, and takes the
  * time until the first byte of the command `pong(N)`.
  *
- * @param exchanges how many commands it measures
+ * @param exchanges the number of commands that it measures
  */
 class PingBoard(device: File, private val exchanges: Int) {
     private val input = FileInputStream(device)

@@ -10,10 +10,10 @@ import java.lang.management.ManagementFactory
 import kotlin.concurrent.thread
 
 /**
- * The share of one processor that this program takes while an agent senses twelve changing percepts of a board at 50 Hz over a
- * pseudo-terminal, all threads but the board's.
+ * Measures the share of one processor that all threads of this program but the board's take while an agent senses twelve changing percepts
+ * of a board at 50 Hz over a pseudo-terminal.
  *
- * @param speaks the version that the board reads
+ * @param speaks the version of the protocol that the board reads
  */
 internal fun processorShare(speaks: Protocol): Double = PseudoTerminals.open().use { line ->
     val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}", speaks) }

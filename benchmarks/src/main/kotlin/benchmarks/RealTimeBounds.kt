@@ -15,7 +15,7 @@ private const val SEED = 1L
 
 /**
  * Makes a million exchanges on random lines, boards and intervals, and prints how close each came to its bound; then the longest ones of
- * the examples of docs/real-time.md. Virtual time, so the figures are the same on every machine. Returns whether no bound was exceeded.
+ * the examples of docs/real-time.md. Virtual time, so the figures are the same on every machine. Returns true if none exceeded its bound.
  */
 internal fun bounds(): Boolean {
     val closest = checkBounds(EXCHANGES, SEED)

@@ -4,11 +4,11 @@ import javino.Protocol
 import java.io.File
 import java.util.Locale
 
-/** One figure of the table. @property target what it should be, in words; empty: nothing was set */
+/** One figure of the table. @property target its target in words; empty: there is none */
 internal class Figure(val name: String, val value: Double, val unit: String, val target: String = "")
 
 /**
- * Measures what makes a robot's agent prompt: prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
+ * Measures the promptness of a robot's agent: prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
  * `NAME-line.svg`.
  */
 fun realtime(json: File) = Realtime().run(json)

@@ -14,15 +14,15 @@ import kotlin.io.path.createTempDirectory
 internal const val REPLAY = "replay-recordings"
 
 /**
- * What a recording costs an agent that perceives twelve percepts 50 times a second, which all change, and answers each time with a command:
- * drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, in all cycles about it,
- * since a recorded agent has other cycles; that of a cycle; besides, that of the thread that writes the recording, which no cycle waits
- * for; the size of the recordings, and how fast they are replayed. Returns whether all is within its bounds.
+ * Measures the cost of a recording for an agent that perceives twelve percepts 50 times a second, which all change, and answers each time
+ * with a command: drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, in all
+ * cycles about it, since a recorded agent has other cycles; that of a cycle; that of the thread that writes the recording, for which no
+ * cycle waits; the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
     val folder = createTempDirectory("argo-bench-record")
-    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // so fast that Java has compiled all
+    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // Java compiles all code meanwhile
     val files = (1..DRIVES).map { folder.resolve("drive-$it.mcap") }
     val (without, with) = files.map { drive(null) to drive(it) }.unzip().run { Cycles(first) to Cycles(second) }
     println("without a recording: $without")
@@ -42,7 +42,10 @@ internal fun recorded(): Boolean {
     return cost * 100 <= MOST_COST && megabytes <= MOST_MEGABYTES && pace >= LEAST_PACE
 }
 
-/** How many times faster than real time a Java machine of its own, as the tool `replay` starts it, replays [file], with its start. */
+/**
+ * Returns how many times faster than real time a Java machine of its own replays [file], its start included, as the tool `replay` starts
+ * it.
+ */
 private fun paceApart(file: Path): Double {
     val begin = System.nanoTime()
     figuresApart(REPLAY, "$file", options = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
@@ -69,7 +72,7 @@ private fun pace(file: Path): Double {
 /** The processor times of an agent's cycles in ns, the [messages] of its board in them, and the processor time of the writing thread. */
 private class Drive(val cycles: List<Long>, val messages: Int, val writingNs: Long)
 
-/** The processor time of the thread that writes a recording; 0: there is none. */
+/** Returns the processor time of the thread that writes a recording; 0: there is none. */
 private fun writingNs(): Long {
     val threads = ManagementFactory.getThreadMXBean()
     return threads.getThreadInfo(threads.allThreadIds).filterNotNull().filter { it.threadName.startsWith(WRITER) }
@@ -77,8 +80,8 @@ private fun writingNs(): Long {
 }
 
 /**
- * The agent asks its board each [intervalMs], for [LOADING_S] and then for [seconds] that are measured, and is recorded to [file]; null: it
- * is not.
+ * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for [seconds] that are measured; records it to [file];
+ * null: it is not recorded.
  */
 private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVAL_MS): Drive {
     val times = ArrayList<Long>()
@@ -104,7 +107,7 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
     return Drive(times, board.messages - before, writing)
 }
 
-/** A board whose twelve percepts are others each time. */
+/** A board whose twelve percepts all change each time. */
 private class Changing : Sketch {
     private val requests = AtomicInteger()
 
@@ -119,10 +122,10 @@ private class Cycles(drives: List<Drive>) {
     private val sorted = drives.flatMap { it.cycles }.sorted()
     private val cyclesOfMessage = sorted.size.toDouble() / drives.sumOf { it.messages }
 
-    /** Of the drive in the middle. */
+    /** The median over the drives. */
     val messageNs = drives.map { it.cycles.sum().toDouble() / it.messages }.sorted()[drives.size / 2]
 
-    /** Likewise. */
+    /** The median over the drives. */
     val writingNs = drives.map { it.writingNs.toDouble() / it.messages }.sorted()[drives.size / 2]
 
     override fun toString() = "%.0f µs for a message, in %.1f cycles; a cycle has a median of %.0f µs and a mean of %.0f µs, of %d"
@@ -138,12 +141,12 @@ private fun program(intervalMs: Int) =
     """.trimIndent()
 
 private const val BOARD = "bench-record"
-private const val WRITER = "argo-recording-" // the name of its file behind it
+private const val WRITER = "argo-recording-" // followed by the name of its file
 private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3
 private const val DRIVE_S = 8
-private const val LOADING_S = 2 // classes are loaded and the port is opened
+private const val LOADING_S = 2 // meanwhile classes are loaded and the port is opened
 private const val MINUTE_S = 60
 private const val MOST_COST = 5
 private const val MOST_MEGABYTES = 2

@@ -11,8 +11,8 @@ import javino.sim.SimulatedBoard
 /**
  * A board that answers requests at once, in the version in which it is asked, and acknowledges actions.
  *
- * @param speaks the version it reads, or both
- * @param percepts what it answers to its nth request, n counted from 1
+ * @param speaks the version of the protocol that it reads, or both
+ * @param percepts returns its answer to the nth request, n counted from 1
  */
 class SensorBoard(
     private val speaks: Protocol,
@@ -21,7 +21,7 @@ class SensorBoard(
 ) : SimulatedBoard {
     /** Called by the board's thread; times are those of [System.nanoTime]. */
     interface Witness {
-        /** The answer to request [n], whose last byte leaves the line at [endNanos]; both together are [bytes] bytes. */
+        /** The last byte of the answer to request [n] leaves the line at [endNanos]; both together are [bytes] bytes. */
         fun answered(n: Int, endNanos: Long, bytes: Int) = Unit
 
         /** An action came that is not the repetition of the last one. */
@@ -46,7 +46,7 @@ class SensorBoard(
     }
 
     companion object {
-        /** The message of a robot with sensors on its four sides: twelve percepts, all of which differ from those of [n] - 1. */
+        /** Returns the message of a robot with sensors on its four sides: twelve percepts, all different from those of [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")
             val readings = sides.map { "dist($it,${n % 100 + 20})" } +

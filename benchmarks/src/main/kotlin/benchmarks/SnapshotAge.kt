@@ -6,9 +6,9 @@ import java.util.concurrent.atomic.AtomicLongArray
 import kotlin.math.min
 
 /**
- * How old the newest snapshot that was handed to an agent is when one of its intentions acts on it: from the last byte of the board's
- * answer to the first action of a plan for one of its percepts. All [sensors] change in each answer, each change is an event, and for each
- * event the agent has [plans] plans of which the last applies.
+ * The age of an agent's newest snapshot when one of its intentions acts on it: from the last byte of the board's answer to the first action
+ * of a plan for one of its percepts. All [sensors] change in each answer, each change is an event, and for each event the agent has [plans]
+ * plans of which the last applies.
  */
 internal class SnapshotAge(private val sensors: Int, private val plans: Int) {
     private val receivedAt = AtomicLongArray(MAX_ACTIONS)
@@ -49,7 +49,7 @@ internal class SnapshotAge(private val sensors: Int, private val plans: Int) {
     }
 
     companion object {
-        /** So fast that the line does not hide what the agent does: 1,200 percepts take some 75 ms. */
+        /** At this rate the line does not hide the agent's own time: 1,200 percepts take some 75 ms. */
         const val BAUD = 2_000_000
         const val INTERVAL_MS = 20
         private const val MAX_ACTIONS = 1_000_000

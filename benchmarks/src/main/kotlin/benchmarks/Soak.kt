@@ -5,11 +5,11 @@ import javino.sim.SimulatedBoards
 import java.util.BitSet
 
 /**
- * Many agents on as many boards in memory that sense at 50 Hz and act on each answer: whether heap or threads grow, and whether each action
- * is carried out once.
+ * Checks, with many agents on as many boards in memory that sense at 50 Hz and act on each answer, that neither heap nor threads grow, and
+ * that each action is carried out once.
  *
- * @param seconds how long it lasts, at least 3; after the first minute, or the first third, and as soon as all agents act, nothing may
- *   grow any more
+ * @param seconds its length, at least 3; after the first minute, or the first third, and as soon as all agents act, neither may grow any
+ * more
  */
 class Soak(private val agents: Int, private val seconds: Int) {
     /** The figures of a run; heap in bytes after a collection. */
@@ -17,7 +17,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
         val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
     ) {
-        /** The figures that no run may have, in words; empty: all is well. */
+        /** The faults of the run, in words; empty: all is well. */
         val faults: List<String> get() = listOfNotNull(
             "no action was confirmed".takeIf { confirmed == 0L },
             "$twice actions were carried out twice".takeIf { twice > 0 },
@@ -64,7 +64,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         }
     }
 
-    /** What is always in use: while agents act, some 10 MB more are for a moment. */
+    /** Returns the heap that is always in use: acting agents use some 10 MB more for a moment. */
     private fun steadyHeap() = (1..HEAP_SAMPLES).minOf {
         Thread.sleep(HEAP_SAMPLE_MS)
         usedHeap()
@@ -79,7 +79,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         +!end    <- argo.percepts(block).
     """
 
-    /** What one agent ordered and its board carried out. Safe on any thread. */
+    /** The actions that one agent ordered and that its board carried out. Safe on any thread. */
     private class Account : SensorBoard.Witness {
         private val ordered = BitSet()
         private val acted = BitSet()
@@ -116,11 +116,11 @@ class Soak(private val agents: Int, private val seconds: Int) {
             if (what == "failed") failed++
         }
 
-        /** Whether the agent knows what became of each action it ordered. */
+        /** Returns true if the agent knows the outcome of each action it ordered. */
         @Synchronized
         fun isSettled() = ordered == known
 
-        /** Actions that were confirmed and not carried out, or of which the agent heard nothing. */
+        /** Returns the number of actions that were confirmed and not carried out, or whose outcome the agent does not know. */
         @Synchronized
         fun lost(): Long {
             val unknown = (ordered.clone() as BitSet).apply { andNot(known) }
@@ -133,7 +133,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
 
-        /** After as many every agent has all of what it needs in its turn. */
+        /** After so many actions every agent has loaded and allocated all that it needs. */
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
@@ -146,7 +146,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
     }
 }
 
-/** A hundred agents for ten minutes: prints the figures; returns whether none is a fault. */
+/** Runs a hundred agents for ten minutes and prints the figures; returns true if there is no fault. */
 fun soak(): Boolean {
     val result = Soak(agents = 100, seconds = 600).run()
     println("100 agents at 50 Hz for 600 s: $result")

@@ -4,7 +4,7 @@ import argo.Arch
 import argo.platform.Platform
 import java.lang.management.ManagementFactory
 
-/** An agent whose reasoning cycles [times] measures. */
+/** An agent whose reasoning cycles are measured: see [times]. */
 class TimedArch(platform: Platform) : Arch(platform) {
     private var begunNs = 0L
 
@@ -23,7 +23,9 @@ class TimedArch(platform: Platform) : Arch(platform) {
     companion object {
         private val threads = ManagementFactory.getThreadMXBean()
 
-        /** Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. To be read when no agent runs. */
+        /**
+         * Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. Read it only when no agent runs.
+         */
         @Volatile
         var times: MutableList<Long>? = null
     }

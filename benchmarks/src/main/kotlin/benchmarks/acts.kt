@@ -6,7 +6,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** The internal action `benchmarks.acts(N)`: an intention acts now on the board's nth answer. */
+/** The internal action `benchmarks.acts(N)`: reports that an intention acts now on the board's nth answer. */
 @Suppress("ClassName") // Jason finds it by this name
 class acts : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {

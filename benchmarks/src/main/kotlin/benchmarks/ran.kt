@@ -6,7 +6,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** The internal action `benchmarks.ran(Agent, N, What)`: what became of an agent's nth action, `begun`, `done` or `failed`. */
+/** The internal action `benchmarks.ran(Agent, N, What)`: reports the state of an agent's nth action, `begun`, `done` or `failed`. */
 @Suppress("ClassName") // Jason finds it by this name
 class ran : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {

@@ -41,7 +41,7 @@ internal data class Orders(
     }
 }
 
-/** The orders for [trial] of an agent whose robot is on [port]. */
+/** Returns the orders of an agent for [trial], whose robot is on [port]. */
 internal fun orders(trial: Trial, port: String) = Orders(
     port = port,
     baud = trial.baud,
@@ -54,8 +54,8 @@ internal fun orders(trial: Trial, port: String) = Orders(
 )
 
 /**
- * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. One in a program, since Jason keeps the
- * running one in a static. Safe for use by several threads.
+ * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. A program has only one, since Jason
+ * keeps the running one in a static. Safe for use by several threads.
  */
 internal class AgentHost : RunLocalMAS() {
     private val source: String
@@ -72,7 +72,7 @@ internal class AgentHost : RunLocalMAS() {
         start()
     }
 
-    /** Creates an agent [name] with [orders], puts [witnesses] in front of its architectures, and sets it going. */
+    /** Creates an agent [name] with [orders], puts [witnesses] in front of its architectures, and starts it. */
     fun begin(name: String, orders: Orders, witnesses: List<AgArch>): LocalAgArch {
         val settings = AgentSettings().apply { addOption("argo_sensing", orders.sensing) }
         val given = services.createAgent(name, source, null, listOf("argo.Arch"), null, settings, null)
@@ -83,14 +83,14 @@ internal class AgentHost : RunLocalMAS() {
         return agent
     }
 
-    /** Ends [agent], which gives up its port; returns when its thread has ended, or after [END_LIMIT_MS]. */
+    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS]. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
         delAg(agent.agName)
     }
 
-    /** `.stopMAS` of one agent is no reason to end the others. */
+    /** Ignores `.stopMAS` of one agent: the others go on. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) = Unit
 
     private companion object {

@@ -17,15 +17,15 @@ import kotlin.io.path.writeText
 internal class ContinuationException(message: String) : Exception(message)
 
 /**
- * The directory that an experiment keeps its settings and its records in: `settings.json` and `runs/`. From [open] to [close] it belongs
- * to one experiment alone, among all programs.
+ * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close] it belongs to only
+ * one experiment, among all programs.
  */
 internal class Archive(val directory: Path) : AutoCloseable {
     private val settingsFile = directory.resolve("settings.json")
     private val runs = directory.resolve("runs")
     private var claim: FileChannel? = null
 
-    /** The settings of the experiment that is here, or null if none has been begun. */
+    /** Returns the settings of the experiment that is here, or null if none has been begun. */
     fun settings(): Settings? {
         if (!settingsFile.exists()) return null
         return try {
@@ -39,7 +39,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
     }
 
     /**
-     * Begins an experiment with [asked] here, or continues the one there is.
+     * Begins an experiment with [asked] here, or continues the present one.
      *
      * @throws ContinuationException if that one has other settings, or is being made by another program
      * @throws IOException if the directory cannot be written to
@@ -55,7 +55,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         if (present == null) begin(asked)
     }
 
-    /** Locked, which the operating system ends with the program, however that ends. */
+    /** Locks the directory; the operating system ends the lock with the program, however that ends. */
     private fun claimed(): FileChannel {
         // no other code opens this file: closing it would end the lock
         val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
@@ -71,7 +71,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         )
     }
 
-    /** All of the settings or nothing: a program that is killed meanwhile leaves no half of them. */
+    /** Writes all settings or none: a program that is killed meanwhile leaves no half of them. */
     private fun begin(asked: Settings) {
         val whole = settingsFile.resolveSibling("settings.json.new")
         whole.writeText(JSON.encodeToString(Settings.serializer(), asked) + "\n")
@@ -93,18 +93,18 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Where the record of [trial] is, or will be. */
+    /** Returns the file of the record of [trial], which may not exist yet. */
     fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
 
-    /** The runs that are over, in no order. Records that are not whole do not count: their runs have to be made anew. */
+    /** Returns the runs that are over, in no order. Records that are not whole do not count: their runs have to be made anew. */
     fun finished(): List<Finished> = records().mapNotNull { file ->
         val record = readRecord(file)
         val trial = (record?.first() as Entry.Begin?)?.trial
         if (record == null || trial?.id != file.nameWithoutExtension) null else Finished(trial, record.last() as Entry.Result)
     }
 
-    /** How many records do not count in [finished]. */
+    /** Returns the number of records that do not count in [finished]. */
     fun unusable(): Int = records().size - finished().size
 }

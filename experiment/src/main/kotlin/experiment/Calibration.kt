@@ -5,8 +5,8 @@ import java.util.Locale
 import kotlin.math.sqrt
 
 /**
- * How fast this computer is beside a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000 by
- * trial division.
+ * Compares the speed of this computer with a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000
+ * by trial division.
  *
  * It compares one thing, the division of whole numbers by compiled code in one thread, and not caches and memory. So
  * the factor is a stated assumption, and a parameter of the experiment.
@@ -22,7 +22,7 @@ internal object Calibration {
     private const val ROUNDS = 5
     private const val ROUND_NANOS = 300_000_000L
 
-    /** What one event is: the number of primes up to [most]. */
+    /** Does the work of one event: counts the primes up to [most]. */
     fun primes(most: Long): Int {
         var primes = 0
         for (number in 2..most) {
@@ -35,10 +35,10 @@ internal object Calibration {
     }
 
     /**
-     * Events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it faster. Takes
-     * 1.5 s.
+     * Measures the events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it
+     * faster. Takes 1.5 s.
      *
-     * @param nanoTime the time that the calling thread has worked, in ns; what others do meanwhile does not count
+     * @param nanoTime the time that the calling thread has worked, in ns, without that of other threads
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()
@@ -52,11 +52,11 @@ internal object Calibration {
 
     private const val PRIMES = 1229
 
-    /** The factor by which reasoning is to be slowed on a computer that does [eventsPerSecond]; 1 on one that is not faster. */
+    /** Returns the factor by which reasoning is to be slowed on a computer with [eventsPerSecond]; 1 on one that is not faster. */
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 
-    /** Where [slowdown] comes from, for the report. */
+    /** Explains the origin of [slowdown] for the report. */
     fun words(eventsPerSecond: Double): String = String.format(
         Locale.ROOT, "%.0f events a second here, %.0f on a Raspberry Pi 3 Model B (sysbench cpu, primes up to 10,000, one thread)",
         eventsPerSecond, REFERENCE_EVENTS_PER_S,

@@ -21,11 +21,11 @@ internal class Campaign(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * How far it has come: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have
-     * not begun, 0 if all have. Runs were repeated [repeated] times because this machine was late; the estimate expects that to go on.
+     * The progress: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have not
+     * begun, 0 if all have. Runs were repeated [repeated] times because this machine was late; the estimate expects that to go on.
      */
     internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
-        /** In words, for a line of progress. Minutes are whole, since [left] is no more exact. */
+        /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
         val words: List<String> get() =
             listOfNotNull("run $done of $all", "$collisions at the wall", "$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
 
@@ -44,7 +44,7 @@ internal class Campaign(
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes what is missing of [trials]; returns all that are over. Ends early when it is given up.
+     * Makes the missing runs of [trials]; returns all that are over. Ends early if it is given up.
      *
      * @throws java.io.IOException if a record cannot be written; then the experiment is given up
      */
@@ -72,7 +72,7 @@ internal class Campaign(
             makeAll(missing, over, all)
             isDone = true
         } finally {
-            if (!isDone) given.giveUp() // or the others would run for an hour before the failure is reported
+            if (!isDone) given.giveUp() // else the others would run for an hour before the failure is reported
         }
     }
 
@@ -101,15 +101,15 @@ internal class Campaign(
     }
 
     companion object {
-        /** How often a run is made at most. */
+        /** The largest number of times that a run is made. */
         const val MAX_TRIES = 3
 
         private const val MINUTE_MS = 60_000L
 
-        /** What a run that has begun takes at most, unless it fails: from the start to the wall. */
+        /** The longest time of a run, in ms, unless it fails: from the start to the wall. */
         private const val LONGEST_MS = 21_000L
 
-        /** About how long [trial] takes, in ms: to the limit and a little further, or to the wall if that is to be expected. */
+        /** Estimates the time of [trial], in ms: to the limit and a little further, or to the wall if that is to be expected. */
         fun expectedMs(trial: Trial): Long {
             val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
             return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L

@@ -110,7 +110,7 @@ internal class ExperimentCommand : Callable<Int> {
         println("the robot on $port answers: $answer")
     }
 
-    /** The robot's first answer with the front distance, which a sensor may need some time for; the last one if none has it. */
+    /** Returns the robot's first answer with the front distance, for which a sensor may need some time; the last answer if none has it. */
     private fun firstSight(robot: Link): String {
         var answer = ""
         for (attempt in 1..MAX_REQUESTS) {
@@ -156,7 +156,7 @@ internal class ExperimentCommand : Callable<Int> {
         return if (failed.isEmpty()) 0 else 1
     }
 
-    /** The published runs in one random order, and behind them those with more to do for the machine. */
+    /** Returns the published runs in one random order, followed by those with more work for the machine. */
     private fun trials(settings: Settings, conditions: List<Condition>): List<Trial> =
         randomised(conditions.flatMap(settings.plan::trials), settings.seed) +
             if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()
@@ -172,7 +172,7 @@ internal class ExperimentCommand : Callable<Int> {
         return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c, d or all, not $condition"))
     }
 
-    /** The settings of the experiment to continue, changed by the options. */
+    /** Returns the settings of the experiment to continue, changed by the options. */
     private fun settings(archive: Archive): Settings {
         val present = archive.settings()
         val plan = if (smoke) Plan.SMOKE else if (quick) Plan.QUICK else Plan.FULL
@@ -198,7 +198,7 @@ internal class ExperimentCommand : Callable<Int> {
         listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
             .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
-    /** The property `argo.build` is set where there is no jar. */
+    /** Returns the version and the commit of ARGO; the property `argo.build` has them if there is no jar. */
     private fun build(): String =
         System.getProperty("argo.build") ?: javaClass.`package`.implementationVersion ?: "of an unknown version"
 
@@ -219,7 +219,7 @@ internal class ExperimentCommand : Callable<Int> {
 internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
     private val given = GivenUp()
 
-    /** Makes what is missing of [trials]; null: it was interrupted. */
+    /** Makes the missing runs of [trials]; null: it was interrupted. */
     fun run(trials: List<Trial>): List<Finished>? {
         val progress = Progress.onStandardOutput()
         listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }

@@ -13,23 +13,23 @@ import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** The answer timeout: a second, or three times the time of the longest answer on the line, the first of a session in version 2. */
+/** Returns the answer timeout: a second, or three times the time of the longest answer on the line, the first of a session in version 2. */
 internal fun answerLimitMs(trial: Trial): Int =
     maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 
 /**
- * The time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps, whose
- * texts are known.
+ * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps,
+ * whose texts are known.
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
 /**
- * The most that this machine may be late in a run of [condition], in ms: a third of the time that a request and the answer of the twelve
- * sensors take there at 9600 baud.
+ * Returns the largest lateness of this machine that a run of [condition] allows, in ms: a third of the time that a request and the answer
+ * of the twelve sensors take there at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
 
-/** The bytes of a request and its answer; in version 2 the computer knows [known] texts. */
+/** Returns the number of bytes of a request and its answer; in version 2 the computer knows [known] texts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
     if (!trial.condition.isVersion2) {
@@ -46,14 +46,14 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     return request.length() + parts.sumOf { WireFrame.of(it.kind, 0, it.payload).length() }
 }
 
-/** Texts that a board numbers at most. */
+/** The largest number of texts that a board numbers. */
 private const val MAX_KNOWN = 126
 
 /**
- * The worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on its
- * board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has begun
- * an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval; then
- * follows the command. A board that stops the robot itself reads its sensors once more, and has a frame to send before.
+ * Returns the worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on
+ * its board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has
+ * begun an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval;
+ * then follows the command. A board that stops the robot itself reads its sensors once more, and has a frame to send before.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
@@ -62,19 +62,19 @@ internal fun leastStopNanos(trial: Trial): Long {
     return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + stopBytes(trial) * byteNanos(trial)
 }
 
-/** How often a board compares its sensors with its rules. */
+/** The interval at which a board compares its sensors with its rules, in ns. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The longest frame of an answer of a board that watches rules: behind the numbers of request and part. */
+/** The longest frame in an answer of a board that watches rules, with the numbers of request and part in front. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
-/** How long the robot drives from its limit to the wall, in ns. */
+/** Returns the time that the robot drives from its limit to the wall, in ns. */
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
-/** Whether the limit leaves the physical time to stop: no less than [leastStopNanos]. */
+/** Returns true if the limit leaves the physical time to stop: no less than [leastStopNanos]. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
-/** The bytes of the command `stop`, which version 2 sends by its number. */
+/** Returns the number of bytes of the command `stop`, which version 2 sends by its number. */
 private fun stopBytes(trial: Trial): Int = if (trial.condition.isVersion2) WireFrame.OVERHEAD + 1 else "stop".length + Frame.HEADER_LENGTH
 
 private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()

@@ -9,26 +9,26 @@ import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.StringTerm
 
 /**
- * Sees from outside what an agent of the experiment believes. Jason's belief base belongs to the agent's thread, so it is read there, at
- * the end of each reasoning cycle.
+ * Reads the beliefs of an agent of the experiment for other threads. Jason's belief base belongs to the agent's thread, so that thread
+ * reads it, at the end of each reasoning cycle.
  *
  * @param changed is called by the agent's thread for each change of the believed front distance
  */
 internal class Observer(private val changed: (front: Double?, events: Int, intentions: Int) -> Unit) : AgArch() {
     private var front: Double? = null
 
-    /** The front distance in cm that the agent believes, null if it believes none. Any thread may ask, as for the others. */
+    /** The front distance in cm that the agent believes, null if it believes none. Any thread may read this and the other properties. */
     val believedFront: Double? get() = seenFront
 
     @Volatile
     private var seenFront: Double? = null
 
-    /** Whether the agent believes that it has stopped its robot. */
+    /** True if the agent believes that it has stopped its robot. */
     @Volatile
     var hasStopped = false
         private set
 
-    /** Why the agent cannot go on, null if it can. */
+    /** The reason why the agent cannot go on, null if it can. */
     @Volatile
     var trouble: String? = null
         private set
@@ -45,7 +45,7 @@ internal class Observer(private val changed: (front: Double?, events: Int, inten
         super.reasoningCycleFinished()
     }
 
-    /** Has the agent stop its robot, whatever it is doing; returns at once. */
+    /** Makes the agent stop its robot, whatever it is doing; returns at once. */
     fun haltRobot() {
         ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
         firstAgArch.wakeUpSense()

@@ -5,11 +5,11 @@ import kotlinx.serialization.Serializable
 import kotlin.random.Random
 
 /**
- * Which runs there are: a full factorial design with replications.
+ * The runs of an experiment: a full factorial design with replications.
  *
  * @property limits the levels of the distance limit, in cm
  * @property intervals the levels of the sensing interval, in ms
- * @property replications runs of each combination
+ * @property replications the runs of each combination
  */
 @Serializable
 internal enum class Plan(
@@ -28,14 +28,16 @@ internal enum class Plan(
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
 
-    /** The runs of the factorial design under [condition]. */
+    /** Returns the runs of the factorial design under [condition]. */
     fun trials(condition: Condition): List<Trial> = buildList {
         for (view in View.entries) for (limit in limits) for (interval in intervals) for (replication in 1..replications) {
             add(Trial(condition, view, limit, interval, replication))
         }
     }
 
-    /** The runs beyond it: more sensors and faster lines, with all sensors and with the front distance, at one limit and interval. */
+    /**
+     * Returns the runs beyond it: more sensors and faster lines, with all sensors and with the front distance, at one limit and interval.
+     */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {
             add(Trial(condition, view, limits[limits.size / 2], intervals.first(), 1, baud, count))
@@ -43,8 +45,8 @@ internal enum class Plan(
     }.filter { it.isScaled }
 }
 
-/** [trials] in an order that depends on [seed] alone. */
+/** Returns [trials] in an order that depends only on [seed]. */
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
-/** Where the noise of a robot's sensors starts from in [trial]: another place in each run, the same whenever that run is made. */
+/** Returns the seed of the noise of a robot's sensors in [trial]: another in each run, the same whenever that run is made. */
 internal fun noiseSeed(trial: Trial, seed: Long): Long = 31 * seed + trial.id.hashCode()

@@ -42,8 +42,8 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 
 /**
  * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times are those of a [Sighting], to
- * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. A run that the
- * agent does not end is ended with `stop`.
+ * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. The laboratory
+ * ends a run with `stop` if the agent does not.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -90,13 +90,15 @@ internal class RealLaboratory(
         }
     }
 
-    /** A board's motors keep their last command. An agent in trouble has no board for a command. */
+    /**
+     * Stops the robot, since a board's motors keep their last command; not if the agent is in trouble, and so has no board for a command.
+     */
     private fun halt(observer: Observer) {
         if (!observer.hasStopped && observer.trouble == null) observer.haltRobot()
     }
 
     companion object {
-        /** Nearer than this a robot is at the wall, in cm. */
+        /** A robot nearer than this, in cm, is at the wall. */
         const val WALL_CM = 3.0
         private const val LOOK_MS = 5L
         private const val SETTLE_MS = 1_000L

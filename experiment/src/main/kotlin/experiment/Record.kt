@@ -13,12 +13,12 @@ import kotlin.concurrent.withLock
 /** A line of a run's record. Times are nanoseconds of a steady clock since the run began, distances cm. */
 @Serializable
 internal sealed interface Entry {
-    /** The first line: which run it is, and what [settings] it was made with. */
+    /** The first line: the run, and its [settings]. */
     @Serializable
     @SerialName("trial")
     data class Begin(val trial: Trial, val settings: Settings) : Entry
 
-    /** The board began to send its percepts [text]. [distance]: where the robot truly was, null if nobody knows. */
+    /** The board began to send its percepts [text]. [distance]: the robot's true place, null if it is not known. */
     @Serializable
     @SerialName("frame")
     data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
@@ -28,7 +28,7 @@ internal sealed interface Entry {
     @SerialName("command")
     data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
 
-    /** The agent came to believe another front distance; it had [events] events and [intentions] intentions to see to. */
+    /** The agent came to believe another front distance; it had [events] events and [intentions] intentions left. */
     @Serializable
     @SerialName("belief")
     data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
@@ -38,27 +38,30 @@ internal sealed interface Entry {
     @SerialName("result")
     data class Result(
         val outcome: Outcome,
-        /** Where the robot stood at last; 0 when it ran into the wall. */
+        /** The final place of the robot; 0 if it ran into the wall. */
         val distance: Double,
-        /** From crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see [Sighting.crossed]. */
+        /**
+         * The time from crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see
+         * [Sighting.crossed].
+         */
         val sinceLimitMs: Double,
         /**
-         * From the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped the
-         * robot before. Null: the agent believed none.
+         * The time from the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped
+         * the robot before. Null: the agent believed none.
          */
         val sincePerceivingMs: Double?,
-        /** Commands that took effect. */
+        /** The number of commands that took effect. */
         val commands: Int,
-        /** Answers of the board. */
+        /** The number of the board's answers. */
         val frames: Int,
-        /** The most that this machine was late in the run, in ms. */
+        /** The largest lateness of this machine in the run, in ms. */
         val lateMs: Double,
-        /** Why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
+        /** The reason why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
         val reason: String? = null,
     ) : Entry
 }
 
-/** How a run ended. */
+/** The end of a run. */
 @Serializable
 internal enum class Outcome {
     /** The robot was stopped. */
@@ -81,20 +84,20 @@ internal enum class Outcome {
 internal val JSON = Json { encodeDefaults = true }
 
 /**
- * Writes the record of one run to [file], line by line; safe on any thread. What was there is overwritten.
+ * Writes the record of one run to [file], line by line; safe on any thread. Overwrites an existing file.
  *
  * The writers are an agent and its board in the middle of a run, so a full disk does not throw there: the record ends, and
  * [requireWhole] reports it.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out = Files.newOutputStream(file) // not buffered: what a full disk has refused must not come later
+    private val out = Files.newOutputStream(file) // not buffered: a line that a full disk has refused must not come later
     private var isEnded = false
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line; after the result, [close], or a line that could not be written, nothing is added any more: a board
-     * may still be answering when its run is over.
+     * Adds [entry] as one whole line; adds none after the result, after [close], or after a line that could not be written: a board may
+     * still be answering when its run is over.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {
@@ -134,9 +137,9 @@ internal fun readRecord(file: Path): List<Entry>? {
 
 /** A run that is over. */
 internal data class Finished(val trial: Trial, val result: Entry.Result) {
-    /** Whether there is something to measure. */
+    /** True if there is something to measure. */
     val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
 
-    /** Whether this machine was later than its condition allows, see [maxLateMs]. */
+    /** True if this machine was later than its condition allows, see [maxLateMs]. */
     val isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
 }

@@ -6,7 +6,7 @@ import argo.filters.RuleList
 import argo.filters.dropFilter
 import argo.filters.keepFilter
 
-/** The filter of [view], and the critical rule that the front distance is at most [limit] cm, with the reflex `stop`. */
+/** Makes the filter of [view] with the critical rule that the front distance is at most [limit] cm and its reflex `stop`. */
 internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
     val name = "${view.word}Reflex$limit"
     val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }
@@ -33,7 +33,7 @@ internal class ReflexFilters : FilterProvider {
         @Volatile
         private var offered: List<PerceptionFilter> = emptyList()
 
-        /** An experiment begins. */
+        /** Offers the filters from now on: an experiment begins. */
         fun offer() {
             offered = Plan.entries.flatMap { it.limits }.distinct().flatMap { limit -> View.entries.map { reflexFilter(it, limit) } }
         }

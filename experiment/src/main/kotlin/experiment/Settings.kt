@@ -3,11 +3,11 @@ package experiment
 import kotlinx.serialization.Serializable
 
 /**
- * What all runs of an experiment have in common. A continued experiment must have the same.
+ * The settings of all runs of an experiment. A continued experiment must have the same.
  *
- * @property seed where the order of the runs and the noise of the sensors start from
- * @property slowdown how many times slower than this computer the agents reason
- * @property computer the calibration that [slowdown] comes from, in words
+ * @property seed the seed of the order of the runs and of the noise of the sensors
+ * @property slowdown the factor by which the agents reason more slowly than this computer
+ * @property computer the calibration behind [slowdown], in words
  * @property port the port of a real robot, null for simulated ones
  */
 @Serializable

@@ -11,7 +11,7 @@ internal class Sighting(private val limit: Int) {
 
     /**
      * The instant at which the believed readings crossed the limit, between the last one above it and the first one at or below it, as if
-     * the robot drove at a constant speed between the two; null until then. It leaves out the time that a reading takes on its way.
+     * the robot drove at a constant speed between the two; null until then. It does not include the time that a reading takes on its way.
      */
     @Volatile
     var crossed: Long? = null
@@ -22,7 +22,7 @@ internal class Sighting(private val limit: Int) {
     var perceived: Long? = null
         private set
 
-    /** The agent believes the front distance [front] since [now]; null: it believes none. */
+    /** Notes that the agent believes the front distance [front] since [now]; null: it believes none. */
     fun see(front: Double?, now: Long) {
         if (front == null || perceived != null) return
         if (front > limit) {
@@ -33,7 +33,7 @@ internal class Sighting(private val limit: Int) {
         perceived = now
     }
 
-    /** An observer that tells this of each belief and writes it to [record], with the time since [begin] by [clock]. */
+    /** Returns an observer that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
     fun observer(record: RecordWriter, begin: Long, clock: LineClock) = Observer { front, events, intentions ->
         val now = clock.nanos()
         see(front, now)

@@ -5,10 +5,10 @@ import java.lang.management.ManagementFactory
 import java.util.concurrent.locks.LockSupport
 
 /**
- * Owes to a slower computer what this one is faster by: the time that each reasoning cycle would have taken there beyond what it
- * took here. What is too little to wait for is owed on.
+ * Accounts for the time that a slower computer would need in addition: the time of each reasoning cycle there beyond its time here. A time
+ * too short to wait for is carried over.
  *
- * @param factor how many times slower the other computer is, at least 1
+ * @param factor the ratio by which the other computer is slower, at least 1
  */
 internal class SlowTime(private val factor: Double) {
     private var owed = 0.0
@@ -17,19 +17,19 @@ internal class SlowTime(private val factor: Double) {
         require(factor >= 1) { "an agent can be slowed down, not sped up: the factor is at least 1, not $factor" }
     }
 
-    /** A cycle has taken [cpuNanos] of this computer's time; returns the ns to wait now. */
+    /** Adds a cycle that took [cpuNanos] of this computer's time; returns the ns to wait now. */
     fun owedAfter(cpuNanos: Long): Long {
         owed += cpuNanos * (factor - 1)
         return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
     }
 
-    /** That many ns have been waited. */
+    /** Subtracts [nanos] ns that have been waited. */
     fun paid(nanos: Long) {
         owed -= nanos
     }
 
     companion object {
-        /** Machines do not wait for less with any accuracy. */
+        /** Machines cannot wait for a shorter time with any accuracy. */
         const val MIN_WAIT_NANOS = 200_000L
     }
 }

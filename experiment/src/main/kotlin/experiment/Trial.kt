@@ -6,16 +6,16 @@ import kotlinx.serialization.Serializable
 import samples.collision.Sensors
 
 /**
- * How agent and board work together in a run.
+ * The way in which agent and board work together in a run.
  *
- * @property letter what it is called on the command line and in records
- * @property title what it is called in the report
+ * @property letter its name on the command line and in records
+ * @property title its name in the report
  * @property sensing the agent's sensing policy
- * @property protocol the version of Javino that the port is opened with, null for the default
+ * @property protocol the version of Javino with which the port is opened, null for the default
  */
 @Serializable
 internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
-    /** As published: the line is waited for in each reasoning cycle, commands are written at once, version 1. */
+    /** As published: each reasoning cycle waits for the line, commands are written at once, version 1. */
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
@@ -23,7 +23,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
-    /** Version 2, with filters that let the board be asked for what they keep. */
+    /** Version 2, with filters whose kept percepts the board can be asked for. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
@@ -32,14 +32,14 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
 
-    /** Whether agent and board speak version 2, so that the board can be asked for what the filter keeps. */
+    /** True if agent and board speak version 2, so that the board can be asked for the percepts that the filter keeps. */
     val isVersion2: Boolean get() = protocol == "2"
 }
 
 /**
- * What the agent perceives.
+ * The part of the percepts that the agent perceives.
  *
- * @property word what it is called on the command line and in records
+ * @property word its name on the command line and in records
  */
 @Serializable
 internal enum class View(val word: String) {
@@ -56,7 +56,7 @@ internal enum class View(val word: String) {
     FRONT_DISTANCE("frontDistance"),
     ;
 
-    /** The functors of what is kept, which a board of version 2 is asked for; null: all are. */
+    /** The functors of the kept percepts, which a board of version 2 is asked for; null: all. */
     val functors: List<String>?
         get() = when (this) {
             NONE -> null
@@ -64,7 +64,10 @@ internal enum class View(val word: String) {
             FRONT_DISTANCE -> listOf("dist")
         }
 
-    /** The agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, which the board can be asked for. */
+    /**
+     * Returns the agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, whose percepts the board can be
+     * asked for.
+     */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name
         this == NONE -> "none"
@@ -74,13 +77,13 @@ internal enum class View(val word: String) {
 }
 
 /**
- * One run: a cell of the experiment and which of its replications.
+ * One run: a cell of the experiment and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval in ms
- * @property replication from 1
+ * @property replication its number, from 1
  * @property baud the line's rate
- * @property sensors how many sensors the robot has, a multiple of twelve
+ * @property sensors the number of the robot's sensors, a multiple of twelve
  */
 @Serializable
 internal data class Trial(
@@ -92,9 +95,9 @@ internal data class Trial(
     val baud: Int = LineSettings.DEFAULT_BAUD,
     val sensors: Int = Sensors.PER_SET,
 ) {
-    /** What the run's record and board are named by; no two runs of an experiment share it. */
+    /** The name of the run's record and board; no two runs of an experiment share it. */
     val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
 
-    /** Whether it is beyond the published design. */
+    /** True if it is beyond the published design. */
     val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
 }

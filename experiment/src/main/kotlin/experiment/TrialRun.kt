@@ -24,13 +24,13 @@ internal fun interface Laboratory {
 internal class GivenUp {
     private val latch = CountDownLatch(1)
 
-    /** Whether it has been. */
+    /** True if the experiment is aborted. */
     val isUp: Boolean get() = latch.count == 0L
 
-    /** Gives it up. */
+    /** Aborts the experiment. */
     fun giveUp() = latch.countDown()
 
-    /** Waits [millis] ms at most; true if it is given up. */
+    /** Waits [millis] ms at most; returns true if the experiment is aborted. */
     fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
 }
 
@@ -69,7 +69,10 @@ internal class SimulatedLaboratory(
         }
     }
 
-    /** A robot that its board has stopped drives on if a command of its agent was on the way; the agent then stops it. */
+    /**
+     * Returns true if the run is over. A robot that its board has stopped drives on if a command of its agent was on the way; the agent
+     * then stops it.
+     */
     private fun isOver(trial: Trial, measured: Measured, observer: Observer) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || observer.hasStopped)
 
@@ -96,8 +99,8 @@ internal class SimulatedLaboratory(
 internal data class Measured(val outcome: Outcome, val distance: Double, val sinceLimitMs: Double, val sincePerceivingMs: Double?)
 
 /**
- * What there is to measure of a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived], or null
- * if it has not; null while the robot drives or stands at the start.
+ * Measures a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived] (null: it has not); null
+ * while the robot drives or stands at the start.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Measured? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -108,19 +111,19 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
     return Measured(outcome, course.distanceAt(now), msSince(course.reached(limit.toDouble(), now), end) ?: 0.0, msSince(perceived, end))
 }
 
-/** From the instant [start] to [end] in ms, null if there is no such instant. */
+/** Returns the time from [start] to [end] in ms, null if there is no [start]. */
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
-/** A robot whose senses and deeds are recorded, with the robot's true place. */
+/** A robot whose percepts and actions are recorded, with the robot's true place. */
 internal class RecordedSketch(
     private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
 ) : Sketch {
     override val actions get() = robot.actions
 
-    /** Commands that took effect so far; any thread may ask. */
+    /** The number of commands that took effect so far; any thread may ask. */
     val commands = AtomicInteger()
 
-    /** Answers so far. */
+    /** The number of answers so far. */
     val frames = AtomicInteger()
 
     override fun percepts(): String {

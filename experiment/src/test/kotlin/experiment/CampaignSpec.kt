@@ -130,7 +130,7 @@ class CampaignSpec : FunSpec({
         val archive = archive()
         val laboratory = Laboratory { trial, record, _ ->
             record.write(Entry.Command(5, "front", 200.0))
-            if (trial == trials[2]) archive.file(trials[3]).createSymbolicLinkPointingTo(FULL) // the disk of the next run
+            if (trial == trials[2]) archive.file(trials[3]).createSymbolicLinkPointingTo(FULL) // the disk is full for the next run
             stopped()
         }
         val refused = shouldThrow<IOException> { Campaign(archive, SETTINGS, laboratory, 1, GivenUp()) {}.run(trials) }

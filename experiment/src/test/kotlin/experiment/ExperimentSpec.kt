@@ -19,7 +19,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readLines
 
-/** The experiment as it is run, in real time; the runs are so short that a robot stops after one or two seconds. */
+/** The experiment in real time, as its user runs it; the runs are so short that a robot stops after one or two seconds. */
 class ExperimentSpec : FunSpec({
     fun start(vararg arguments: String) = Program.start("experiment.MainKt", *arguments)
 
@@ -28,7 +28,7 @@ class ExperimentSpec : FunSpec({
     fun arguments(out: Path, vararg more: String) =
         arrayOf("--smoke", "--condition", "b", "--slowdown", "1", "--jobs", "6", "--out", "$out", *more)
 
-    test("an experiment that is interrupted keeps whole lines, and goes on with the same command") {
+    test("an experiment that is interrupted keeps whole lines, and goes on with the same command").config(tags = thorough) {
         val out = tempdir().toPath().resolve("results")
         start(*arguments(out, "--seed", "5")).use { program ->
             program.awaitLine("run 0 of 12")
@@ -94,3 +94,5 @@ class ExperimentSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

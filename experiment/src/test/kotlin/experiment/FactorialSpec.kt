@@ -11,7 +11,7 @@ import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression
 import kotlin.math.sqrt
 import kotlin.random.Random
 
-/** Three levels of each factor and three replications: what the experiment has. */
+/** Draws responses for three levels of each factor and three replications, as in the experiment. */
 private fun drawn(random: Random, sizes: List<Int> = listOf(3, 3, 3), replications: Int = 3) =
     List(sizes[0]) { i ->
         List(sizes[1]) { j ->
@@ -19,10 +19,12 @@ private fun drawn(random: Random, sizes: List<Int> = listOf(3, 3, 3), replicatio
         }
     }
 
-/** The columns of a general linear model for one factor: effect coding, whose coefficients add up to 0 with that of the last level. */
+/**
+ * Returns the columns of a general linear model for one factor: effect coding, whose coefficients add up to 0 with that of the last level.
+ */
 private fun coded(level: Int, size: Int): List<Double> = List(size - 1) { if (level == size - 1) -1.0 else if (level == it) 1.0 else 0.0 }
 
-/** The general linear model with the columns of [sources]. */
+/** Fits the general linear model with the columns of [sources]. */
 private fun model(responses: List<List<List<List<Double>>>>, sources: List<Source>): OLSMultipleLinearRegression {
     val sizes = listOf(responses.size, responses[0].size, responses[0][0].size)
     val rows = ArrayList<DoubleArray>()
@@ -123,7 +125,7 @@ class FactorialSpec : FunSpec({
     }
 
     test("nor does it make effects significant where the replications are all the same") {
-        val analysis = Factorial(List(3) { List(3) { k -> List(3) { List(3) { 0.1 + 0.7 * k } } } }) // B alone has an effect
+        val analysis = Factorial(List(3) { List(3) { k -> List(3) { List(3) { 0.1 + 0.7 * k } } } }) // only B has an effect
         analysis.share(Source.B) shouldBe (1.0 plusOrMinus 1e-12)
         analysis.error shouldBe 0.0
         (Source.entries - Source.B).flatMap { analysis.effects(it, 0.95) }.none { it.isSignificant } shouldBe true

@@ -16,7 +16,7 @@ import samples.collision.Robot
 import java.nio.file.Path
 import kotlin.random.Random
 
-/** A robot that is known through its port alone, as real ones are. */
+/** A robot that is known only through its port, as real ones are. */
 class RealLaboratorySpec : FunSpec({
     val host = AgentHost()
     val trial = Trial(Condition.DEFAULTS, View.FRONT_DISTANCE, 190, 20, 1)

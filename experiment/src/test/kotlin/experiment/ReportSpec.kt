@@ -31,7 +31,7 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 
-/** What the published pattern looks like, made up; other conditions stop at once. */
+/** Makes up a result with the published pattern; other conditions stop at once. */
 private fun pattern(trial: Trial): Entry.Result = when {
     trial.condition != Condition.PUBLISHED -> stopped(trial.limit - 5.0, 400.0 + 10 * trial.replication)
     trial.view == View.NONE -> collided(trial.limit * 100.0)

@@ -18,10 +18,7 @@ final class CommandLoop {
     }
 
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
-    /** Milliseconds that the first command waits at most while nothing gets through. */
-    static final int MAX_WAIT_MILLIS = 5000;
-
-    private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_WAIT_MILLIS);
+    private static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(FrameWriter.PATIENCE_MILLIS);
 
     private final String port;
     private final Monitor monitor;
@@ -31,7 +28,8 @@ final class CommandLoop {
     private final LineClock clock;
     private final Start start;
     private final OneWaySender oneWay;
-    private volatile long movedNanos; // when a command of version 1 last went out, or the board could not be asked
+    private volatile long movedNanos; // when commands of version 1 last got through, or could begin to
+    private Long toldNanos; // what movedNanos() was when the log was told that nothing gets through
 
     /** @param monitor that of the writer and the line */
     CommandLoop(
@@ -127,16 +125,13 @@ final class CommandLoop {
 
     /** Sends commands until the line ends or the thread is interrupted. */
     void run() throws PortException {
+        movedNanos = clock.nanos();
         while (true) {
+            giveUpStuck();
             if (line.isVersion2()) {
                 runVersion2();
             } else if (writer.awaitWork(null, 0, line::isVersion2)) {
-                sendNext(clock.nanos() + MAX_WAIT_NANOS);
-            }
-            Command head = writer.head();
-            if (head != null && isStuck(head)) {
-                movedNanos = clock.nanos();
-                fail(writer.withdrawNext(), stuck(head));
+                sendNext(patienceEnds());
             }
         }
     }
@@ -144,7 +139,7 @@ final class CommandLoop {
     private void runVersion2() throws PortException {
         try {
             line.await(
-                    () -> !line.isVersion2() || writer.isLeaving() || writer.head() != null && isStuck(writer.head()),
+                    () -> !line.isVersion2() || writer.isLeaving() || isStuck(),
                     clock.nanos() + Monitor.FOREVER,
                     false);
         } catch (RuntimeException | Error unforeseen) { // a transport's
@@ -154,17 +149,47 @@ final class CommandLoop {
         finishLeaving();
     }
 
-    private PortTimeoutException stuck(Command head) {
-        return line.noSession()
-                .map(why -> new PortTimeoutException(port, why))
-                .orElseGet(() -> writer.noTime(head.frame().length(), MAX_WAIT_MILLIS));
+    /** When commands last got through, or the board was heard that takes them. */
+    private long movedNanos() {
+        return line.isVersion2() ? line.heardNanos() : movedNanos;
     }
 
-    /** Whether the next command has waited for long, and nothing has moved meanwhile. */
-    private boolean isStuck(Command head) {
-        long now = clock.nanos();
-        long moved = line.isVersion2() ? line.heardNanos() : movedNanos;
-        return now - head.submittedAt() > MAX_WAIT_NANOS && now - moved > MAX_WAIT_NANOS;
+    /** When the first of the commands that wait is to be given up if none gets through. */
+    private long patienceEnds() {
+        long moved = movedNanos();
+        long since =
+                clock.nanos() - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(moved) : moved;
+        return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
+    }
+
+    /** Whether a command has waited for so long, and none has got through meanwhile. */
+    private boolean isStuck() {
+        return writer.head() != null && clock.nanos() - patienceEnds() >= 0;
+    }
+
+    /** Fails all commands that have waited for so long together, so that none goes out late when the line moves again. */
+    private void giveUpStuck() {
+        if (!isStuck()) {
+            return;
+        }
+        long before = clock.nanos() - PATIENCE_NANOS;
+        List<Command> stuck = writer.withdrawIf(command -> command.submittedAt() - before <= 0);
+        Long moved = movedNanos();
+        if (!stuck.isEmpty() && !moved.equals(toldNanos)) {
+            toldNanos = moved;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + port + ": commands that have waited for " + FrameWriter.PATIENCE_MILLIS + " ms fail, "
+                            + stuck.size() + " of them now: " + line.noSession().orElseGet(writer::whyNoTime)
+                            + "; this is not reported again until one gets through");
+        }
+        stuck.forEach(command -> fail(command, stuck(command)));
+    }
+
+    private PortTimeoutException stuck(Command command) {
+        return line.noSession()
+                .map(why -> new PortTimeoutException(port, why))
+                .orElseGet(() -> writer.noTime(command.frame().length(), FrameWriter.PATIENCE_MILLIS));
     }
 
     /** Sends a command and returns when it has arrived; see {@link Link#sendAndAwait}. */
@@ -182,7 +207,7 @@ final class CommandLoop {
                     finishLeaving();
                     line.await(
                             () -> own.isOver() || !line.isVersion2(),
-                            own.isWaiting() ? deadline : clock.nanos() + MAX_WAIT_NANOS,
+                            own.isWaiting() ? deadline : clock.nanos() + PATIENCE_NANOS,
                             false);
                 } else if (writer.awaitWork(own, deadline, line::isVersion2)) {
                     sendNext(deadline);
@@ -213,6 +238,7 @@ final class CommandLoop {
         try {
             if (channel.mustAsk()) {
                 start.await();
+                movedNanos = channel.mustAsk() ? movedNanos : clock.nanos();
             }
         } catch (PortTimeoutException
                 | RuntimeException
@@ -224,8 +250,9 @@ final class CommandLoop {
         }
         Command command = writer.awaitCommand(deadline, line::isVersion2);
         if (command != null) {
-            movedNanos = clock.nanos();
-            end(command, () -> oneWay.awaitLeft(command, oneWay.write(command)));
+            boolean isHeldBack = writer.isHeldBack(); // then an urgent one has no meaning for the others
+            boolean hasLeft = end(command, () -> oneWay.awaitLeft(command, oneWay.write(command)));
+            movedNanos = hasLeft && !isHeldBack ? clock.nanos() : movedNanos;
         }
     }
 
@@ -244,7 +271,8 @@ final class CommandLoop {
         void run() throws PortException;
     }
 
-    private void end(Command command, Transmission rest) throws PortException {
+    /** @return whether it has arrived */
+    private boolean end(Command command, Transmission rest) throws PortException {
         Throwable failure = failureOf(rest);
         writer.finish();
         if (failure == null) {
@@ -255,6 +283,7 @@ final class CommandLoop {
         if (failure instanceof PortGoneException gone) {
             throw gone;
         }
+        return failure == null;
     }
 
     private Throwable failureOf(Transmission rest) {
@@ -302,7 +331,7 @@ final class CommandLoop {
     /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */
     void failAll(String reason) {
         PortGoneException gone = new PortGoneException(port, reason);
-        writer.withdrawAll().forEach(command -> fail(command, new PortGoneException(port, reason)));
+        writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
         fail(writer.takeLeaving(), gone);
         line.abandon(gone);
     }

@@ -4,6 +4,9 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.OptionalLong;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
@@ -97,13 +100,19 @@ final class CommandQueue {
         return true;
     }
 
-    /** Removes all commands, and withdraws them. */
-    List<Command> removeAll() {
-        List<Command> removed = new ArrayList<>();
-        for (Command command = head(); command != null; command = head()) {
-            command.withdraw();
-            removed.add(command);
-        }
-        return removed;
+    /** Withdraws the commands that wait and that {@code isGivenUp}, and returns them. */
+    List<Command> withdrawIf(Predicate<Command> isGivenUp) {
+        List<Command> givenUp = waiting().filter(isGivenUp).toList();
+        givenUp.forEach(Command::withdraw);
+        return givenUp;
+    }
+
+    /** When the first of the commands that wait was submitted; empty: none waits. */
+    OptionalLong waitingSince() {
+        return waiting().mapToLong(Command::submittedAt).reduce((a, b) -> a - b < 0 ? a : b);
+    }
+
+    private Stream<Command> waiting() {
+        return Stream.concat(urgent.stream(), ordinary.stream()).filter(Command::isWaiting);
     }
 }

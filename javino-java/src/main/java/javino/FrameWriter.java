@@ -1,10 +1,12 @@
 package javino;
 
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
+import java.util.function.Predicate;
 import javino.session.WaitingCommands;
 
 /**
@@ -26,6 +28,9 @@ final class FrameWriter implements WaitingCommands<Command> {
     interface Content {
         byte[] make() throws PortException;
     }
+
+    /** Milliseconds that a command waits at most for a line on which nothing gets through, and again for a driver that takes nothing. */
+    static final int PATIENCE_MILLIS = 5000;
 
     private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
 
@@ -84,9 +89,14 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Withdraws all commands that wait. */
-    List<Command> withdrawAll() {
-        return monitor.get(commands::removeAll);
+    /** Withdraws the commands that wait and that {@code isGivenUp}. */
+    List<Command> withdrawIf(Predicate<Command> isGivenUp) {
+        return monitor.get(() -> commands.withdrawIf(isGivenUp));
+    }
+
+    /** When the first of the commands that wait was submitted; empty: none waits. */
+    OptionalLong waitingSince() {
+        return monitor.get(commands::waitingSince);
     }
 
     private Command next() {
@@ -186,9 +196,9 @@ final class FrameWriter implements WaitingCommands<Command> {
                         : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
     }
 
-    /** Whether only urgent commands of version 1 are written until the board answers. The caller holds the monitor's lock. */
-    private boolean isHeldBack() {
-        return pacer.holdsActions(clock.nanos());
+    /** Whether only urgent commands of version 1 are written until the board answers. */
+    boolean isHeldBack() {
+        return monitor.get(() -> pacer.holdsActions(clock.nanos()));
     }
 
     /** Whether the board seems to take longer for its {@code loop()} than commands are apart: see {@link Pacer#isSlow}. */
@@ -302,13 +312,17 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /** Why a frame was not written whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
-        String reason = monitor.get(this::isHeldBack)
-                ? "the board does not answer, and would lose commands, which wait until it does"
-                : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
         return new PortTimeoutException(
                 transport.name(),
                 "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
-                        + " ms; " + reason);
+                        + " ms; " + whyNoTime());
+    }
+
+    /** Why nothing gets through. */
+    String whyNoTime() {
+        return isHeldBack()
+                ? "the board does not answer, and would lose commands, which wait until it does"
+                : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
     }
 
     /** Writes a frame whose turn has come; as {@link #write}. {@code timeoutMillis} may be 0 if it {@link #isWritableNow}. */

@@ -320,7 +320,7 @@ public final class Link implements AutoCloseable {
 
     /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
-        sendAndAwait(Frame.ofCommand(command), options, CommandLoop.MAX_WAIT_MILLIS);
+        sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
     }
 
     private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {

@@ -8,8 +8,6 @@ final class OneWaySender {
     /** How long the device may be gone before it is noticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    private static final int MAX_WRITE_MILLIS = 5000;
-
     private static final System.Logger LOG = System.getLogger(OneWaySender.class.getName());
 
     private final String port;
@@ -27,7 +25,7 @@ final class OneWaySender {
 
     /** Writes the command whose turn has come; returns when its last byte leaves. */
     long write(Command command) throws PortException {
-        return write(command, MAX_WRITE_MILLIS);
+        return write(command, FrameWriter.PATIENCE_MILLIS);
     }
 
     /** The same, on a thread that may not wait. */

@@ -31,8 +31,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
     /** How long the line is read at once while a frame is being written, behind which another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-
-    private static final int MAX_WRITE_MILLIS = 5000;
+    /** How long the line is read at once at most. */
+    private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /** Less is no sign of a driver that takes nothing: its thread may have been late. */
     private static final int LEAST_WRITE_MILLIS = 100;
@@ -177,13 +177,23 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                 return frame;
             }
             if (mustRead(reads)) {
-                long left = writer.isWriting() ? Math.min(deadline - now, LOOK_WHILE_WRITING_NANOS) : deadline - now;
-                inbox.readFor(
-                        followers > 0 ? left : Math.min(left, nanosUntilNext(now + LOOK_NANOS))); // who follows writes
+                inbox.readFor(Math.min(deadline - now, nanosToRead(now)));
             } else {
                 follow(isDone, deadline, reads);
             }
         }
+    }
+
+    /**
+     * How long to read at once. A read cannot be ended, but whoever follows may go meanwhile, and a frame may go out whose sender waits for
+     * nothing; so what falls due is looked for again and again. Who follows writes it, and is left the time for that.
+     */
+    private long nanosToRead(long now) {
+        if (writer.isWriting()) {
+            return LOOK_WHILE_WRITING_NANOS;
+        }
+        long untilNext = Math.min(nanosUntilNext(now + LOOK_NANOS), MAX_READ_NANOS);
+        return followers > 0 ? untilNext + LOOK_WHILE_WRITING_NANOS : untilNext;
     }
 
     private void follow(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
@@ -237,7 +247,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                     frame,
                     mayWait
                             ? Math.max(
-                                    LEAST_WRITE_MILLIS, Math.min(MAX_WRITE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)))
+                                    LEAST_WRITE_MILLIS,
+                                    Math.min(FrameWriter.PATIENCE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)))
                             : 0);
         }
     }
@@ -400,8 +411,10 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             LOG.log(
                     System.Logger.Level.WARNING,
                     "port " + transport.name() + ": " + actionsLost
-                            + " actions of the board's program found no room in its memory, "
-                            + "and it refuses them; give the board more memory, as JavinoSized<600> javino; does, or fewer actions");
+                            + " actions of the board's program found no room, and it refuses them; a board has "
+                            + (CommandItem.MAX_ACTION + 1)
+                            + " at most, and fewer in little memory: give it more memory, as JavinoSized<600> javino; does, "
+                            + "or fewer actions");
         }
         rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));
@@ -447,12 +460,20 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                         port,
                         "port " + port + " did not say that it acted on \"" + text
                                 + "\"; it may have, or the board does not run any more");
-            case TOO_LONG ->
-                new ActionRefusedException(
-                        port,
-                        "the board at port " + port + " takes no command of " + text.length() + " bytes, in version 2 "
-                                + CommandItem.MAX_TEXT + " at most: " + Frame.quoted(text));
+            case TOO_LONG -> new ActionRefusedException(port, tooLong(command));
         };
+    }
+
+    private String tooLong(Command command) {
+        boolean isRule = command.rule() != null;
+        String sent = isRule ? command.rule().text() : command.text();
+        int most = session.longestText(isRule);
+        return "the board at port " + transport.name() + " takes no " + (isRule ? "rule" : "command") + " of "
+                + sent.length() + " bytes, " + most + " at most"
+                + (most < CommandItem.MAX_TEXT
+                        ? ", as much as its memory holds: give the board more, as JavinoSized<600> javino; does"
+                        : "")
+                + ": " + (isRule ? command.text() : Frame.quoted(sent));
     }
 
     @Override

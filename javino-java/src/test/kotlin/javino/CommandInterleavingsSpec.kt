@@ -84,7 +84,7 @@ class CommandInterleavingsSpec : FunSpec({
             }
             val end = {
                 writer.end("it was closed")
-                withdrawn = writer.withdrawAll()
+                withdrawn = writer.withdrawIf { true }
             }
             concurrently(submit, end)
             check(isRefused != (command in withdrawn)) { "refused: $isRefused, withdrawn: ${withdrawn.size}" }

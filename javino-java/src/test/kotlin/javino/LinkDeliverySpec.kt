@@ -17,12 +17,17 @@ import javino.wire.BoardAction
 import javino.wire.BoardRule
 import javino.wire.FrameKind
 import javino.wire.ReflexOutcome
+import javino.wire.WireFrame
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 
 private const val REQUEST = "getPercepts"
 
 private fun bench(board: LineEnd) = VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.V2)
+
+/** WELCOME of a board that takes so many bytes of payload. */
+private fun withLongest(bytes: Int, welcome: WireFrame) =
+    WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(2, 3, "${bytes.toChar()}"))
 
 private class Events : BoardListener {
     val all = mutableListOf<String>()
@@ -260,6 +265,23 @@ class LinkDeliverySpec : FunSpec({
             val refused = bench.link.sendRule(rule.setting(3), SendOptions.defaults())
             bench.link.sendAndAwait("on", 500)
             shouldThrow<ExecutionException> { refused.get() }.cause!!.message shouldContain "version 1"
+        }
+    }
+
+    test("what is longer than the board takes is refused, a command or a rule, with its length and the longest") {
+        val rule = BoardRule("dist", listOf(BoardRule.Condition(2, BoardRule.Operator.LESS, "10")), "say(" + "x".repeat(30) + ")")
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) withLongest(32, it) else it) } }
+        bench(board).use { bench ->
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("say(" + "x".repeat(27) + ")", 500) }.message shouldContain
+                "takes no command of 32 bytes, 31 at most, as much as its memory holds"
+            val refused = bench.link.sendRule(rule.setting(3), SendOptions.defaults())
+            bench.link.sendAndAwait("say(" + "x".repeat(26) + ")", 500)
+            shouldThrow<ExecutionException> { refused.get() }.cause!!.message shouldContain
+                "takes no rule of ${rule.setting(3).text().length} bytes, 30 at most"
+        }
+        bench(VirtualBoard2()).use { bench ->
+            shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("x".repeat(254), 500) }.message shouldContain
+                "takes no command of 254 bytes, 253 at most: \"xxx"
         }
     }
 

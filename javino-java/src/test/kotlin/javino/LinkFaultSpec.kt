@@ -29,7 +29,7 @@ private const val ASK_BYTES = 7
 private const val ANSWER_BYTES = 42
 
 /** Exchanges at each rate, half of them actions; `./argo bench faults` makes a million. */
-private val EXCHANGES = Integer.getInteger("argo.exchanges", 100_000)
+private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
 
 /** The share of exchanges of frames of so many bytes that one of three tries gets through unharmed. */
 private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back: Int): Double {

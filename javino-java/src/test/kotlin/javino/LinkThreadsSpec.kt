@@ -4,19 +4,100 @@ import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.types.shouldBeInstanceOf
+import javino.sim.BoardProgram
+import javino.sim.BoardSession
 import javino.sim.FakeBoard
+import javino.wire.FrameKind
+import javino.wire.WireDecoder
+import javino.wire.WireFrame
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.CountDownLatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.thread
+import kotlin.concurrent.withLock
 import kotlin.time.Duration.Companion.seconds
 
 private const val LONG_MILLIS = 20_000
 private val boards = AtomicInteger()
+
+/** A line to a board that answers at once; commands to it may be lost, and answers to requests held back. */
+private class LossyLine : Transport {
+    private val lock = ReentrantLock()
+    private val changed = lock.newCondition()
+    private val arrived = ArrayDeque<ByteArray>()
+    private val held = ArrayDeque<ByteArray>()
+    private val board = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce ->
+        (if (holdsAnswers && frame.kind() != FrameKind.VOCABULARY) held else arrived) += frame.toBytes(nonce)
+    }
+    private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, board::nonce) { if (!isLost(it)) board.receive(it) }
+    private val limits = ArrayList<Int>()
+    private var isWaiting = false
+    private var isClosed = false
+
+    /** From now on commands are lost, and answers wait for [release]. */
+    @Volatile
+    var holdsAnswers = false
+
+    /** How long the read that is under way waits at most, in ms; null: nobody reads. */
+    val limit: Int? get() = lock.withLock { limits.lastOrNull().takeIf { isWaiting } }
+
+    /** How often something has been written. */
+    @Volatile
+    var writes = 0
+        private set
+
+    private fun isLost(frame: WireFrame) = holdsAnswers && frame.kind() == FrameKind.COMMANDS
+
+    /** Lets the answers arrive that were held back. */
+    fun release() = lock.withLock {
+        arrived += held
+        held.clear()
+        changed.signalAll()
+    }
+
+    override fun name() = "lossy"
+
+    override fun line() = LineSettings(1_000_000)
+
+    override fun isWritableNow(unread: Long) = true
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = lock.withLock {
+        decoder.accept(b, off, len, 0)
+        writes++
+        changed.signalAll()
+    }
+
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int = lock.withLock {
+        limits += timeoutMillis
+        isWaiting = true
+        while (arrived.isEmpty() && timeoutMillis > 0 && !isClosed) changed.await()
+        isWaiting = false
+        if (isClosed) throw PortGoneException(name(), "it was closed")
+        val bytes = arrived.removeFirstOrNull() ?: return 0
+        bytes.copyInto(b, off)
+        bytes.size
+    }
+
+    override fun close() = lock.withLock {
+        isClosed = true
+        changed.signalAll()
+    }
+
+    private companion object {
+        val program = object : BoardProgram {
+            override fun carryOut(command: String) = BoardProgram.Outcome.DONE
+
+            override fun percepts(request: String) = "p;"
+        }
+    }
+}
 
 /** Several threads on one link to a version 2 board: who waits for an acknowledgement and who for an answer read for each other. */
 class LinkThreadsSpec : FunSpec({
@@ -49,15 +130,51 @@ class LinkThreadsSpec : FunSpec({
         listener.get(30, TimeUnit.SECONDS) shouldBe "bump;"
     }
 
+    fun lossy(name: String, work: suspend (LossyLine, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
+        val line = LossyLine()
+        val settings = LinkSettings.defaults().withProtocol(Protocol.V2).withPaced(false).withBootMillis(0)
+        Link.over(line, settings, LineTime()).use { link -> // each wait ends with a signal or never
+            link.request("getPercepts", LONG_MILLIS)
+            link.sendAndAwait("on", LONG_MILLIS) // behind it the board describes itself
+            work(line, link)
+        }
+    }
+
+    /** How long the thread that reads now does so at most, in ms. */
+    suspend fun LossyLine.readsFor(): Int = eventually(20.seconds) { checkNotNull(limit) { "nobody reads" } }
+
+    lossy("who reads looks in time after a frame that was lost, though the thread that would have done so goes") { line, link ->
+        line.holdsAnswers = true
+        thread(isDaemon = true) { runCatching { link.sendAndAwait("off", LONG_MILLIS) } }
+        line.readsFor()
+        val writes = line.writes
+        val asking = thread(isDaemon = true) { link.request("getPercepts", LONG_MILLIS) }
+        eventually(20.seconds) { (line.writes > writes && asking.state == Thread.State.WAITING) shouldBe true }
+        line.release()
+        asking.join()
+        line.readsFor() shouldBeLessThan 500
+    }
+
+    lossy("who listens looks in time after a frame that falls due meanwhile") { line, link ->
+        thread(isDaemon = true) { runCatching { link.listen(LONG_MILLIS) } }
+        line.readsFor() shouldBeLessThan 500
+    }
+
     for (protocol in listOf(Protocol.V1, Protocol.V2)) {
         test("each command has an outcome, whenever the link is closed: $protocol").config(timeout = 60.seconds, blockingTest = true) {
             FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
-                repeat(200) {
+                repeat(60) {
                     Link.open(board.port(), Bench.FAST.withProtocol(protocol), "the test").use { link ->
                         val writer = async { runCatching { link.writeCommandsUntilClosed() } }
                         val outcomes = CopyOnWriteArrayList<CompletableFuture<Void>>()
-                        val sender = async { while (link.isOpen) outcomes += link.send("front", SendOptions.defaults()) }
-                        Thread.sleep(1)
+                        val mayClose = CountDownLatch(1 + it % 20) // while others are being sent
+                        val sender = async {
+                            while (link.isOpen && outcomes.size < 500) { // or they would be ever more before it is closed on a busy machine
+                                outcomes += link.send("front", SendOptions.defaults())
+                                mayClose.countDown()
+                            }
+                        }
+                        mayClose.await()
                         link.close()
                         sender.get()
                         writer.get()

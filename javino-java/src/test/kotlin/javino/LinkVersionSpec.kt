@@ -2,6 +2,7 @@ package javino
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -12,6 +13,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
 import javino.virtual.LineEnd
 import javino.wire.FrameKind
@@ -216,7 +218,7 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
-    test("a request of version 1 whose turn comes when WELCOME has just come costs no command") {
+    test("a request of version 1 whose turn comes when WELCOME has just come costs no command").config(tags = thorough) {
         for (starts in 300..1_500 step 40) for (takes in 480..600 step 5) {
             val board = VirtualBoard2(starts.toDouble()).apply { this.takes = takes / 10.0 }
             bench(board).use { bench ->
@@ -458,6 +460,22 @@ class LinkVersionSpec : FunSpec({
         warnings.single() shouldContain "51 actions of the board's program found no room"
     }
 
+    test("of a simulated board's actions the first 126 are known, and it is told that there are others") {
+        FakeBoard.plugIn("many").version2().lenient().knows(*Array(130) { "a$it" }).use { board ->
+            val warnings = logged("javino.SessionLine") {
+                Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
+                    link.request(REQUEST, 20_000)
+                    link.sendAndAwait("a125", 20_000)
+                    while (link.vocabulary().isEmpty) link.request(REQUEST, 20_000)
+                    link.vocabulary().get().size shouldBe 126
+                    link.actionsLost() shouldBe 4
+                    shouldThrow<ActionRefusedException> { link.sendAndAwait("a126", 20_000) }
+                }
+            }
+            warnings.single() shouldContain "4 actions of the board's program found no room, and it refuses them; a board has 126 at most"
+        }
+    }
+
     test("two boards that are exchanged on their lines carry out no command of the other's") {
         val boards = List(2) { VirtualBoard2() }
         var areExchanged = false
@@ -485,3 +503,5 @@ class LinkVersionSpec : FunSpec({
         first.handled shouldContainExactly listOf("1:$REQUEST")
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -2,8 +2,8 @@ package samples
 
 import java.util.Locale
 
-/** [distance] in cm as the samples print it: `38.6`. */
+/** Writes [distance], in cm, as the samples print it: `38.6`. */
 internal fun cm(distance: Double): String = String.format(Locale.ROOT, "%.1f", distance)
 
-/** [nanos] as seconds: `4.2`. */
+/** Writes [nanos] as seconds: `4.2`. */
 internal fun seconds(nanos: Long): String = String.format(Locale.ROOT, "%.1f", nanos / 1e9)

@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A Java program in a process of its own, with the class path of the tests; what it prints is read line by line. */
+/** A Java program in a process of its own, with the class path of the tests; its output is read line by line. */
 internal class Program private constructor(private val process: Process) : AutoCloseable {
     private val unread = LinkedBlockingQueue<String>()
     private val printed = StringBuffer()
@@ -26,7 +26,7 @@ internal class Program private constructor(private val process: Process) : AutoC
         }
     }
 
-    /** Waits until it has ended, and returns its exit status and all that it has printed. */
+    /** Waits until it has ended, and returns its exit status and its output. */
     fun awaitEnd(): Pair<Int, String> {
         if (!process.waitFor(DEADLINE_S, TimeUnit.SECONDS)) throw AssertionError("it still runs after $DEADLINE_S s; it printed:\n$printed")
         reader.join()

@@ -11,7 +11,7 @@ import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
 
 /**
- * [critical] as a rule that a board can watch; null: there is none that decides alike.
+ * Returns [critical] as a rule that a board can watch; null: there is none that decides alike.
  *
  * A board compares texts and decimal numbers, so this holds for percepts as boards write them: no namespaces, comments, variables or
  * expressions, and numbers of at most 15 digits without an exponent.
@@ -31,7 +31,10 @@ private fun conditionOf(condition: Argument): Condition? {
     return Condition(place, operatorOf(test.operator), value)
 }
 
-/** Of a missing argument a filter's `NE` is false and a board's is true, so another condition must need the argument, or one behind it. */
+/**
+ * Returns true if a board decides this condition exactly as a filter does. If an argument is missing, a filter's `NE` is false and a
+ * board's is true, so another condition must need the argument, or one behind it.
+ */
 private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
 
@@ -50,7 +53,7 @@ private fun valueOf(value: GroundTerm): String? = when (value) {
     is GroundTerm.Text, is GroundTerm.Sequence -> null
 }
 
-/** Two decimals of so few digits are equal, or in the same order, as the doubles that they are read into. */
+/** Returns [value] as a decimal with so few digits that decimals compare as their doubles do; null: it has more. */
 private fun decimalOf(value: Double): String? =
     if (value.isInfinite()) null
     else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()

@@ -8,11 +8,14 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The critical rules that one board watches itself. Keeps them as the agent wishes: those that it wants and a board can watch, in their
+ * The critical rules that one board watches itself. Keeps the rules on the board that the agent wants and a board can watch, in their
  * order, until the board has no more room. Rules that stay are not sent again. Safe for use by several threads.
  *
  * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
  * carried out twice, by the board and by the computer, but no percept is missed by both.
+ *
+ * Commands that wait on the line stay there when the board starts anew, and reach its next session. So what is sent in a session after
+ * another begins with the removal of all rules: whatever goes out late stands in front of that.
  *
  * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
  * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
@@ -37,37 +40,45 @@ internal class BoardRules(
     private var lastNumber = 0
     private val unsent = ArrayDeque<Message>()
     private var isSending = false
+    private var hasSent = false
 
-    /** Whether the board has been sent rules that it may report. */
+    /** True if the board has been sent rules that it may report. */
     val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
 
-    /** A session has begun: the board holds no rule, and has room for as many as [room]. */
+    /** Notes that a session has begun: the board holds no rule, and has room for as many as [room]. */
     fun began(room: Int) = changing {
         this.room = room
         held.clear()
         refused.clear()
         unsent.clear()
+        if (hasSent && room > 0) unsent += Message(BoardRule.removal(ALL))
         adjust()
     }
 
-    /** Sends the board what has changed: the agent may want other rules. */
+    /** Sends the board the changes of rules: the agent may want others. */
     fun renew() = changing { if (room > 0) adjust() }
 
-    /** Whether the board watches [rule]. */
+    /** Returns true if the board watches [rule]. */
     fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
 
-    /** The rule that the board knows by [number]; null: there is none. */
+    /** Returns the rule that the board knows by [number]; null: there is none. */
     fun ruleOf(number: Int): CriticalRule? = lock.withLock { held.values.find { it.number == number }?.rule }
 
-    /** Makes a [change] under the lock, and sends what it asks for. */
+    /** Makes a [change] under the lock, and sends the messages that it queues. */
     private fun changing(change: () -> Unit) {
         lock.withLock(change)
         while (true) submit(nextToSend() ?: return)
     }
 
-    /** The message that this thread is to send; null: there is none, or another thread sends, so that they go out in their order. */
+    /**
+     * Returns the message that this thread is to send; null: there is none, or another thread is sending. So they go out in their order.
+     */
     private fun nextToSend(): Message? = lock.withLock {
-        if (isSending) null else unsent.removeFirstOrNull().also { isSending = it != null }
+        if (isSending) return null
+        unsent.removeFirstOrNull()?.also {
+            isSending = true
+            hasSent = true
+        }
     }
 
     private fun submit(message: Message) {
@@ -97,13 +108,16 @@ internal class BoardRules(
         unsent += Message(boardRule.setting(new.number), new)
     }
 
-    /** The number that was not used for longest, so that a report that is under way is not taken for one of another rule. */
+    /** Returns the number that was not used for longest, so that a report under way is not taken for one of another rule. */
     private fun freeNumber(): Int {
         do lastNumber = lastNumber % MAX_NUMBER + 1 while (ruleOf(lastNumber) != null)
         return lastNumber
     }
 
-    /** What was not acknowledged stays with the computer. If it was not refused the board may have it all the same. */
+    /**
+     * Takes the outcome of [entry]. The computer goes on to watch a rule without acknowledgement; unless it was refused, the board may have
+     * it, too.
+     */
     private fun ended(entry: Held, failure: Failure?) = changing {
         if (held[entry.rule] === entry) {
             entry.isAcknowledged = failure == null

@@ -8,8 +8,8 @@ import kotlin.concurrent.withLock
 
 /**
  * Numbers the commands that a board holds, so that the hand-over of its snapshots can wait for those that were issued before its last
- * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]: a line that is
- * slow is awaited, or commands would pile up on it, and one that stands still holds up nobody. Safe for use by several threads.
+ * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]: a slow line is
+ * awaited, or commands would pile up on it, and a line that stands still delays nobody. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param countsElsewhere whether commands to this other port count; not while its board does not answer
@@ -28,16 +28,16 @@ internal class CommandLedger(
     /** Enters a new command to [port] and returns its number. */
     fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeMap)[it] = nowMs() } }
 
-    /** Command [number] to [port] has gone out, failed or timed out. */
+    /** Notes that command [number] to [port] has gone out, failed or timed out. */
     fun done(port: Any, number: Long) = lock.withLock {
         pending.computeIfPresent(port) { _, commands -> commands.apply { remove(number) }.takeIf { it.isNotEmpty() } }
         if (port in pending) movedMs[port] = nowMs() else movedMs -= port
     }
 
-    /** The number of the command issued last, 0 if there is none. */
+    /** Returns the number of the command issued last, 0 if there is none. */
     fun lastIssued(): Long = lock.withLock { issued }
 
-    /** Whether every command up to [number] that counts is done. */
+    /** Returns true if every command up to [number] that counts is done. */
     fun allDoneUpTo(number: Long): Boolean {
         val own = port() ?: return true
         lock.withLock {
@@ -47,13 +47,16 @@ internal class CommandLedger(
         return dueInMs(number) == null
     }
 
-    /** The time in ms until commands up to [number] to other ports do not count any more; null: there are none that count. */
+    /** Returns the time in ms until commands up to [number] to other ports do not count any more; null: there are none that count. */
     fun dueInMs(number: Long): Long? {
         val until = lastElsewhere(number).filterKeys(countsElsewhere).values.maxOrNull()?.plus(ELSEWHERE_MS) ?: return null
         return (until - nowMs()).takeIf { it > 0 }
     }
 
-    /** By each other port with commands up to [number] when the last of them was issued, or a command was done there after that. */
+    /**
+     * Returns, for each other port with commands up to [number], the time at which the last of them was issued, or a command was done there
+     * after that.
+     */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()
         return lock.withLock {
@@ -63,7 +66,7 @@ internal class CommandLedger(
     }
 
     companion object {
-        /** How long commands to another board count while none goes there, in ms. */
+        /** The time for which commands to another board count while none goes there, in ms. */
         const val ELSEWHERE_MS = 100L
     }
 }

@@ -7,12 +7,12 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * How a command is sent: the second argument of `argo.act`.
+ * The options of a command: the second argument of `argo.act`.
  *
  * @property timeoutMs the time in ms from the call after which its outcome is known in any case; null: there is no such limit
- * @property urgent whether it goes before the commands that wait and are not urgent
- * @property latest whether it takes the place of the commands of the same functor that wait
- * @property port the port of the board that it is for; null: it is not named
+ * @property urgent whether it goes before waiting commands that are not urgent
+ * @property latest whether it replaces waiting commands of the same functor
+ * @property port the port of its board; null: it is not named
  */
 internal data class CommandOptions(
     val timeoutMs: Int? = null,

@@ -17,7 +17,7 @@ import java.util.logging.Logger
 
 /**
  * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread, which starts with the
- * first command, writes them until the link is closed. If it ends otherwise, the port is lost. Safe for use by several threads.
+ * first command, writes them until the link is closed. If it ends for another reason, the port is lost. Safe for use by several threads.
  *
  * @param owner the agent's name, for the thread's
  * @param platform its threads
@@ -34,7 +34,7 @@ internal class CommandSender(
     /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
     fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
 
-    /** As [send], of a command that changes the board's rules, ahead of those that wait. */
+    /** As [send], for a command that changes the board's rules, ahead of waiting commands. */
     fun send(change: CommandItem.Rule): Transmission =
         transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
 
@@ -52,7 +52,7 @@ internal class CommandSender(
         }
     }
 
-    /** Sends [text] on the caller's thread, and returns why it could not be sent; null: it was. */
+    /** Sends [text] on the caller's thread, and returns the reason if it could not be sent; null: it was sent. */
     fun sendNow(text: String, options: CommandOptions): Failure? = try {
         link.sendAndAwait(text, options.forLink())
         null

@@ -14,7 +14,7 @@ import javino.Frame
 import javino.PerceptsRequest
 
 /**
- * The command that a person has written: a literal, or a string in quotes.
+ * Reads the command that a person has written: a literal, or a string in quotes.
  *
  * @throws ArgumentException if it is neither
  */
@@ -22,7 +22,7 @@ internal fun commandTerm(command: String): Term {
     val text = command.trim()
     try {
         if (!text.startsWith('"')) return PerceptReader.read(text)
-        val only = PerceptReader.read("text($text)").terms.singleOrNull() // the reader takes literals alone
+        val only = PerceptReader.read("text($text)").terms.singleOrNull() // the reader takes only literals
         return only as? StringTerm ?: throw ArgumentException("$text is more than one string in quotes")
     } catch (wrong: PerceptSyntaxException) {
         throw ArgumentException(if (text.startsWith('"')) "$text is no string in quotes" else wrong.message.orEmpty())
@@ -41,8 +41,8 @@ internal fun requireCommand(command: Term) {
 }
 
 /**
- * The text that [command], which [is one][requireCommand], is sent as: a string without its quotes, or a literal without its namespace. A
- * line takes it as Jason writes it; other links read it back, so that strings have their escapes.
+ * Returns the text in which [command], which [is one][requireCommand], is sent: a string without its quotes, or a literal without its
+ * namespace. A line takes it as Jason writes it; other links read it back, so its strings have their escapes.
  *
  * @param isLine whether it goes out as bytes on a line, see [argo.links.BoardLink.isLine]
  * @throws ArgumentException if a line cannot carry it
@@ -64,7 +64,10 @@ private fun lineText(text: String): String {
     }
 }
 
-/** [literal] as Jason writes it, without its namespace; Jason's own way through streams takes a tenth of the time to a command. */
+/**
+ * Returns [literal] as Jason writes it, without its namespace. Jason's own way, through streams, would take a tenth of the time to a
+ * command.
+ */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
     else -> withoutNamespace(literal).toString()
@@ -73,7 +76,7 @@ private fun literalText(literal: Literal): String = when {
 private fun withoutNamespace(literal: Literal): Literal =
     if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS) as Literal
 
-/** Whether [term] is a functor with arguments and nothing besides, so that [writeTo] writes it. */
+/** Returns true if [term] is a functor with arguments and nothing besides, so that [writeTo] writes it. */
 private fun isPlain(term: Term) = term.javaClass in PLAIN && !(term as Literal).hasAnnot()
 
 private fun Literal.writeTo(text: StringBuilder) {

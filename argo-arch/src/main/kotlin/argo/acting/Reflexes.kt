@@ -19,13 +19,13 @@ import kotlin.concurrent.withLock
 /**
  * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads.
  *
- * A rule that the computer watches has its reflex sent when it begins to be met, and again with each message that meets it until the
- * command has gone out or, in version 2, the board has acted or refuses it. Not again while the rule stays met.
+ * For a rule that the computer watches, it sends the reflex when the rule begins to be met, and again with each message that meets it until
+ * the command has gone out or, in version 2, the board has acted or refuses it. It does not send the reflex again while the rule stays met.
  *
- * A rule that the board watches has its reflex carried out by the board, which reports that. A report can be lost, and a board can read a
- * strange percept otherwise; so if a second message meets the rule without a report, the computer sends the reflex.
+ * For a rule that the board watches, the board carries the reflex out and reports that. A report can be lost, and a board can read a
+ * strange percept differently; so if a second message meets the rule without a report, the computer sends the reflex.
  *
- * @param send sends a command to the board on a port before all that waits; calls its last argument once with the outcome, on any thread
+ * @param send sends a command to the board on a port before all waiting ones; calls its last argument once with the outcome, on any thread
  * @param isBoards whether the board on a port watches a rule
  * @param ended takes each outcome, and the reason if the reflex has failed; on any thread
  * @param warning takes the failures of reflexes
@@ -38,7 +38,7 @@ internal class Reflexes(
 ) {
     private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
-    /** One reflex from when its rule begins to be met until it ends to be. */
+    /** One reflex, from the time when its rule begins to be met until it is not met any more. */
     private class Run {
         var phase = Phase.BEGUN
 
@@ -52,7 +52,7 @@ internal class Reflexes(
     private var believedVersion = 0L
 
     /**
-     * What was perceived last of the board on [port] meets the rules [met], and no others.
+     * Notes that the last percepts of the board on [port] meet the rules [met], and no others.
      *
      * @param isMessage whether it is a message, in which a rule that begins to be met may be seen before its report; else it is a report
      */
@@ -65,7 +65,7 @@ internal class Reflexes(
         due.forEach { (rule, run) -> start(port, rule, run) }
     }
 
-    /** A board has reported that [rule] has begun to be met, and what became of its reflex. */
+    /** Takes a board's report that [rule] has begun to be met, with the outcome of its reflex. */
     fun reported(rule: CriticalRule, outcome: ReflexOutcome) {
         if (rule.reflex == null || outcome == ReflexOutcome.NONE) return
         val isDone = outcome == ReflexOutcome.CARRIED_OUT
@@ -73,26 +73,26 @@ internal class Reflexes(
         tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
     }
 
-    /** What was met is of another time or place. */
+    /** Forgets which rules are met: that was at another time or place. */
     fun forget() = keepOnly(emptyList())
 
-    /** Only [rules] are watched from now on. Those of them that are met stay met. */
+    /** Watches only [rules] from now on. Those of them that are met stay met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {
         if (runs.keys.retainAll(rules.toSet())) version++
     }
 
-    /** Whether the beliefs have changed since [beliefs] was asked last. */
+    /** Returns true if the beliefs have changed since [beliefs] was asked last. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
-    /** The outcomes of the reflexes whose rules are met, as `reflex(stop,done)` or `reflex(stop,failed)`. */
+    /** Returns the outcomes of the reflexes whose rules are met, as `reflex(stop,done)` or `reflex(stop,failed)`. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version
         runs.mapNotNull { (rule, run) -> run.isDone?.let { belief(rule, it) } }.distinct()
     }
 
-    /** Whether the command of [run] is to be sent now, whose rule is met. */
+    /** Returns true if the command of [run], whose rule is met, is to be sent now. */
     private fun isDue(run: Run, isMessage: Boolean, isBoards: Boolean): Boolean {
         val isDue = when (run.phase) {
             Phase.BEGUN, Phase.FAILED -> !isBoards
@@ -143,7 +143,7 @@ internal class Reflexes(
         private fun belief(rule: CriticalRule, isDone: Boolean): Literal =
             ASSyntax.createLiteral(FUNCTOR, commandOf(rule.reflex.orEmpty()), ASSyntax.createAtom(if (isDone) DONE else FAILED))
 
-        /** The command as a literal, or as a string where it is none. */
+        /** Returns the command as a literal, or as a string if it is none. */
         private fun commandOf(text: String): Term = try {
             PerceptReader.read(text).takeIf { it.isGround && it.isLiteral && it !is InternalActionLiteral } ?: ASSyntax.createString(text)
         } catch (_: PerceptSyntaxException) {

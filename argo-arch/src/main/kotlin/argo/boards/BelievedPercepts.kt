@@ -4,18 +4,18 @@ import jason.asSyntax.Literal
 import jason.bb.StructureWrapperForLiteral
 
 /**
- * What an agent believes of a board, and believed of it before the last snapshot. Does not change, so that who reads it sees no half of a
- * change.
+ * The percepts of a board that an agent believes, and those that it believed before the last snapshot. Immutable, so that no reader sees
+ * half a change.
  *
- * @property nanos when the readings in [percepts] came, by the platform's clock; null: there are none
+ * @property nanos the time at which the readings in [percepts] came, by the platform's clock; null: there are none
  */
 internal class BelievedPercepts private constructor(val percepts: List<Literal>, val nanos: Long?, private val before: List<Literal>) {
     private val keys by lazy(LazyThreadSafetyMode.PUBLICATION) { (percepts + before).mapTo(HashSet(), ::StructureWrapperForLiteral) }
 
-    /** Whether [percept], whose annotations do not matter, is believed, or was before. */
+    /** Returns true if [percept], whose annotations do not matter, is believed, or was before. */
     operator fun contains(percept: Literal): Boolean = StructureWrapperForLiteral(percept) in keys
 
-    /** What is believed after this. */
+    /** Returns the beliefs after the next snapshot. */
     fun then(percepts: List<Literal>, nanos: Long?) = BelievedPercepts(percepts, nanos, this.percepts)
 
     companion object {

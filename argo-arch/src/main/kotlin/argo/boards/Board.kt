@@ -32,18 +32,18 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * A board that an agent perceives or has perceived: what is believed of it, what is still to be perceived, its filter and its interval.
- * These stay when its device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
+ * A board that an agent perceives or has perceived: the beliefs about it, the snapshots that are still to be perceived, its filter and its
+ * interval. These stay when its device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
  *
- * @property term what the agent calls its port
+ * @property term the agent's name for its port
  * @param port the line to it
- * @param former a board whose filter and interval it has, as long as it is not given others
+ * @param former a board from which it takes its filter and interval until it gets others
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: Perceiver, former: Board? = null) {
     /** A filter of its own; null inside it lets everything through. */
     private class OwnFilter(val filter: PerceptionFilter?)
 
-    /** Where what it says is believed; null: in the default namespace. */
+    /** The namespace of its percepts; null: the default namespace. */
     val namespace: String? = port.options.namespace
     private val space: Atom? = namespace?.let(ASSyntax::createAtom)
 
@@ -54,10 +54,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
 
     private val believed = AtomicReference(BelievedPercepts.NONE)
 
-    /** What of it the agent believes. Any thread may read. */
+    /** The percepts of it that the agent believes. Any thread may read. */
     val sensed: List<Literal> get() = believed.get().percepts
 
-    /** When the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
+    /** The time at which the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
     val sensedNanos: Long? get() = believed.get().nanos
 
     /** A sensing interval of its own, in ms; null: it has the agent's. Any thread. */
@@ -73,10 +73,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** Its filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
-    /** When its answer is expected. */
+    /** The time at which its answer is expected. */
     val answer = ExpectedAnswer()
 
-    /** The commands that its snapshots wait for. */
+    /** The commands for which its snapshots wait. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
     private val lastSeen = LastSeen { sensed }
@@ -94,7 +94,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     val actions: List<BoardAction>?
         get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
-    /** Whether it has registered an action of the name and number of arguments of [command]. Any thread. */
+    /** Returns true if it has registered an action of the name and number of arguments of [command]. Any thread. */
     fun knows(command: Literal): Boolean =
         actions.orEmpty().any { it.name == command.functor && (it.arguments == ANY || it.arguments == command.arity) }
 
@@ -104,37 +104,37 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** The request to it if it speaks version 2 of the protocol. Any thread. */
     val request: String get() = percepts.request
 
-    /** Whether it is perceived through [port]. Any thread. */
+    /** Returns true if it is perceived through [port]. Any thread. */
     private fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
 
-    /** The agent begins to perceive it, through [port]. Any thread, before it is perceived. */
+    /** Prepares for being perceived through [port]. Any thread, before it is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
         this.port = port
         if (!isBelieved) believed.updateAndGet { it.then(emptyList(), null) }
         stale.renew()
     }
 
-    /** Its device has come back as [port]: what is believed of it is as old as it was. Any thread. */
+    /** Takes [port] as its line after its device has come back: the beliefs about it stay as old as they were. Any thread. */
     fun reconnect(port: OpenPort) {
         this.port = port
     }
 
-    /** What was sensed so far and has not been perceived is of another time or place. Any thread. */
+    /** Forgets all percepts that were sensed but not perceived: they are of another time or place. Any thread. */
     fun forget() = percepts.forget()
 
-    /** The agent begins or ends to perceive. */
+    /** Begins the wait for messages anew and forgets percepts that were not perceived: the agent begins or stops perceiving. */
     fun beginAnew() {
         stale.renew()
         forget()
     }
 
-    /** Perceives it through [filter], whatever the others are perceived through; null: everything. */
+    /** Perceives it through [filter], whatever the filter of the others; null: everything. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         ownFilter = OwnFilter(filter)
         renewFilter()
     }
 
-    /** Perceives it through the filter that the agent has for all. */
+    /** Perceives it through the agent's filter for all boards. */
     fun perceiveAsOthers() {
         ownFilter = null
         renewFilter()
@@ -143,24 +143,27 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** Perceives it through its filter, which has changed, from the next perception on. Any thread. */
     fun renewFilter() = choosing.withLock { percepts.switchTo(filter) }
 
-    /** Why its filter keeps or drops [percept], and who watches the critical rule that decides. Any thread. */
+    /** Explains why its filter keeps or drops [percept], and names the side that watches the critical rule that decides. Any thread. */
     fun explain(percept: String): String {
         val explanation = percepts.explain(percept)
         val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
         return "$explanation; ${critical.watcher.word} watches it"
     }
 
-    /** The critical rules of its filter, and who watches each. Any thread. */
+    /** Returns the critical rules of its filter, each with the side that watches it. Any thread. */
     fun criticalRules(): List<WatchedRule> =
         critical.map { WatchedRule(it, if (agent.isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER) }
 
-    /** The youngest percept of it in [beliefs] that unifies with [percept] under [un], and when it was seen; null if there is none. */
+    /**
+     * Returns its youngest percept in [beliefs] that unifies with [percept] under [un], and the time when it was seen; null if there is
+     * none.
+     */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
         lastSeen.youngest(beliefs, percept, un, nowNanos)
 
     /**
-     * A message came: see [BoardPercepts.received]. Called by the sensing thread of [port].
-     * @param nextNanos when the board is asked again, by the platform's clock
+     * Takes a message: see [BoardPercepts.received]. Called by the sensing thread of [port].
+     * @param nextNanos the time of the next request to the board, by the platform's clock
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
@@ -173,52 +176,54 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /** Whether the agent would do nothing with the answer that came but wait for those of other boards, of which the last one wakes it. */
+    /**
+     * Returns true if the agent would only wait for the answers of other boards, the last of which wakes it.
+     */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.isForLater(this)
 
-    /** The board has reported a percept: see [BoardPercepts.reported]. Any thread. */
+    /** Takes a percept that the board has reported: see [BoardPercepts.reported]. Any thread. */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
         if (percepts.reported(port, rule, outcome, percept, receivedNanos)) agent.wake { !handOver.isReady() }
     }
 
-    /** Makes a snapshot of the percepts that the filter held back and that are due. */
+    /** Makes a snapshot of the held-back percepts that are due. */
     fun putDue() = percepts.putDue()
 
-    /** Whether a snapshot is ready to be perceived. Any thread. */
+    /** Returns true if a snapshot is ready to be perceived. Any thread. */
     fun isReady(): Boolean = handOver.isReady()
 
-    /** Whether a snapshot is ready that waits for no other board. Any thread. */
+    /** Returns true if a snapshot is ready and waits for no other board. Any thread. */
     fun isUrgent(): Boolean = handOver.isUrgent()
 
-    /** Takes the snapshot that the agent perceives now; null: none is ready. */
+    /** Takes the snapshot to perceive now; null: none is ready. */
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
         believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }
 
     /**
-     * Whether [percept] is, or was before the last snapshot, a percept of this board.
+     * Returns true if [percept] is, or was before the last snapshot, a percept of this board.
      * @param isAlone whether no other board has its namespace
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
-    /** Recomputes whether it is stale; returns whether that, or the outcome of a reflex, has changed. */
+    /** Recomputes if it is stale; returns true if that, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
-    /** The beliefs `stale(P)` and those about outcomes of reflexes. */
+    /** Returns the beliefs `stale(P)` and those about outcomes of reflexes. */
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** The time in ms until there is something to do without news from the board; null: there will not be. */
+    /** Returns the time in ms until there is something to do without news from the board; null: there will not be. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()
     }
 
-    /** Whether there is something to perceive now besides a snapshot. Any thread. */
+    /** Returns true if there is something to perceive now besides a snapshot. Any thread. */
     fun hasNews(): Boolean = stale.hasNews() || reflexes.hasNews() ||
         agent.perceives(this) && percepts.dueInMs() == 0L
 
-    /** Whether the agent believes that [port] is stale. Any thread. */
+    /** Returns true if the agent believes that [port] is stale. Any thread. */
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =

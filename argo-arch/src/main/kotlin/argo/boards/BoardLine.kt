@@ -16,7 +16,7 @@ import javino.PortTimeoutException
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** What works through one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
+/** The users of one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
 internal class BoardLine(private val port: OpenPort, private val agent: Perceiver, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.lost(port, it) }
@@ -64,7 +64,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
         agent.boardOn(port)?.reported(port, critical, outcome, percept, receivedNanos)
     }
 
-    /** What the agent wants of the board may have changed. Any thread. */
+    /** Reads the agent's wishes to the board anew; they may have changed. Any thread. */
     fun renew() {
         rules.renew()
         sensing.wake()

@@ -3,24 +3,23 @@ package argo.boards
 import java.util.concurrent.TimeUnit
 
 /**
- * When the answer of a board is expected, after the time that its last answers have taken. Changed by the sensing thread alone; any thread
- * may ask.
+ * Predicts the time of a board's answer from the time that its last answers took. Only the sensing thread changes it; any thread may ask.
  */
 internal class ExpectedAnswer {
     private var askedNanos: Long? = null
     private var usualNanos: Long? = null
 
-    /** When the next answer is expected to be there, by the platform's clock; null: nothing is known about it. */
+    /** The expected time of the next answer, by the platform's clock; null: it is not known. */
     @Volatile
     private var expectedNanos: Long? = null
 
-    /** The board is asked. */
+    /** Notes that the board is asked. */
     fun asked(nanos: Long) {
         askedNanos = nanos
         expectAfter(nanos)
     }
 
-    /** The answer has come, and is expected until it is [read]. */
+    /** Notes that the answer has come; it counts as expected until it is [read]. */
     fun came(nanos: Long) {
         val asked = askedNanos ?: return // a board that speaks unasked
         val took = nanos - asked
@@ -29,27 +28,27 @@ internal class ExpectedAnswer {
         expectedNanos = nanos
     }
 
-    /** The answer can be perceived. The next is expected after [nextNanos], also before the board has been asked for it. */
+    /** Notes that the answer can be perceived. The next is expected after [nextNanos], even before the board has been asked for it. */
     fun read(nextNanos: Long) = expectAfter(nextNanos)
 
     private fun expectAfter(nanos: Long) {
         expectedNanos = usualNanos?.let { nanos + it }
     }
 
-    /** The answer has not come in time, so none is waited for until one comes. */
+    /** Notes that the answer has not come in time: none is expected until one comes. */
     fun stayedOut() {
         usualNanos = null
         expectedNanos = null
     }
 
-    /** Whether the answer is expected within [SOON_NANOS], or is late by [LATE_NANOS] at most. */
+    /** Returns true if the answer is expected within [SOON_NANOS], or is late by [LATE_NANOS] at most. */
     fun isNear(nowNanos: Long): Boolean = expectedNanos?.let { it - nowNanos in -LATE_NANOS..SOON_NANOS } == true
 
     companion object {
-        /** How long a snapshot waits for an answer that is not due yet: each wait delays what has come. */
+        /** The longest wait of a snapshot for an answer that is not due yet: each wait delays percepts that have come. */
         val SOON_NANOS = TimeUnit.MILLISECONDS.toNanos(2)
 
-        /** How long it waits for one that is late, which is seldom: eight boards on two processors answer some milliseconds apart. */
+        /** The longest wait for an answer that is late, which is rare: eight boards on two processors answer some milliseconds apart. */
         val LATE_NANOS = TimeUnit.MILLISECONDS.toNanos(5)
         private const val WEIGHT = 8
     }

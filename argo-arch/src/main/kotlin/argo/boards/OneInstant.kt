@@ -6,13 +6,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Has what several boards sense at one instant perceived together. While the answer of another board is [near][ExpectedAnswer.isNear] a
- * snapshot that is ready waits for it, [MAX_NANOS] at most. Any thread may ask; [taken] belongs to the agent's.
+ * Delays a ready snapshot for boards whose answer is [near][ExpectedAnswer.isNear], [MAX_NANOS] at most, so that readings of several boards
+ * at one instant are perceived together. Any thread may ask; [taken] belongs to the agent's.
  *
  * @param wake wakes the agent until its argument holds; called once a wait has lasted too long
  */
 internal class OneInstant(private val platform: Platform, private val wake: (seen: () -> Boolean) -> Unit) {
-    /** A wait for the answers of [boards]. A board leaves them with its answer, so that an answer is not compared with all others. */
+    /** A wait for the answers of [boards]. Each answer removes its board, so that an answer is not compared with all others. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
@@ -26,16 +26,16 @@ internal class OneInstant(private val platform: Platform, private val wake: (see
     /** Null: no snapshot waits. */
     private val wait = AtomicReference<Wait?>()
 
-    /** Whether the snapshots of [boards] that are ready wait for others of them. Who finds it first begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for others of them. The first call with that result begins the wait. */
     fun isAwaited(boards: List<Board>): Boolean =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 
-    /** The answer of [board] has come, and can be perceived. */
+    /** Notes that the answer of [board] has come, and can be perceived. */
     fun answered(board: Board) {
         wait.get()?.leave(board)
     }
 
-    /** Whether the snapshot of [board], one of [boards], which has just become ready, waits for others of them. */
+    /** Returns true if the snapshot of [board], one of [boards], which has just become ready, waits for others of them. */
     fun isAwaited(board: Board, boards: List<Board>): Boolean = boards.size > 1 && !board.isUrgent() && lasts(boards)
 
     private fun lasts(boards: List<Board>): Boolean {
@@ -43,18 +43,18 @@ internal class OneInstant(private val platform: Platform, private val wake: (see
         return (wait.get() ?: begin(boards, now))?.lasts(now) == true
     }
 
-    /** Null: no board is awaited. A timer wakes the agent if an answer stays out. */
+    /** Begins a wait; null: no board is awaited. A timer wakes the agent if an answer stays out. */
     private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
         val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // those that came before the wait could be seen
+        awaited.filter(Board::isReady).forEach(begun::leave) // answers that came before the wait was visible
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }
 
-    /** Snapshots were taken, or none is ready. */
+    /** Ends the wait: snapshots were taken, or none is ready. */
     fun taken() = wait.set(null)
 
     companion object {

@@ -3,14 +3,15 @@ package argo.boundary
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
- * Where the ends of what an agent has started outside of its thread wait for its next cycle, in the order in which they came.
+ * A queue in which the ends of work that an agent has started outside of its thread wait for its next cycle, in the order in which they
+ * came.
  *
- * @param wake wakes the agent; its argument is asked whether it has seen what came
+ * @param wake wakes the agent until its argument returns true: the agent has seen the end
  */
 class CompletionInbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {
     private val waiting = ConcurrentLinkedQueue<T>()
 
-    /** Whether nothing waits. Any thread. */
+    /** Returns true if nothing waits. Any thread. */
     fun isEmpty(): Boolean = waiting.isEmpty()
 
     /** Leaves [end] for the agent and wakes it. Any thread; never waits. */
@@ -19,6 +20,6 @@ class CompletionInbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) 
         wake { end !in waiting }
     }
 
-    /** Takes out all that waits. Called by the agent's thread. */
+    /** Takes out all waiting ends. Called by the agent's thread. */
     fun takeAll(): List<T> = generateSequence(waiting::poll).toList()
 }

@@ -5,11 +5,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** An argument that an internal action cannot use; [message] names what was found and what is expected. */
+/** An argument that an internal action cannot use; [message] has the argument and the expectation. */
 internal class ArgumentException(message: String) : Exception(message)
 
 /**
- * The options in [list].
+ * Returns the options in [list].
  *
  * @param example a list as it should be, for the message
  * @throws ArgumentException if [list] is no proper list: a program may pass a variable, or a list with an open end
@@ -19,10 +19,10 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
         ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
 
 /**
- * [start] with each option in [list].
+ * Returns [start] with each option in [list].
  *
  * @param example a list as it should be, for the message
- * @param known the options there are, for the message
+ * @param known the known options, for the message
  * @param with sets an option, or returns null for one that does not exist
  * @throws ArgumentException as above, or with all options that cannot be used
  */
@@ -43,11 +43,11 @@ internal fun <T : Any> withOptions(start: T, list: Term, example: String, known:
     return options
 }
 
-/** The argument of [option], a whole number in [range]. */
+/** Returns the argument of [option], a whole number in [range]. */
 internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
 
-/** [term] as a whole number, or null if it is none. */
+/** Returns [term] as a whole number, or null if it is none. */
 internal fun wholeNumber(term: Term): Int? {
     val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
     return value.toInt().takeIf { it.toDouble() == value }

@@ -7,7 +7,10 @@ import jason.asSyntax.InternalActionLiteral
 import jason.asSyntax.PlanBody
 import jason.asSyntax.VarTerm
 
-/** Whether a call of the internal action [A] is a step of a plan, whose unifier [un] Jason passes then; a context has one of its own. */
+/**
+ * Returns true if a call of the internal action [A] is a step of a plan: Jason passes the plan's unifier [un] then, and a context has its
+ * own.
+ */
 internal inline fun <reified A : InternalAction> isStepOf(ts: TransitionSystem, un: Unifier): Boolean {
     val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
     val step = means.currentStep ?: return false

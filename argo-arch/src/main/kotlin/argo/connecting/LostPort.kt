@@ -4,15 +4,15 @@ import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit
 
 /**
- * A port whose device has gone, by one of the names that its agent has for it, and when to look for it again.
+ * A port whose device has gone, by one of its agent's names for it, with the time of the next look for it.
  *
- * The first look finds out whether the device is there at all, and opens nothing: a port that is lost although its device is there, as with
- * a serial server that accepts whoever comes and then hangs up, is opened ever more seldom. One thread at a time.
+ * The first look finds out if the device is there at all, and opens nothing. A port that is lost although its device is there, as with a
+ * serial server that accepts every connection and then hangs up, is opened ever more seldom. One thread at a time.
  *
- * @property port what was lost with it
+ * @property port the port that was lost
  * @property term the port as the agent calls it
- * @property name the same, as the transport takes it
- * @param nowNanos by the platform's clock
+ * @property name the port in the form for the transport
+ * @param nowNanos the time by the platform's clock
  */
 internal class LostPort(val port: OpenPort, val term: Term, val name: String, nowNanos: Long) {
     private val wasSound = port.hasSpoken || nowNanos - port.openedNanos >= SOUND_NANOS
@@ -20,12 +20,12 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
     private var delayMs = FIRST_DELAY_MS
     private val failures = HashMap<Class<*>, Int>()
 
-    /** How often in a row the port was lost soon after it had been opened: 0 for one that worked. */
+    /** The number of times in a row that the port was lost soon after it had been opened: 0 for one that worked. */
     var losses = if (wasSound) 0 else port.losses + 1
         private set
 
     /**
-     * Takes in what a look has found.
+     * Takes the result of a look.
      * @return whether the port is to be opened now
      */
     fun looked(present: Boolean): Boolean {
@@ -38,11 +38,11 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         return present
     }
 
-    /** The time until the next look, in ms. */
+    /** Returns the time until the next look, in ms. */
     fun nextLookMs(): Long = delayMs
 
     /**
-     * Takes in that the port could not be opened.
+     * Notes that the port could not be opened.
      * @return whether to report it: the cause has stood for several looks, and has not been reported
      */
     fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == REPORTED_FAILURE
@@ -56,7 +56,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         const val MAX_DOUBLINGS = 10
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
-        /** A device that was plugged in a moment ago is not this user's yet. */
+        /** The number of failures before a report: a device that was plugged in a moment ago is not this user's yet. */
         const val REPORTED_FAILURE = 4
     }
 }

@@ -25,15 +25,17 @@ internal class LostPorts(
 ) {
     private val lock = ReentrantLock()
     private val lost = ArrayList<LostPort>()
+    private val closing = LinkedHashMap<OpenPort, Set<String>>() // what was lost and is not closed yet, with its names
 
-    /** How many there are. */
+    /** The number of lost ports. */
     val size: Int get() = lock.withLock { lost.size }
 
     operator fun contains(port: LostPort): Boolean = lock.withLock { port in lost }
 
     /** Adds [ports]; the search begins with [lookFor]. */
-    fun add(ports: List<LostPort>) {
-        lock.withLock { lost += ports }
+    fun add(ports: List<LostPort>) = lock.withLock {
+        lost += ports
+        ports.forEach { closing.merge(it.port, setOf(it.name), Set<String>::plus) }
     }
 
     /** Removes the lost entries for [term] that belong to a port other than [port]. */
@@ -44,13 +46,21 @@ internal class LostPorts(
     /** Forgets the ports that were lost first until at most [max] remain. */
     fun keep(max: Int) = lock.withLock { while (lost.size > maxOf(0, max)) lost.removeAt(0) }
 
-    /** Forgets all of them. */
+    /** Forgets all of them; what is being closed still is. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Closes those that have the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
-    fun close(key: String) = lock.withLock { lost.map { it.port to it.name } }
-        .filter { (_, name) -> runCatching { Transports.canonicalName(name) }.getOrDefault(name) == key }
-        .forEach { (port, _) -> port.close() }
+    /** Closes the ports with the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
+    fun close(key: String) = lock.withLock { closing.toMap() }
+        .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
+        .keys.forEach(::close)
+
+    /** Closes all of them; returns when their devices are free. */
+    fun closeAll() = lock.withLock { closing.keys.toList() }.forEach(::close)
+
+    private fun close(port: OpenPort) {
+        port.close()
+        lock.withLock { closing -= port }
+    }
 
     /** Closes [port] and looks for it, now and again until it is removed. Does not wait. */
     fun lookFor(port: LostPort) {
@@ -68,7 +78,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            port.port.close() // at the first look: who finds that it is lost may be a thread that must not wait
+            close(port.port) // at the first look: the thread that finds it lost may be one that must not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -77,7 +87,9 @@ internal class LostPorts(
     }
 }
 
-/** What [work] fails with, whatever that is: a plan that waits for its port must go on, and so must the search for one that is lost. */
+/**
+ * Does [work] and returns any exception that it throws: a plan that waits for its port must go on, and so must the search for a lost one.
+ */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()
     null

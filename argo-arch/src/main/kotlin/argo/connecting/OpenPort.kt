@@ -7,11 +7,11 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * A port that an agent holds open. Safe for use by several threads.
  *
- * @param names the terms that the agent calls it by, each with the name that the transport opens
+ * @param names the agent's terms for it, each with the name that the transport opens
  * @property link the line to its board
- * @property openedNanos when it was opened, by the platform's clock
- * @property losses how often in a row it was lost soon after it had been opened
- * @param use makes what works through the port and is closed with it
+ * @property openedNanos the time at which it was opened, by the platform's clock
+ * @property losses the number of times in a row that it was lost soon after it had been opened
+ * @param use makes the user of the port, which is closed with it
  */
 internal class OpenPort(
     names: Map<Term, String>,
@@ -21,7 +21,7 @@ internal class OpenPort(
     val losses: Int,
     use: (OpenPort) -> AutoCloseable,
 ) {
-    /** How it is used. */
+    /** Its options. */
     @Volatile
     var options: PortOptions = options
         private set
@@ -29,22 +29,22 @@ internal class OpenPort(
     private val namesByTerm = ConcurrentHashMap(names)
     private val user = use(this)
 
-    /** The terms that the agent calls it by, each with the name that the transport opens: a device may have several. */
+    /** The agent's terms for it, each with the name that the transport opens: a device may have several. */
     val names: Map<Term, String> get() = namesByTerm
 
-    /** The terms that the agent calls it by. */
+    /** The agent's terms for it. */
     val terms: Set<Term> get() = namesByTerm.keys
 
-    /** Whether a message has come from the board. */
+    /** True if a message has come from the board. */
     @Volatile
     var hasSpoken = false
 
-    /** Adds the term that the agent calls it by, and the [name] that the transport opens. */
+    /** Adds a [term] of the agent for it, and the [name] that the transport opens. */
     fun addName(term: Term, name: String) {
         namesByTerm[term] = name
     }
 
-    /** What the board says is believed in [namespace] from now on; null: in the default one. */
+    /** Changes the namespace of the board's percepts to [namespace]; null: the default one. */
     fun renamed(namespace: String?) {
         options = options.copy(namespace = namespace)
     }
@@ -56,16 +56,17 @@ internal class OpenPort(
     }
 }
 
-/** What works through the ports of an agent. */
+/** The user of an agent's ports. */
 internal interface PortUser {
-    /** Makes what works through [port]; it starts nothing before [opened], and is closed with the port. */
+    /** Makes the user of [port]; it starts nothing before [opened], and is closed with the port. */
     fun use(port: OpenPort): AutoCloseable
 
-    /** [port] is open, and the agent's. Called by the thread that opened it. */
+    /** Notes that [port] is open, and the agent's. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
     /**
-     * Other ports are in use than before, or none, or the same devices after they were opened again. Called by the thread that changed it.
+     * Notes that other ports are in use than before, or none, or the same devices after they were opened again. Called by the thread that
+     * changed it.
      */
     fun portInUseChanged()
 }

@@ -5,21 +5,21 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Which devices one agent is opening now, by [canonical name][javino.Transports.canonicalName]: each is opened by one thread at a time. A
- * network may take seconds for it, so what the agent asks for ends an opening of the same device that it has not asked for. Safe for use by
- * several threads.
+ * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]: only one thread at a time opens each. A
+ * network may take seconds for it, so an opening that the agent asks for interrupts one of the same device that it has not asked for. Safe
+ * for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)
     private val changed = lock.newCondition()
     private val underWay = HashMap<String, Thread>()
 
-    /** Does [work], which opens [device], unless another thread is at it; then nothing is done. */
+    /** Does [work], which opens [device]; does nothing if another thread is opening it. */
     fun ifFree(device: String, work: () -> Unit) {
         if (lock.withLock { underWay.putIfAbsent(device, Thread.currentThread()) } == null) doing(device, work)
     }
 
-    /** Does [work], which opens [device], after interrupting whoever is at it. */
+    /** Does [work], which opens [device], after interrupting a thread that is opening it. */
     fun <T> atOnce(device: String, work: () -> T): T {
         lock.withLock {
             while (device in underWay) {
@@ -31,7 +31,7 @@ internal class PortOpenings(private val platform: Platform) {
         return doing(device, work)
     }
 
-    /** Interrupts all that is being opened now. */
+    /** Interrupts all openings under way. */
     fun interrupt() = lock.withLock { underWay.values.forEach(Thread::interrupt) }
 
     private fun <T> doing(device: String, work: () -> T): T {
@@ -42,7 +42,7 @@ internal class PortOpenings(private val platform: Platform) {
                 underWay.remove(device)
                 changed.signalAll()
             }
-            Thread.interrupted() // it was meant for this work alone
+            Thread.interrupted() // it was meant only for this work
         }
     }
 

@@ -10,14 +10,14 @@ import javino.Protocol
 import javino.Transports
 
 /**
- * How a port is used: the second argument of `argo.port`.
+ * The options of a port: the second argument of `argo.port`.
  *
  * @property link baud rate and manners on the line
- * @property timeoutMs how long an answer may take, in ms
+ * @property timeoutMs the time that an answer may take, in ms
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
- * @property hasBaud whether the rate is settled; else it is what ports of the port's kind usually have, see [on]
- * @property namespace where what the board says is believed; null: in the default namespace
- * @property staleMs after how many ms without a message `stale(Port)` is believed, 0: never; null: the default of [staleAfterMs]
+ * @property hasBaud whether the rate is set; else it is the usual one of the port's kind, see [on]
+ * @property namespace the namespace of the board's percepts; null: the default namespace
+ * @property staleMs the time in ms without a message after which `stale(Port)` is believed, 0: never; null: the default of [staleAfterMs]
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
@@ -28,8 +28,8 @@ internal data class PortOptions(
     val namespace: String? = null,
 ) {
     /**
-     * After how many ms without a message `stale(Port)` is believed, null: never. Unless it is set: when two answers in turn may have
-     * stayed out, but never for a board that speaks when it has something to say.
+     * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is the time in which two
+     * answers in a row may have stayed out; never for a board that sends only when it has news.
      *
      * @param intervalMs the sensing interval in ms
      */
@@ -37,7 +37,7 @@ internal data class PortOptions(
         if (staleMs != null) staleMs.toLong().takeIf { it > 0 } else (intervalMs + 2L * timeoutMs).takeUnless { listens }
 
     companion object {
-        /** How long an answer may take without `timeout(Ms)`: three times what twelve percepts take at 9600 baud. */
+        /** The time that an answer may take without `timeout(Ms)`: three times that of twelve percepts at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
         /**
@@ -48,19 +48,19 @@ internal data class PortOptions(
     }
 
     /**
-     * How the link treats its line. One that is not [paced] is used as was published, with version 1 of the protocol unless version 2
-     * was asked for.
+     * Returns the link's settings for its line. A line that is not [paced] is used as published, with version 1 of the protocol unless the
+     * options ask for version 2.
      */
     fun linkSettings(paced: Boolean): LinkSettings {
         val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
         return link.withPaced(paced).withProtocol(version)
     }
 
-    /** These options for [port]: with the rate that ports of its kind usually have, if none was asked for. */
+    /** Returns these options for [port]: with the usual rate of its kind, if none is set. */
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
-    /** Whether a port that was opened with [other] is as it would be with these, whatever its namespace. */
+    /** Returns true if a port opened with [other] is the same as with these, whatever its namespace. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
     private fun with(option: Term): PortOptions? {

@@ -22,7 +22,7 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     /**
      * Sets the state of the port that the agent calls [port]; [reason] is for the log.
      *
-     * @param isHeld whether the port is still the agent's, else nothing is set: a port that was given up before [clear] stays forgotten
+     * @param isHeld returns true if the port is still the agent's; else no state is set: a port given up before [clear] stays forgotten
      */
     fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {
@@ -39,16 +39,16 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
         version++
     }
 
-    /** Whether something has changed since [beliefs] was asked last. */
+    /** Returns true if something has changed since [beliefs] was asked last. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
-    /** All ports as the agent calls them, and their states. */
+    /** Returns all ports by the agent's terms, with their states. */
     fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
 
-    /** The state of the port that the agent calls by one of [names]; null: it is not known. */
+    /** Returns the state of the port that the agent calls by one of [names]; null: it is not known. */
     fun statusOf(names: Collection<Term>): PortStatus? = lock.withLock { names.firstNotNullOfOrNull { states["$it"]?.second } }
 
-    /** The beliefs about all ports. */
+    /** Returns the beliefs about all ports. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version
         states.values.map { (port, status) -> ASSyntax.createLiteral("port", port, ASSyntax.createAtom(status.word)) }

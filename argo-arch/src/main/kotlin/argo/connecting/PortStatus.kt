@@ -1,8 +1,8 @@
 package argo.connecting
 
-/** What an agent believes of a port, as in `port(ttyACM0,on)`. */
+/** The state of a port in an agent's beliefs, as in `port(ttyACM0,on)`. */
 internal enum class PortStatus(val word: String) {
-    /** Open, and nothing has gone wrong since the last answer. */
+    /** Open, and without trouble since the last answer. */
     ON("on"),
 
     /** Not open: it could not be opened, or its device has gone. */

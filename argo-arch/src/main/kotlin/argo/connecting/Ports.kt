@@ -20,7 +20,7 @@ import kotlin.concurrent.withLock
  * (the agent's requests, several ports of one request at once) or on one thread per lost port. Safe for use by several threads.
  *
  * @param owner the agent's name, which the message to a second agent on the same port contains
- * @param user works through the ports
+ * @param user uses the ports
  * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
  * @param platform opens the ports, and times the search for lost ones
  * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause
@@ -44,7 +44,7 @@ internal class Ports(
     private val openings = PortOpenings(platform)
     private val opener = SequentialExecutor(platform, "argo-$owner-opening")
 
-    /** The ports for sensing and acting. */
+    /** The ports in use, for sensing and acting. */
     @Volatile
     var inUse: List<PortInUse> = emptyList()
         private set
@@ -52,7 +52,7 @@ internal class Ports(
     /** The first of [inUse], or null. */
     val current: OpenPort? get() = inUse.firstOrNull()?.port
 
-    /** All open ports. */
+    /** Returns all open ports. */
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
 
     /**
@@ -60,19 +60,19 @@ internal class Ports(
      *
      * @param term the port as the agent calls it
      * @param options how to use it, or null for the options that the agent gave last
-     * @param outcome is called once by another thread, with null or with why the port in use is still the one before; never once
-     * the agent is being stopped
+     * @param outcome is called once by another thread, with null or with the reason why the port in use is still the one before; not called
+     * if the agent is being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
     /**
      * Makes the ports [wanted] those in use, in their order, and opens those that are not open yet, all at once. Each is in use as soon as
-     * it is open; the others that were in use before are no longer when the first one is. Of the wanted ones that cannot be opened those
-     * stay in use that were, and are searched for as before.
+     * it is open; ports that are not wanted leave use when the first wanted one is in use. A wanted port that was in use and cannot be
+     * opened stays in use, and is searched for as before.
      *
-     * @param outcome is called once by another thread, when all are open or have failed, with null or with why some are not open; never
-     * once the agent is being stopped
+     * @param outcome is called once by another thread, when all are open or have failed, with null or with the reason why some are not
+     * open; not called if the agent is being stopped
      */
     fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
 
@@ -95,7 +95,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** What failed of so many ports that were wanted, as one failure; null: nothing. */
+    /** Puts the failures of so many wanted ports into one; null: none failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second
@@ -106,7 +106,7 @@ internal class Ports(
         )
     }
 
-    /** Opens [wanted] and has it in use by [use], which is called with [choosing] held; returns why it cannot be opened. */
+    /** Opens [wanted] and puts it in use by [use], which is called with [choosing] held; returns the reason if it cannot be opened. */
     private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(wanted.name)
@@ -133,7 +133,7 @@ internal class Ports(
         }
     }
 
-    /** Opens a port as [wanted] in place of [held]; if that fails it is opened again as [held] was. */
+    /** Opens a port with the options of [wanted] in place of [held]; if that fails, opens it again as [held] was. */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
         if (held == null) return openNew(key, name, wanted, mapOf(term to name))
         forget(held)
@@ -176,7 +176,7 @@ internal class Ports(
         return port
     }
 
-    /** Notes that [port] can be used by the name [term]. Of too many ports, those that were lost first are given up. */
+    /** Notes that [port] can be used by the name [term]. If there are too many ports, gives up those that were lost first. */
     private fun noteReturn(port: OpenPort, term: Term, name: String) {
         port.addName(term, name)
         lost.removeOthers(term, port)
@@ -194,7 +194,9 @@ internal class Ports(
      */
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
-    /** Searches for the device of [port], once that is closed, under each of its names, if [isNews], which is evaluated under the lock. */
+    /**
+     * Searches for the device of [port], once the port is closed, under each of its names, if [isNews], which is evaluated under the lock.
+     */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
         lock.withLock {
@@ -222,7 +224,7 @@ internal class Ports(
         noteReturn(port, found.term, found.name)
     }
 
-    /** Has [port] in place of those ports in use that are [old]; called by whoever holds [choosing]. */
+    /** Puts [port] in place of the [old] ports in use; called with [choosing] held. */
     private fun replaceInUse(port: OpenPort, old: (PortInUse) -> Boolean) {
         if (inUse.none(old)) return
         inUse = inUse.map { if (old(it)) it.copy(port = port) else it }
@@ -256,6 +258,7 @@ internal class Ports(
             lock.withLock { open.values.toList().also { open.clear() } }
         }
         ports.forEach(OpenPort::close)
+        lost.closeAll()
     }
 
     /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
@@ -270,7 +273,7 @@ internal class Ports(
     }
 
     companion object {
-        /** The most ports that one agent holds, after the 127 boards that the paper names. */
+        /** The most ports that one agent holds: the paper names 127 boards. */
         const val MAX_PORTS = 127
     }
 }
@@ -279,12 +282,12 @@ internal class Ports(
  * A port that an agent asks for.
  *
  * @property term the port as the agent calls it
- * @property name the same, as the transport takes it
- * @property options how to use it; null: as the agent asked for last
+ * @property name the port in the form for the transport
+ * @property options its options; null: those that the agent gave last
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
 
-/** A port in use, and what the agent called it when it chose it. */
+/** A port in use, and the agent's term for it when it chose the port. */
 internal data class PortInUse(val term: Term, val port: OpenPort)
 
 /** An agent asks for more ports than it may hold. */

@@ -11,39 +11,39 @@ import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture
 
 /**
- * An open port that one agent exchanges messages with a board through, whatever lies between: a line that carries bytes ([JavinoLink]), or
- * what a [BoardLinkProvider] opens.
+ * An open port through which one agent exchanges messages with a board: over a line that carries bytes ([JavinoLink]), or over the link of
+ * a [BoardLinkProvider].
  *
  * Safe for use by several threads. Once the far end has gone, or the link is closed, every call but [close] and [wants] fails with
- * [PortGoneException], those that wait promptly. Only [listen], [request], [check], [watch], [writeCommandsUntilClosed] and [sendAndAwait]
+ * [PortGoneException], waiting calls promptly. Only [listen], [request], [check], [watch], [writeCommandsUntilClosed] and [sendAndAwait]
  * may wait.
  */
 interface BoardLink : AutoCloseable {
-    /** The port's name, as it was given. */
+    /** The port's name, as given. */
     val port: String
 
-    /** Whether it can be used: it was not closed, and no call has found the far end gone. */
+    /** True if it can be used: it was not closed, and no call has found the far end gone. */
     val isOpen: Boolean
 
-    /** Whether threads of the port sense and write; false: the agent's own does, with `argo_sensing=in_cycle`. */
+    /** True if threads of the port sense and write; false: the agent's own thread does, with `argo_sensing=in_cycle`. */
     val isPaced: Boolean
 
-    /** Whether the board sends messages by itself at the interval that it knows of [wants], so that it is listened to and never asked. */
+    /** True if the board sends messages by itself at the interval of [wants], so that it is listened to and never asked. */
     val speaksUnasked: Boolean get() = false
 
-    /** Whether a command is bytes on a line, one a character, for a program on the board to read; false: this end reads its text back. */
+    /** True if a command is bytes on a line, one a character, for a program on the board to read; false: this end reads its text back. */
     val isLine: Boolean get() = false
 
-    /** Whether the board can be asked for some percepts, as `getPercepts(dist)`. */
+    /** True if the board can be asked for some percepts, as `getPercepts(dist)`. */
     val canSelect: Boolean get() = false
 
-    /** Whether the far end may go without this end being told; then a link that is silent for long is worth opening anew. */
+    /** True if the far end may go unnoticed; then a link that is silent for long is worth opening anew. */
     val mayVanish: Boolean get() = false
 
     /** The actions that the board has registered; null: they are not known. Does not wait. */
     val actions: List<BoardAction>? get() = null
 
-    /** Takes what the agent wants of the board from now on. Called at each change, by any thread; does not wait. */
+    /** Takes the agent's wishes to the board from now on. Called at each change, by any thread; does not wait. */
     fun wants(wish: Wish) = Unit
 
     /**
@@ -51,7 +51,7 @@ interface BoardLink : AutoCloseable {
      *
      * @param timeoutMs milliseconds to wait at most, at least 1
      * @return null: the board has nothing to say
-     * @throws PortTimeoutException if the board should have spoken, or does not show that it is there
+     * @throws PortTimeoutException if a message was due, or the board does not show that it is there
      */
     @Throws(PortException::class)
     fun listen(timeoutMs: Int): BoardMessage?
@@ -59,7 +59,7 @@ interface BoardLink : AutoCloseable {
     /**
      * Asks for a message and waits for it. Not called if the board [speaks unasked][speaksUnasked].
      *
-     * @param text the request, asked for when its turn has come
+     * @param text returns the request; called when its turn has come
      * @param timeoutMs milliseconds that the board has to answer, at least 1
      * @param intervalMs milliseconds between requests
      * @throws PortTimeoutException if no answer came
@@ -68,7 +68,7 @@ interface BoardLink : AutoCloseable {
     fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =
         throw UnsupportedOperationException("$port speaks unasked")
 
-    /** Looks whether the far end is still there, without waiting for it. */
+    /** Checks that the far end is still there, without waiting for it. */
     @Throws(PortException::class)
     fun check()
 
@@ -79,7 +79,10 @@ interface BoardLink : AutoCloseable {
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand
 
-    /** Sends a command that changes the board's critical rules, and does not wait; only if the board has said that it holds rules. */
+    /**
+     * Sends a command that changes the board's critical rules, and does not wait. Call it only if the board has reported that it holds
+     * rules.
+     */
     fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
     /** Sends [text] as a command and waits for its outcome. */
@@ -90,7 +93,7 @@ interface BoardLink : AutoCloseable {
     @Throws(PortException::class)
     fun writeCommandsUntilClosed() = Unit
 
-    /** Sets who is called when the board reports something of its own accord; it never does unless it can hold rules. */
+    /** Sets the listener for the board's own reports; only boards that can hold rules send any. */
     fun onBoardEvents(listener: BoardListener) = Unit
 
     /** Closes the link. Idempotent. */
@@ -98,28 +101,28 @@ interface BoardLink : AutoCloseable {
 }
 
 /**
- * What an agent wants of a board. Does not change.
+ * The wishes of an agent to a board. Immutable.
  *
  * @property isSensed whether the agent perceives the board
- * @property intervalMs the sensing interval in ms, 0: as fast as can be
- * @property filter what the percepts pass through; null: all are kept
+ * @property intervalMs the sensing interval in ms, 0: as fast as possible
+ * @property filter the filter of the percepts; null: all are kept
  */
 class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFilter?)
 
 /**
- * What a board says at once. Does not change.
+ * A message of a board. Immutable.
  *
  * @property text its percepts, each with its `;`
- * @property receivedNanos when the last of it came, by the platform's clock
- * @property seenNanos for percepts that are older than the message when they were true, by the same clock
+ * @property receivedNanos the time at which its end came, by the platform's clock
+ * @property seenNanos the times at which percepts older than the message were true, by the same clock
  */
 class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map<String, Long> = emptyMap())
 
 /**
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
- * @property outcome what becomes of the command
- * @property left the end of its way to the board. What is sensed is withheld from the agent until then, so it is another future where an
- *     outcome takes as long as a robot's journey. It comes no later than [outcome]
+ * @property outcome the outcome of the command
+ * @property left the end of its way to the board. Snapshots are withheld from the agent until then, so it is another future if an outcome
+ * takes as long as a robot's journey. It completes no later than [outcome]
  */
 class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)

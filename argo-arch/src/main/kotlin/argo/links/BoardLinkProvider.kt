@@ -7,14 +7,14 @@ import java.lang.ref.SoftReference
 import java.util.WeakHashMap
 
 /**
- * Opens boards that are reached otherwise than by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor
- * without arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines
- * come by [javino.TransportProvider].
+ * Opens boards that are not reached by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor without
+ * arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines come by
+ * [javino.TransportProvider].
  *
- * Called by any thread. Unlike a line, what it opens may be opened by several agents at once.
+ * Called by any thread. Unlike a line, its boards may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** What its ports begin with, without the colon: `ros`; no scheme of a transport. */
+    /** The scheme with which its ports begin, without the colon: `ros`; not one of a transport. */
     val scheme: String
 
     /**
@@ -22,28 +22,28 @@ interface BoardLinkProvider {
      *
      * @param isPaced see [BoardLink.isPaced]
      * @param clock the time of the messages, and of waits
-     * @throws PortException of the kind that says why it cannot be opened
+     * @throws PortException if it cannot be opened; its kind tells the reason
      */
     @Throws(PortException::class)
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
 
     /**
-     * Opens a board called [port] that a test plays, with nothing behind it; null: boards of this scheme cannot be played so.
+     * Opens a board called [port] that a test plays, without a real one; null: boards of this scheme cannot be played so.
      *
-     * @param heard takes what the board is sent, and the name of what takes it there, as the topic of a robot
-     * @throws PortException as [open], for what is not about a connection
+     * @param heard takes the messages to the board, each with the name of its way, such as the topic of a robot
+     * @throws PortException as [open], but not for a connection
      */
     @Throws(PortException::class)
     fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
 
-    /** Whether [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
+    /** Returns true if [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
     fun isPresent(port: String): Boolean = true
 
     companion object {
-        /** Those that a thread with this class loader sees. They refer to their class loader, which they must not keep alive. */
+        /** The providers that a thread with a class loader sees. They refer to their class loader, which they must not keep alive. */
         private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
 
-        /** The provider for [port]; null: it is on a line, or of no known kind. */
+        /** Returns the provider for [port]; null: it is on a line, or of no known kind. */
         fun of(port: String): BoardLinkProvider? {
             val scheme = port.substringBefore(':', "").takeIf { it.isNotEmpty() } ?: return null
             return all().find { it.scheme == scheme }
@@ -61,16 +61,16 @@ interface BoardLinkProvider {
 /**
  * A board that a test plays.
  *
- * @property link what the agent has of it
+ * @property link the agent's end of it
  */
 abstract class PlayedBoard(val link: BoardLink) {
     /**
-     * The board sends [message] from its source [name], as the topic of a robot.
+     * Sends [message] as the board, from its source [name], such as the topic of a robot.
      *
      * @throws IllegalArgumentException if it is no message
      */
     abstract fun says(name: String, message: String)
 
-    /** The far end goes: [link] fails from now on. */
+    /** Ends the connection from the far end: [link] fails from now on. */
     abstract fun goes()
 }

@@ -13,7 +13,7 @@ import javino.PortPermissionException
 import javino.PortTimeoutException
 
 /**
- * What plans and clients call [trouble] with a port or a command: the atom in `error(…)`. What is no [PortException], and what no transport
+ * Returns the atom in `error(…)` for [trouble] with a port or a command. An exception that is no [PortException], or that no transport
  * should throw, is `port_failed`.
  */
 fun errorOf(trouble: Throwable): String = when (trouble) {

@@ -4,11 +4,11 @@ import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 
 /**
- * Follows what happens to one agent, as its live view or a recorder does. An [AgentObserverProvider] opens it; an agent may have several.
+ * Follows the events of one agent, as its live view or a recorder does. An [AgentObserverProvider] opens it; an agent may have several.
  *
  * Each function is called on the thread of the event: the agent's own, the sensing thread of a port or the thread that sends its commands.
- * So it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged:
- * neither the agent nor its sensing ends by it. All functions but [close] do nothing unless they are overridden.
+ * So it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged: it
+ * ends neither the agent nor its sensing. All functions but [close] do nothing unless they are overridden.
  */
 interface AgentObserver : AutoCloseable {
     /**
@@ -35,46 +35,46 @@ interface AgentObserver : AutoCloseable {
     /**
      * A port has changed its state.
      *
-     * @param port what the agent calls it
+     * @param port the agent's term for it
      * @param status `on`, `off` or `timeout`
-     * @param reason why it is not on, for a person, if that is known
+     * @param reason the reason why it is not on, for a person, if known
      */
     fun portChanged(port: String, status: String, reason: String?) = Unit
 
     /** The agent perceives through [filter] from now on; null: through none. Called by the agent's thread. */
     fun filterChanged(filter: PerceptionFilter?) = Unit
 
-    /** The agent perceives the board on [port] alone through [filter] from now on; null: through none. Called by the agent's thread. */
+    /** The agent perceives only the board on [port] through [filter] from now on; null: through none. Called by the agent's thread. */
     fun boardFilterChanged(port: String, filter: PerceptionFilter?) = Unit
 
-    /** The agent has called `argo.record(Why)`: returns whether what led here is kept. Called by the agent's thread. */
+    /** The agent has called `argo.record(Why)`: returns true if the last events are kept. Called by the agent's thread. */
     fun recordWanted(why: String): Boolean = false
 
     /** A reasoning cycle is over. Called by the agent's thread, and the place to read [ObservedAgent.beliefs]. */
     fun cycleFinished() = Unit
 
-    /** The agent ends. Gives all resources back without waiting for them; events may still come. May be called twice. */
+    /** The agent ends. Releases all resources without waiting for them; events may still come. May be called twice. */
     override fun close()
 }
 
-/** A message of a board and what the filter made of it. Does not change. */
+/** A message of a board before and after the filter. Immutable. */
 interface PerceivedMessage {
-    /** The port that it came from, by the name that it was opened by. */
+    /** The port from which it came, by the name with which it was opened. */
     val portName: String
 
-    /** Where it is believed; null: in the default namespace. */
+    /** The namespace of its percepts; null: the default namespace. */
     val namespace: String? get() = null
 
     /** The percepts as they came off the line. */
     val texts: List<String>
 
-    /** The percepts that the filter lets through, and those that stand for held-back ones. */
+    /** The percepts that the filter lets through, and stand-ins for held-back ones. */
     val kept: List<String>
 
     /** Those of [kept] that cannot be believed; the agent's log has the reason. */
     val unreadable: Set<String>
 
-    /** When its last byte came, in ns of [ObservedAgent.nanos]. */
+    /** The time of its last byte, in ns of [ObservedAgent.nanos]. */
     val receivedNanos: Long
 }
 
@@ -82,33 +82,33 @@ interface PerceivedMessage {
  * A command for a board.
  *
  * @property number counts the agent's commands, from 1
- * @property port the port that it is for, by the name that it was opened by
- * @property text what is sent
- * @property issuedNanos when it was issued, in ns of [ObservedAgent.nanos]
+ * @property port its port, by the name with which it was opened
+ * @property text the text that is sent
+ * @property issuedNanos the time at which it was issued, in ns of [ObservedAgent.nanos]
  */
 data class IssuedCommand(val number: Long, val port: String, val text: String, val issuedNanos: Long)
 
-/** Who watches a critical rule, and has its reflex carried out. The [word] is for people. */
+/** The side that watches a critical rule and has its reflex carried out. The [word] is for people. */
 enum class RuleWatcher(val word: String) {
     BOARD("the board"),
     COMPUTER("the computer"),
 }
 
 /**
- * The reflex of a critical rule, and what became of it.
+ * The reflex of a critical rule, with its outcome.
  *
  * @property rule the critical rule
- * @property watcher who had it carried out
- * @property failure why it was not carried out; null: it was
- * @property nanos when the outcome was known, in ns of [ObservedAgent.nanos]
+ * @property watcher the side that had it carried out
+ * @property failure the reason why it was not carried out; null: it was
+ * @property nanos the time at which the outcome was known, in ns of [ObservedAgent.nanos]
  */
 data class EndedReflex(val rule: CriticalRule, val watcher: RuleWatcher, val failure: CommandFailure?, val nanos: Long)
 
-/** Why a command was not carried out, as far as is known. */
+/** The reason why a command was not carried out, as far as it is known. */
 interface CommandFailure {
     /** The atom in the annotation `error(…)` of the failed plan. */
     val error: String
 
-    /** What was found and what to do, for a person. */
+    /** The finding and the remedy, for a person. */
     val cause: String
 }

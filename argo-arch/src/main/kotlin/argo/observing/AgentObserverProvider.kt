@@ -12,15 +12,15 @@ interface AgentObserverProvider {
     /** The option of the `.mas2j` that asks for an observer. It begins with `argo_`. */
     val option: String
 
-    /** What the option is set to, in a few words for a person, such as `a port number`. */
+    /** The value of the option, in a few words for a person, such as `a port number`. */
     val usage: String
 
     /**
      * Opens the observer of [agent]. Called by the thread that creates the agent, before its first reasoning cycle.
      *
-     * @param value what the option is set to
+     * @param value the value of the option
      * @param log the agent's log
-     * @return null if there can be none; then [log] has the reason, and the agent runs without
+     * @return null if it cannot be opened; then [log] has the reason, and the agent runs without it
      */
     fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver?
 }

@@ -3,8 +3,8 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * Has [say] carried out, on a thread of its own, when the program is ended from outside, as by Ctrl-C, before this is closed. The program
- * waits for that, but no longer than [mostMs], so that a disk or a browser that hangs keeps nobody from ending it.
+ * Runs [say] on a thread of its own if the program is ended from outside, as by Ctrl-C, before this is closed. The program waits for that,
+ * but no longer than [mostMs], so that a disk or a browser that hangs does not keep it from ending.
  *
  * Safe for use by several threads.
  */
@@ -15,7 +15,7 @@ class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoClos
         Runtime.getRuntime().addShutdownHook(atExit)
     }
 
-    /** There is nothing to be said any more. May be called twice, and while the program ends. */
+    /** Cancels [say]. May be called twice, and while the program ends. */
     override fun close() {
         try {
             Runtime.getRuntime().removeShutdownHook(atExit)

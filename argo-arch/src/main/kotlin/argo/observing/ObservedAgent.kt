@@ -9,12 +9,12 @@ import javino.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
 
-/** An agent as its observers see it, and what they can ask of it. Any thread may call, but for [beliefs]. */
+/** The interface of an agent for its observers. Any thread may call, but for [beliefs]. */
 interface ObservedAgent {
     /** Its name in the multi-agent system. */
     val name: String
 
-    /** When it gets a snapshot of its sensors: `fresh`, `every` or `in_cycle`. */
+    /** The policy by which it gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
     /** The sensing interval in ms of boards without one of their own. */
@@ -25,80 +25,80 @@ interface ObservedAgent {
      */
     val skewMs: Long?
 
-    /** Whether it perceives its boards. */
+    /** True if it perceives its boards. */
     val isPerceiving: Boolean
 
     /** The actions that its boards have registered; null: no board that it perceives has described itself. */
     val actions: List<BoardAction>?
 
-    /** What it believes. For the agent's thread only: see [AgentObserver.cycleFinished]. */
+    /** Its belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
 
-    /** What it does: its intentions and events. For the agent's thread only, as [beliefs]. */
+    /** Its intentions and events. For the agent's thread only, as [beliefs]. */
     val circumstance: Circumstance
 
-    /** Jason's reasoning of it, with its program and options. For the agent's thread only, as [beliefs]. */
+    /** Jason's transition system of it, with its program and options. For the agent's thread only, as [beliefs]. */
     val reasoning: TransitionSystem
 
-    /** The log that its plans print to with `.print`. Jason's reports of it go there too. */
+    /** The log to which its plans print with `.print`. Jason's reports about it go there too. */
     val printed: Logger
 
-    /** The clock that its messages are timed by, in ns. It never goes back. */
+    /** Returns the time of the clock that times its messages, in ns. It never goes back. */
     fun nanos(): Long
 
-    /** The ports that it has asked for. */
+    /** Returns the ports that it has asked for. */
     fun ports(): List<ObservedPort>
 
     /**
-     * The names of the filters that it could change to.
+     * Returns the names of the filters to which it could change.
      *
      * @throws java.util.ServiceConfigurationError if a filter provider cannot be used
      */
     fun filterNames(): List<String>
 
-    /** The filter called [name]; throws what [argo.filters.format.FilterFinder.find] throws. */
+    /** Returns the filter called [name]; throws as [argo.filters.format.FilterFinder.find] does. */
     fun filter(name: String): PerceptionFilter
 
-    /** Why the filter keeps or drops the percept [percept], in words; of each board where they differ. */
+    /** Explains why the filter keeps or drops the percept [percept], in words; for each board, if boards differ. */
     fun explain(percept: String): String
 
-    /** The critical rules of the active filter, in its order, and who watches each. */
+    /** Returns the critical rules of the active filter, in its order, each with the side that watches it. */
     fun criticalRules(): List<WatchedRule>
 
-    /** Has it perceive through [filter], null being none, before its next cycle; then its thread calls [done]. */
+    /** Makes it perceive through [filter], null being none, before its next cycle; then its thread calls [done]. */
     fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit)
 
-    /** Has it start or stop perceiving before its next cycle; then its thread calls [done]. */
+    /** Makes it start or stop perceiving before its next cycle; then its thread calls [done]. */
     fun perceive(open: Boolean, done: () -> Unit)
 
     /**
      * Sends [command], a literal or a string in quotes, before its next cycle, by the same way as the internal action `argo.act(command)`
-     * of a plan. Whichever thread finds the outcome calls [done] once: with null, or why the command was not carried out.
+     * of a plan. The thread that finds the outcome calls [done] once: with null, or with the reason why the command was not carried out.
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
     /** As the other [act], with [options], which are those of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
-    /** Has it run a reasoning cycle soon. */
+    /** Makes it run a reasoning cycle soon. */
     fun wake()
 
-    /** Has it run a reasoning cycle soon, and does so again, ever more slowly, until it has [seen] what it is woken for. */
+    /** Makes it run a reasoning cycle soon, and again, ever more slowly, until [seen] returns true. */
     fun wakeUntil(seen: () -> Boolean)
 }
 
-/** A critical rule of an agent's filter, and who watches it now. */
+/** A critical rule of an agent's filter, and the side that watches it now. */
 data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 
 /**
  * A port that an agent has asked for.
  *
- * @property name what the agent calls it, as a literal: `ttyACM0`, or a string in its quotes
+ * @property name the agent's term for it, as a literal: `ttyACM0`, or a string in its quotes
  * @property status `on`, `off` or `timeout`
- * @property isInUse whether it is the port in use, where commands go for which no other board is found
- * @property isStale whether the agent believes `stale(P)` of it
+ * @property isInUse whether it is the port in use, which gets commands for which no other board is found
+ * @property isStale whether the agent believes `stale(P)` about it
  * @property isPerceived whether its board is among those that the agent perceives
- * @property namespace where what its board says is believed; null: in the default namespace
+ * @property namespace the namespace of its board's percepts; null: the default namespace
  * @property intervalMs the sensing interval in ms of its board; null: it is not perceived
  * @property filter the name of the filter of its board; null: it has none, or is not perceived
  */

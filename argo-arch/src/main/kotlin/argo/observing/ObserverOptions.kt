@@ -14,13 +14,13 @@ internal class ObserverOptions(private val options: Map<String, String>, private
         if (options.isEmpty()) emptyList()
         else Services.providers(AgentObserverProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
 
-    /** The options that no provider reads. */
+    /** The options without a provider. */
     val unread: Set<String> get() = options.keys - providers.map { it.option }.toSet()
 
-    /** The options that there are providers for, such as `argo_view=a port number`. */
+    /** The options with a provider, such as `argo_view=a port number`. */
     val usages: List<String> get() = providers.map { "${it.option}=${it.usage}" }
 
-    /** Opens the observers of [agent]. One that cannot be opened is logged, and the agent runs without. */
+    /** Opens the observers of [agent]. Logs one that cannot be opened; the agent runs without it. */
     fun open(agent: ObservedAgent): List<AgentObserver> = providers.mapNotNull { provider ->
         val value = options[provider.option] ?: return@mapNotNull null
         try {

@@ -15,12 +15,12 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * Turns the text of a percept into the literal that the agent is to believe.
+ * Turns the text of a percept into the literal for the agent's beliefs.
  *
- * A text that Jason cannot read, or that no sensor can mean, costs itself alone, and one warning per distinct text.
- * Literals of a text seen before are reused: Jason copies what it adds to a belief base. Not safe for use by several threads at once.
+ * A text that Jason cannot read, or that no sensor can mean, is left out by itself, with one warning per distinct text. Literals of a text
+ * seen before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace where percepts are believed; null: in the namespace that they name themselves, mostly the default one
+ * @param namespace the namespace of the percepts; null: the one that each names itself, mostly the default one
  * @param warn takes one line for each text that cannot be read
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
@@ -30,12 +30,12 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Sizes the cache for messages of so many [percepts]: for readings that stay, not for all that sensors ever sent. */
+    /** Sizes the cache for messages of so many [percepts]: for present readings, not for all that sensors ever sent. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** The literal of [percept]; none if it cannot be read, several only where a stray quote or bracket had joined them. */
+    /** Returns the literal of [percept]; none if it cannot be read, several only if a stray quote or bracket had joined them. */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
@@ -65,7 +65,7 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     }
 }
 
-/** Why an agent leaves out a percept of this text; null: it believes the percept. Any thread. */
+/** Explains why an agent leaves out a percept of this text; null: it believes the percept. Any thread. */
 fun whyLeftOut(percept: String): String? = (parse(percept) as? Reading.Unreadable)?.why
 
 private sealed interface Reading {
@@ -94,7 +94,7 @@ private fun parse(percept: String): Reading = try {
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${printable(detail)}")
 }
 
-/** Whether [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
+/** Returns true if [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
 private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
     term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
 
@@ -103,14 +103,14 @@ private fun claimsToBeAPort(literal: Literal) =
 
 private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // off[x] matches off
 
-/** [literal] without the sources it claims: what a board sends is a percept and nothing else. */
+/** Returns [literal] without the sources it claims: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))
     return literal
 }
 
-/** [text] for a log line: control characters as `\xHH`, at most 200 characters. */
+/** Makes [text] fit for a log line: control characters as `\xHH`, at most 200 characters. */
 internal fun printable(text: String): String = buildString {
     for (c in text.take(200)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
     if (text.length > 200) append("… (${text.length} characters)")

@@ -17,18 +17,18 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * Turns each message of the board into a [Snapshot] of what its agent perceives, and leaves it for the hand-over.
+ * Turns each message of the board into a [Snapshot] for its agent, and leaves it for the hand-over.
  *
- * Two threads make snapshots: the sensing thread of each message, and the agent's of what a filter held back. Both make and leave them
- * under one lock, so that no snapshot is left behind a newer one. Safe for use by several threads.
+ * Two threads make snapshots: the sensing thread from each message, and the agent's from held-back percepts. Both make and leave them under
+ * one lock, so that no older snapshot follows a newer one. Safe for use by several threads.
  *
  * @param lock held while a snapshot is made and left
  * @param isWanted whether the agent perceives the board on this port now
  * @param handOver takes the snapshots
  * @param reflexes takes the critical rules that each message meets; a command is submitted under [lock], so none follows [forget]
  * @param observer takes each snapshot
- * @param log takes, at level FINE, why a percept is dropped
- * @param limit on the percepts of one message
+ * @param log takes, at level FINE, the reason why a percept is dropped
+ * @param limit the limit on the percepts of one message
  * @param lastSeen takes the percepts of each message
  * @param nowMs a clock in ms that never goes back
  */
@@ -73,10 +73,10 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. What the
-     * board has [reported] since it was asked for the message, at [askedNanos], stays.
-     * @param seenNanos when those of its percepts were true that are older than the message
-     * @return whether the message was wanted
+     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. Percepts
+     * that the board has [reported] since it was asked for the message, at [askedNanos], stay.
+     * @param seenNanos the times at which percepts older than the message were true
+     * @return true if the message was wanted
      */
     fun received(
         port: OpenPort,
@@ -101,8 +101,8 @@ internal class BoardPercepts(
      * Makes and leaves the snapshot of the newest message from [port] with [percept] in it, which the board has reported at [receivedNanos]
      * because it meets [rule].
      *
-     * @param outcome what became of the rule's reflex
-     * @return whether the report was wanted
+     * @param outcome the outcome of the rule's reflex
+     * @return true if the report was wanted
      */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean {
         val text = perceptsOf(percept).firstOrNull()
@@ -122,7 +122,7 @@ internal class BoardPercepts(
         perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { if (it in news) receivedNanos else null }
     }
 
-    /** When the percepts of a message were seen that stands for [reported] ones too, whose times are known; null: all of them at once. */
+    /** Returns the times at which percepts of a message that includes [reported] ones were seen; null: all at [receivedNanos]. */
     private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
         if (reported.isEmpty() && seenNanos.isEmpty()) return null
         val older = reported.flatMap(reader::read).toSet()
@@ -132,7 +132,7 @@ internal class BoardPercepts(
 
     /**
      * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing
-     * thread: while that makes a snapshot, what is due goes into it.
+     * thread: while that makes a snapshot, due percepts go into it.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -144,10 +144,12 @@ internal class BoardPercepts(
         }
     }
 
-    /** The time in ms until a percept that the filter holds back is due; null: none is held back. */
+    /** Returns the time in ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Forgets what has not been handed over, what is held back and which rules are met: it is of another time or place. */
+    /**
+     * Forgets snapshots that have not been handed over, held-back percepts and the rules that are met: they are of another time or place.
+     */
     fun forget() = lock.withLock {
         newest = null
         message = emptyList()
@@ -157,7 +159,7 @@ internal class BoardPercepts(
         reflexes.forget()
     }
 
-    /** Why the active filter keeps or drops the text [percept]. */
+    /** Explains why the active filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation = lock.withLock { session.explain(percept, nowMs()) }
 
     private fun perceive(

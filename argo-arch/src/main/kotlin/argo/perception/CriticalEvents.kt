@@ -9,8 +9,8 @@ import jason.bb.StructureWrapperForLiteral
 import java.util.Queue
 
 /**
- * Puts the events that tell of new [critical] percepts before all others in [queue], each kind in its order. Other threads may add events
- * meanwhile, of which none is lost.
+ * Puts the events of new [critical] percepts before all others in [queue], each kind in its order. Other threads may add events meanwhile;
+ * none is lost.
  */
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)

@@ -15,7 +15,7 @@ internal class CriticalSnapshots {
     private var known: Set<Literal> = emptySet()
     private val earlyRules = HashSet<CriticalRule>()
 
-    /** Takes [snapshot] if it has a critical percept that the agent was not given with the last one; returns whether it did. */
+    /** Takes [snapshot] if it has a critical percept that was not in the agent's last one; returns true if it did. */
     fun put(snapshot: Snapshot): Boolean = lock.withLock {
         val isNews = snapshot.critical.any { it.percept !in known }
         if (isNews) {
@@ -26,10 +26,10 @@ internal class CriticalSnapshots {
         isNews
     }
 
-    /** The one that is next, or null. */
+    /** Returns the next one, or null. */
     fun first(): Snapshot? = lock.withLock { waiting.firstOrNull() }
 
-    /** Whether [snapshot] meets a rule that has not let a snapshot pass early since one was taken in its turn. */
+    /** Returns true if [snapshot] meets a rule that has not let a snapshot pass early since one was taken in its turn. */
     fun mayBeEarly(snapshot: Snapshot): Boolean = lock.withLock { rules(snapshot).any { it !in earlyRules } }
 
     /** Takes the next one, [inTurn] or early; null if there is none. */
@@ -40,7 +40,7 @@ internal class CriticalSnapshots {
         snapshot
     }
 
-    /** The agent was given [snapshot], which is none of these, in its turn. */
+    /** Notes that the agent took [snapshot], which is none of these, in its turn. */
     fun tookOther(snapshot: Snapshot) = lock.withLock {
         earlyRules.clear()
         known = percepts(snapshot)

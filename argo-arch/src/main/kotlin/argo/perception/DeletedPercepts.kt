@@ -17,7 +17,7 @@ import jason.bb.StructureWrapperForLiteral
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()
 
-    /** Jason is about to have [percepts], and no others, as the percepts of [agent]. */
+    /** Notes that Jason is about to make [percepts] all the percepts of [agent]. */
     fun expect(agent: Agent, percepts: Collection<Literal>) {
         val stay = percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
         deleted = agent.bb.percepts.asSequence()
@@ -28,7 +28,7 @@ internal class DeletedPercepts {
     private fun hasEvent(agent: Agent, percept: Literal) =
         agent.ts.c.hasListener() || Plans.of(agent).hasCandidate(Trigger(TEOperator.del, TEType.belief, percept))
 
-    /** Jason has added the events to [queue]. */
+    /** Mends the events that Jason has added to [queue]. */
     fun mend(queue: Collection<Event>) {
         if (deleted.isEmpty()) return
         val waiting = deleted.toMutableList()

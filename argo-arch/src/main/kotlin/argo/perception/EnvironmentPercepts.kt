@@ -5,10 +5,10 @@ import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**
- * What an agent perceives of its Jason environment, through its active filter. An environment returns nothing when nothing has
- * changed, so its last word is kept. Belongs to the agent's thread.
+ * The percepts that an agent gets from its Jason environment, through its active filter. An environment returns nothing if nothing has
+ * changed, so its last result is kept. Belongs to the agent's thread.
  *
- * @param known what the environment returned last, as far as it is known
+ * @param known the last result of the environment, as far as it is known
  * @param nowMs a clock in ms that never goes back
  */
 internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), private val nowMs: () -> Long) {
@@ -17,7 +17,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
     private var filterIsNew = false
     private var dueMs: Long? = null
 
-    /** What of it the agent perceives now. */
+    /** The percepts that the agent perceives now. */
     var percepts: List<Literal> = last
         private set
 
@@ -28,7 +28,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         filterIsNew = true
     }
 
-    /** Takes what the next architecture's `perceive()` returned, null being no news; returns whether [percepts] may have changed. */
+    /** Takes the result of the next architecture's `perceive()`, null being no news; returns true if [percepts] may have changed. */
     fun update(news: Collection<Literal>?): Boolean {
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())
@@ -40,12 +40,12 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         return now != null
     }
 
-    /** In how many ms a percept that the filter holds back is due; null if none is held back. */
+    /** Returns the time in ms until a held-back percept is due; null if none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Whether [update] has something to do even without news. */
+    /** Returns true if [update] has something to do even without news. */
     fun isWaiting(): Boolean = filterIsNew || dueInMs() == 0L
 
-    /** Why the active filter does with [percept] what it does. */
+    /** Explains the active filter's decision on [percept]. */
     fun explain(percept: Literal): String = session.explain(percept, nowMs()).toString()
 }

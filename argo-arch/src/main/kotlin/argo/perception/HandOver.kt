@@ -7,30 +7,30 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Where the sensing thread leaves snapshots and the reasoning cycle takes them, without either waiting for the other.
+ * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other.
  *
  * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent; one of an older message than what is there already may be left out. */
+    /** Leaves [snapshot] for the agent; it may be left out if there is already one of a newer message. */
     fun put(snapshot: Snapshot)
 
-    /** Whether [take] would give one now. */
+    /** Returns true if [take] would give one now. */
     fun isReady(): Boolean
 
-    /** Whether the one that [take] would give now waits for nothing else. */
+    /** Returns true if the snapshot that [take] would give now waits for nothing else. */
     fun isUrgent(): Boolean = isReady()
 
-    /** The time in ms until a snapshot may become ready without any news; null: none will. */
+    /** Returns the time in ms until a snapshot may become ready without any news; null: none will. */
     fun dueInMs(): Long? = null
 
-    /** The snapshot to perceive now, or null. */
+    /** Takes the snapshot to perceive now; null: none is ready. */
     fun take(): Snapshot?
 
     /** Takes all snapshots out, in the order of their messages. */
     fun drain(): List<Snapshot>
 
-    /** Forgets the snapshots that have not been taken, and what was critical about those that have. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of those that have. */
     fun clear()
 }
 
@@ -44,9 +44,9 @@ internal interface HandOver {
  * agent; without (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that
  * loops on `argo.act`.
  *
- * A snapshot with a critical percept that the one before did not have is handed over at once, and no newer one takes its place that does
- * not meet its critical rules. So that a board which is critical all the time cannot make events pile up, this ends when [MANY_EVENTS]
- * wait; then each critical rule may do it once until all three conditions hold again.
+ * A snapshot with a critical percept that the one before did not have is handed over at once, and a newer one replaces it only if it meets
+ * the same critical rules. A board that is critical all the time must not make events pile up, so this ends when [MANY_EVENTS] wait; then
+ * each critical rule may do it once until all three conditions hold again.
  */
 internal class FreshHandOver(
     private val commands: CommandLedger,
@@ -78,7 +78,7 @@ internal class FreshHandOver(
 
     override fun dueInMs(): Long? = if (newest == null) null else commands.dueInMs(commandsToAwait)
 
-    /** Whether the agent has taken in the snapshot before. */
+    /** Returns true if the agent has taken in the snapshot before. */
     private fun isTakenIn() = areEventsAndCommandsDone() && !intentions.wait()
 
     private fun areEventsAndCommandsDone() = commands.allDoneUpTo(commandsToAwait) && !events.wait()

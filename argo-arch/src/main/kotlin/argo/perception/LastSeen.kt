@@ -8,7 +8,7 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * When each of the percepts that an agent believes stood in a message of its board for the last time. Safe for use by several threads.
+ * The times at which each percept that an agent believes was last in a message of its board. Safe for use by several threads.
  *
  * Holds at most about twice as many percepts as the agent believes and is about to believe.
  *
@@ -19,10 +19,10 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
     private val lastSeen = HashMap<StructureWrapperForLiteral, Long>()
 
     /**
-     * A message came at [atNanos] by the platform's clock.
+     * Takes a message that came at [atNanos] by the platform's clock.
      *
-     * @param seen the percepts that stand in it and that the filter lets through
-     * @param delivered all that the agent is to believe after it: also frozen percepts, and stand-ins for percepts that are held back
+     * @param seen its percepts that the filter lets through
+     * @param delivered all percepts that the agent is to believe after it: also frozen ones, and stand-ins for held-back ones
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
         for (percept in seen) {
@@ -33,11 +33,14 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
         }
     }
 
-    /** When [percept], whose annotations do not matter, was seen last, by the platform's clock; null: it is no percept of a board. */
+    /**
+     * Returns the time at which [percept], whose annotations do not matter, was last seen, by the platform's clock; null: it is no percept
+     * of a board.
+     */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
 
     /**
-     * The percept in [beliefs] that unifies with [percept] under [un] and was seen last, and when; null if there is none.
+     * Returns the percept in [beliefs] that unifies with [percept] under [un] and was seen last, with that time; null if there is none.
      *
      * Called by the agent's thread, to which [beliefs] and [un] belong.
      *
@@ -49,7 +52,7 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
             .mapNotNull { belief -> lastSeenNanos(belief)?.let { belief to it } }
             .minByOrNull { (_, seenNanos) -> nowNanos - seenNanos }
 
-    /** How many percepts are remembered. */
+    /** Returns the number of remembered percepts. */
     fun size(): Int = lock.withLock { lastSeen.size }
 
     private companion object {

@@ -8,11 +8,11 @@ import jason.bb.BeliefBase
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Knows whether the intentions that percept events of a board have begun are worked off. Jason takes one event a cycle and runs one step
- * of one intention. So plans of more steps than that would pile up as intentions, and each would wait for its turn behind all the others.
+ * Tracks if the intentions that percept events of a board have begun are worked off. Jason takes one event a cycle and runs one step of one
+ * intention. So plans of more steps than that would pile up as intentions, and each would wait for its turn behind all the others.
  *
  * An intention is worked off when it has finished or waits, as for the outcome of a command. One that still runs after [LONG_MS] is meant
- * to run on, and is awaited no more. [wait] may be asked by any thread, the rest belongs to the agent's.
+ * to run on, and is not awaited any more. Any thread may call [wait]; the rest belongs to the agent's.
  *
  * @param nowMs a clock in ms that never goes back
  * @param isOwn whether a percept is of the board, or of none that the agent perceives; asked by any thread
@@ -26,12 +26,12 @@ internal class PerceptIntentions(
     private val deadlines = ConcurrentHashMap<Intention, Long>() // until when each is awaited
     private var handedOverMs = nowMs()
 
-    /** A snapshot is being handed over. */
+    /** Notes that a snapshot is being handed over. */
     fun handedOver() {
         handedOverMs = nowMs()
     }
 
-    /** A snapshot waits for nothing else than these intentions. Those that are awaited now are so for a time. */
+    /** Notes that a snapshot waits only for these intentions. Those that are awaited now are awaited for a limited time. */
     fun await() {
         val now = nowMs()
         val begun = begun()
@@ -40,7 +40,7 @@ internal class PerceptIntentions(
         for (intention in begun) deadlines.putIfAbsent(intention, deadline)
     }
 
-    /** Whether some of the intentions are not worked off. */
+    /** Returns true if some of the intentions are not worked off. */
     fun wait(): Boolean {
         val now = nowMs()
         return begun().any { intention -> deadlines[intention]?.let { now < it } ?: true }
@@ -50,7 +50,7 @@ internal class PerceptIntentions(
         beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
     }
 
-    /** The event that began [intention]; null: it has finished, which its thread may find out at this moment. */
+    /** Returns the event that began [intention]; null: it has finished, which its thread may find out at this moment. */
     private fun beginningOf(intention: Intention): Literal? = try {
         intention.bottom?.trigger?.literal
     } catch (_: NoSuchElementException) {
@@ -58,7 +58,7 @@ internal class PerceptIntentions(
     }
 
     companion object {
-        /** How long an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */
+        /** The time for which an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */
         const val LONG_MS = 1000L
     }
 }

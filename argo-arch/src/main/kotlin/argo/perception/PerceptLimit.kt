@@ -5,13 +5,13 @@ import jason.asSyntax.Literal
 
 /**
  * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message;
- * what exceeds the limit is left out. Not safe for use by several threads at once.
+ * percepts beyond the limit are left out. Not safe for use by several threads at once.
  *
  * @param max the most percepts
  * @param warning takes the message when the limit is exceeded
  */
 internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
-    /** The first [max] different ones of [percepts], those of [critical] before others. */
+    /** Returns the first [max] different ones of [percepts], those of [critical] before others. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
         if (percepts.size <= max) return percepts
         val different = percepts.distinct()
@@ -28,7 +28,7 @@ internal class PerceptLimit(private val max: Int, private val warning: RateLimit
         /** The option in the `.mas2j`. */
         const val OPTION = "argo_percepts"
 
-        /** The limit unless the option sets another: more than a board can say in a second at 115200 baud. */
+        /** The limit unless the option sets another: more than a board can send in a second at 115200 baud. */
         const val DEFAULT = 4096
     }
 }

@@ -8,8 +8,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Finds the filter that [agent] calls [name]: among those that services offer, in the directory that the project was started in and
- * in `filters/` under it, in the same two for the agent's `.asl`, and in `filters/` on the class path.
+ * Finds the filter that [agent] calls [name]: among those that services offer, in the directory in which the project was started and in
+ * `filters/` under it, in the same two for the agent's `.asl`, and in `filters/` on the class path.
  *
  * @throws argo.filters.FilterNotFoundException if there is none
  * @throws argo.filters.FilterException if it is refused
@@ -17,7 +17,7 @@ import java.nio.file.Path
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
     finderOf(agent).find(name)
 
-/** The names of the filters that [filterOf] can find. */
+/** Returns the names of the filters that [filterOf] can find. */
 internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
 
 private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), agent.javaClass.classLoader)

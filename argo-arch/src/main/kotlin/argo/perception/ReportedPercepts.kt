@@ -4,8 +4,8 @@ import argo.filters.CriticalRule
 import javino.wire.Shape
 
 /**
- * The percepts that a board has reported by themselves since it was asked for the newest message, the last one for each critical rule, so
- * that a message of before does not take their place. Not safe for use by several threads at once.
+ * The percepts that a board has reported outside of messages since it was asked for the newest message, the last one for each critical
+ * rule, so that an earlier message does not replace them. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
@@ -15,13 +15,13 @@ internal class ReportedPercepts {
     /** Their texts. */
     val texts: List<String> get() = reports.values.map { it.text }
 
-    /** [text] was reported at [receivedNanos], since it meets [rule]. */
+    /** Adds [text], which was reported at [receivedNanos], since it meets [rule]. */
     fun add(rule: CriticalRule, text: String, receivedNanos: Long) {
         reports -= rule
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** A message came that the board was asked for at [askedNanos]: what it reported before is in the message. */
+    /** Drops the reports before [askedNanos], the time of the request for a message that came: the message has them. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
@@ -29,7 +29,7 @@ internal class ReportedPercepts {
     /** Forgets all. */
     fun clear() = reports.clear()
 
-    /** [message] with each report in place of the percept that it is a newer value of, or behind the others. */
+    /** Returns [message] with each report in place of the percept whose newer value it is, or behind the others. */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {
@@ -39,7 +39,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** How many [numbers] of a percept another of its shape shares: of `sonar(1,30)` and `sonar(2,40)`, `sonar(2,9)` is the second's. */
+    /** Returns how many [numbers] of a percept another of its shape shares: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

@@ -6,17 +6,17 @@ import argo.observing.PerceivedMessage
 import jason.asSyntax.Literal
 
 /**
- * What the agent perceives of one message of a board.
+ * The percepts of one message of a board that reach the agent.
  *
  * @property port the port whose board sent it
  * @property texts the percepts as they came off the line
  * @property kept the percepts that passed the filter, and those that stand in for percepts which it holds back
- * @property percepts the beliefs that the agent is to have of it
- * @property receivedNanos when the message's last byte came, by the platform's clock
+ * @property percepts the beliefs that the agent is to get from it
+ * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable those of [kept] that cannot be believed
- * @property seenNanos when one of [percepts] was seen, by the platform's clock, or null if that is known of an older message; null: all
- *     were at [receivedNanos]
+ * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if an older message had it;
+ * null: all were seen at [receivedNanos]
  */
 internal class Snapshot(
     val port: OpenPort?,

@@ -4,10 +4,10 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items], each on a thread of its own, or on this one if the machine has no other, and returns when all of it has
- * ended. What [work] throws ends only its thread.
+ * Does [work] for each of [items], each on a thread of its own, or on this one if the machine has no other, and returns when all work has
+ * ended. An exception of [work] ends only its thread.
  *
- * @param name what the thread for an item is called
+ * @param name returns the name of the thread for an item
  */
 internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {
     if (items.size < 2) return items.forEach(work)
@@ -27,7 +27,7 @@ internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, wor
         }
         try {
             start(name(item), run)
-        } catch (_: OutOfMemoryError) { // so says Java that there is no thread
+        } catch (_: OutOfMemoryError) { // Java's error if there is no thread
             run()
         }
     }

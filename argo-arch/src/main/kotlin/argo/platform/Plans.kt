@@ -9,8 +9,8 @@ import java.lang.reflect.Method
 /**
  * A library of plans of Jason's.
  *
- * Jason 3.3.0 has its class in another package than 3.2.1, and a program is compiled with one of them. What both have is called by name
- * here; nothing else may name the class. For the agent's thread.
+ * Jason 3.3.0 has its class in another package than 3.2.1, and a program is compiled with one of them. This class calls the methods of both
+ * by name; no other may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */
@@ -19,11 +19,11 @@ class Plans private constructor(val library: Any) {
     @Suppress("UNCHECKED_CAST")
     val all: List<Plan> get() = call(ALL, library) as List<Plan>
 
-    /** Whether a plan may be relevant to an event with [trigger]. */
+    /** Returns true if a plan may be relevant to an event with [trigger]. */
     fun hasCandidate(trigger: Trigger): Boolean = call(HAS_CANDIDATE, library, trigger) as Boolean
 
     /**
-     * Has [plans] in the place of all others.
+     * Replaces all plans by [plans].
      * @throws jason.JasonException if one of them cannot be added
      */
     fun replaceBy(plans: List<Plan>) {
@@ -40,13 +40,13 @@ class Plans private constructor(val library: Any) {
         private val CLEAR = TYPE.getMethod("clear")
         private val ADD = TYPE.getMethod("add", Plan::class.java)
 
-        /** The plans of [agent]. */
+        /** Returns the plans of [agent]. */
         fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
 
-        /** The plans within [plan]; null: it has none. */
+        /** Returns the plans within [plan]; null: it has none. */
         fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)
 
-        /** Whether [one] is a library of plans. */
+        /** Returns true if [one] is a library of plans. */
         fun isLibrary(one: Any): Boolean = TYPE.isInstance(one)
 
         private fun call(method: Method, on: Any, vararg arguments: Any): Any? = try {

@@ -14,36 +14,36 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * What an `argo.Arch` runs on: its time, its threads and its ports. [system] is the machine's; a test can pass one whose time is its own.
+ * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine's; a test can pass one with a time of its own.
  *
  * All functions may be called by any thread.
  */
 interface Platform {
-    /** The time that the architecture goes by; its locks are what its threads wait on. */
+    /** The clock of the architecture; its threads wait on the clock's locks. */
     val clock: LineClock
 
-    /** The boundary of the agents that run on it, as of a replay; null: what enters them comes from [open] ports and from Jason. */
+    /** The boundary of the agents that run on it, as in a replay; null: their inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
     /** Starts [run] on a new thread, called [name], that does not keep the program alive. It ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
     /**
-     * Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. What it throws is
-     * logged.
+     * Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. An exception of
+     * [action] is logged.
      */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
-     * Opens a port, which may take its time: see [Link.open] and [BoardLinkProvider.open], also for what is thrown.
+     * Opens a port, which may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
      *
      * @param owner the agent's name
      */
     fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
     /**
-     * Whether [port] is there to be opened, as far as can be told without opening it. Asked about once a second while a port is waited for
-     * whose device has gone.
+     * Returns true if [port] can be opened, as far as can be found out without opening it. Called about once a second while the agent waits
+     * for a device that has gone.
      */
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 

@@ -4,8 +4,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not
- * fill the log. It has ended when it has not occurred for [QUIET_MS]. Safe for use by several threads.
+ * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not fill
+ * the log. It ends after [QUIET_MS] without an occurrence. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param warn takes the message
@@ -15,7 +15,7 @@ internal class RateLimitedWarning(private val nowMs: () -> Long, private val war
     private var lastKind: String? = null
     private var lastMs = 0L
 
-    /** The condition occurs now; another [kind] than before is a new condition. */
+    /** Notes that the condition occurs now; another [kind] than before is a new condition. */
     fun report(kind: String, message: () -> String) {
         val isNew = lock.withLock {
             val now = nowMs()
@@ -28,7 +28,7 @@ internal class RateLimitedWarning(private val nowMs: () -> Long, private val war
     }
 
     companion object {
-        /** After how many ms without it a thing has ended. */
+        /** The time without an occurrence after which a condition has ended, in ms. */
         const val QUIET_MS = 60_000L
     }
 }

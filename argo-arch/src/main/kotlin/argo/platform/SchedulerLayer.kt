@@ -1,5 +1,6 @@
 package argo.platform
 
+import argo.insides.Insides
 import jason.asSemantics.Agent
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledExecutorService
@@ -7,8 +8,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several may stand one upon the other, in the order of their
- * [Place], whichever was installed first; [below] is the next.
+ * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several layers may be stacked in the order of their [Place],
+ * whichever was installed first; [below] is the next.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
     /** Does [work] in [delay] of [unit]. */
@@ -28,12 +29,12 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
-    /** Where a layer stands. */
+    /** The place of a layer. */
     enum class Place {
-        /** It says when a timer ends, and stands on Jason's scheduler alone. */
+        /** It decides when a timer ends, and is directly on Jason's scheduler. */
         TIME,
 
-        /** It sees each timer of an agent, whoever says when it ends. */
+        /** It sees each timer of an agent, whichever layer decides when it ends. */
         AGENT,
     }
 
@@ -47,8 +48,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         private var installed = listOf<Installed>()
 
         /**
-         * Puts what [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this program, unless a
-         * layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
+         * Puts the layer that [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this
+         * program, unless a layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized
@@ -57,9 +58,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
             val all = (installed + Installed(kind, place, make)).sortedBy { it.place }
             val top = all.fold(machine()) { below, layer -> layer.make(below) }
             try {
-                // Jason has no other way to give it one
-                Agent::class.java.getDeclaredField("scheduler").apply { isAccessible = true }.set(null, top)
-            } catch (other: ReflectiveOperationException) {
+                Insides.scheduler[null] = top
+            } catch (other: LinkageError) {
                 throw IllegalStateException("this version of Jason keeps its scheduler elsewhere, so .wait cannot be followed", other)
             }
             installed = all

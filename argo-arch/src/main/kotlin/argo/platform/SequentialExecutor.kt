@@ -2,21 +2,22 @@ package argo.platform
 
 import kotlin.concurrent.withLock
 
-/** Does what it is given one after the other, in that order, on a thread that ends when nothing is left to do. */
+/** Does work in the order in which it is given, one piece after the other, on a thread that ends when no work is left. */
 internal class SequentialExecutor(private val platform: Platform, private val name: String) {
     private val lock = platform.clock.newLock(false)
     private val waiting = ArrayDeque<() -> Unit>()
     private var working = false
 
     /**
-     * Does [work] after what was given before; what it throws goes to the thread's uncaught exception handler, and the rest is done still.
+     * Does [work] after all earlier work. An exception of [work] goes to the thread's uncaught exception handler, and later work is still
+     * done.
      */
     fun execute(work: () -> Unit) = lock.withLock {
         waiting.addLast(work)
         startUnlessWorking()
     }
 
-    /** Forgets what has not begun yet. */
+    /** Forgets work that has not begun yet. */
     fun clear() = lock.withLock { waiting.clear() }
 
     private fun startUnlessWorking() {

@@ -4,9 +4,9 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps what happens again and again from filling a log: the first [FREE] lines of a kind go out at once, then ever fewer, first after a
- * second and at last every five minutes. Each of these is the newest line and says how many were left out, so that the last word of a kind
- * is always told. After a quiet minute a kind begins anew. Safe for use by several threads.
+ * Keeps repeated events from filling a log: the first [FREE] lines of a kind go out at once, then ever fewer, first after a second and at
+ * last every five minutes. Each of these is the newest line and says how many were left out, so that the last line of a kind always
+ * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param later does its last argument in so many ms
@@ -24,7 +24,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     private val kinds = HashMap<String, Kind>()
 
     /**
-     * A line of [kind], of which there are few.
+     * Reports a line of [kind]; there are few kinds.
      * @param line writes it, with its argument at the end; called once, now or later, or never if newer ones come before
      */
     fun report(kind: String, line: (more: String) -> Unit) {
@@ -38,7 +38,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
     }
 
-    /** Returns in how many ms the newest line is to be told; 0: that has been arranged. */
+    /** Returns the time in ms after which the newest line is to go out; 0: that has been arranged. */
     private fun hold(kind: Kind, line: (String) -> Unit): Long {
         kind.newest = line
         if (kind.held++ > 0) return 0
@@ -57,7 +57,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 
     companion object {
-        /** How many lines of a kind go out at once. */
+        /** The number of lines of a kind that go out at once. */
         const val FREE = 10
         private const val FIRST_DELAY_MS = 1_000L
         private const val MAX_DELAY_MS = 300_000L
@@ -65,7 +65,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 }
 
-/** Text of somebody else for a line of a log: not longer than 200 characters, and without control characters. */
+/** Makes a foreign text fit for a line of a log: not longer than 200 characters, and without control characters. */
 fun foreignText(text: String): String =
     text.take(MAX_FOREIGN).map { if (it.isISOControl()) '?' else it }.joinToString("") + if (text.length > MAX_FOREIGN) "…" else ""
 

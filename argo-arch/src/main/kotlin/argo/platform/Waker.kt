@@ -7,8 +7,8 @@ import java.util.concurrent.atomic.AtomicLong
  * Wakes an agent that sleeps or is about to.
  *
  * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second. An agent that
- * asks [maySleep] does not fall asleep when it has been woken before. One that has decided and does not sleep yet, or does not ask, is woken
- * again, ever more slowly, until it has seen what it was woken for.
+ * asks [maySleep] does not fall asleep if it has been woken before. One that has decided and does not sleep yet, or does not ask, is woken
+ * again, ever more slowly, until it has seen the reason.
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
@@ -16,7 +16,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var perceivedMs = Long.MIN_VALUE
 
-    /** Whether the agent was woken since it began to perceive. Written before [sleeper] is read, and read after that is written. */
+    /** True if the agent was woken since it began to perceive. Written before [sleeper] is read, and read after that is written. */
     @Volatile
     private var isWoken = false
 
@@ -31,29 +31,29 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var reasoner: Thread? = null
 
-    /** Whether the thread that perceives is the one that sleeps; not known before it asks. Jason has agents of three threads too. */
+    /** True if the thread that perceives is the one that sleeps; not known before it asks. Jason has agents of three threads too. */
     @Volatile
     private var isOneThread: Boolean? = null
 
     /**
-     * Wakes the agent now and, if that may be in vain, again until [seen]; [seen] is asked by other threads. The thread that carries out its
-     * cycle wakes nobody, and does not fall asleep behind it.
+     * Wakes the agent now and, if that may be in vain, again until [seen]; other threads call [seen]. On the thread that carries out the
+     * agent's cycle it wakes nobody, but that thread does not fall asleep after the cycle.
      */
     fun wake(seen: () -> Boolean) {
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
     }
 
-    /** A cycle of the agent begins. Called by its thread. */
+    /** Notes that a cycle of the agent begins. Called by its thread. */
     fun cycleStarts() {
         reasoner = Thread.currentThread()
     }
 
-    /** The cycle is over. Called by the agent's thread. */
+    /** Notes that the cycle is over. Called by the agent's thread. */
     fun cycleEnds() {
         reasoner = null
     }
 
-    /** The agent begins to perceive, and so sees what it was woken for. Called by its thread. */
+    /** Notes that the agent begins to perceive, and so sees the reason for which it was woken. Called by its thread. */
     fun perceives() {
         perceivedMs = platform.nowMs()
         perceiver = Thread.currentThread()
@@ -61,7 +61,10 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         isWoken = false
     }
 
-    /** Whether the agent was not woken since it began to perceive. Called by its thread, last of all, when it decides about its sleep. */
+    /**
+     * Returns true if the agent was not woken since it began to perceive. Called by its thread, last of all, when it decides about its
+     * sleep.
+     */
     fun maySleep(): Boolean {
         val thread = Thread.currentThread()
         if (isOneThread != false) isOneThread = thread === perceiver
@@ -71,7 +74,10 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         return false
     }
 
-    /** The agent falls asleep without asking [maySleep]: an atomic plan waits for something. Called by its thread at the end of a cycle. */
+    /**
+     * Notes that the agent falls asleep without asking [maySleep], since an atomic plan waits for something. Called by its thread at the
+     * end of a cycle.
+     */
     fun sleepsUnasked() {
         sleeper = Thread.currentThread()
         if (isWoken) wake(FIRST_REPEAT_MS) { !isWoken }
@@ -79,7 +85,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
 
     /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
     fun wakeIn(delayMs: Long) {
-        val wait = minOf(delayMs, MAX_DELAY_MS) // who is woken too early looks again
+        val wait = minOf(delayMs, MAX_DELAY_MS) // an agent that is woken too early looks again
         val at = platform.nowMs() + wait
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
         platform.later(wait) {
@@ -94,11 +100,11 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         val isInVain = mayBeInVain()
         arch.firstAgArch.wakeUpSense()
         arch.firstAgArch.wakeUpDeliberate()
-        arch.firstAgArch.wake() // JADE's architecture knows this call alone
+        arch.firstAgArch.wake() // JADE's architecture knows only this call
         if (isInVain && repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
 
-    /** Whether the agent may be about to sleep; a thread that waits with a time limit sleeps. */
+    /** Returns true if the agent may be about to sleep; a thread that waits with a time limit sleeps. */
     private fun mayBeInVain() = isOneThread != true || sleeper.let { it != null && it.state != Thread.State.TIMED_WAITING }
 
     private companion object {

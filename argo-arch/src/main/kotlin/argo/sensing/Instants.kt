@@ -5,7 +5,7 @@ package argo.sensing
  * beginning of the clock. So boards of one interval are asked together.
  */
 internal object Instants {
-    /** The first instant after [startNanos], with an interval of [intervalNanos]; 0: at once. */
+    /** Returns the first instant after [startNanos], with an interval of [intervalNanos]; 0: at once. */
     fun after(startNanos: Long, intervalNanos: Long): Long =
         if (intervalNanos == 0L) startNanos else (Math.floorDiv(startNanos, intervalNanos) + 1) * intervalNanos
 }

@@ -10,33 +10,33 @@ import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
-/** What the sensing of a port asks and reports. Called by the port's sensing thread. */
+/** Answers the questions of a port's sensing and takes its reports. Called by the port's sensing thread. */
 internal interface SensingListener {
-    /** Whether [port] is to be sensed now. Any thread; a change is signalled by [Sensing.wake]. */
+    /** Returns true if [port] is to be sensed now. Any thread; [Sensing.wake] signals a change. */
     fun isSensed(port: OpenPort): Boolean
 
-    /** The sensing interval in ms, 0: as fast as the line allows. Any thread; a change is signalled by [Sensing.wake]. */
+    /** The sensing interval in ms, 0: as fast as the line allows. Any thread; [Sensing.wake] signals a change. */
     val intervalMs: Int
 
-    /** When a board is to be asked again that was asked at [startNanos], by the platform's clock. */
+    /** Returns the time of the next request to a board that was asked at [startNanos], by the platform's clock. */
     fun nextStart(startNanos: Long): Long = startNanos + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
 
-    /** The request that the board is to answer; asked for when it goes out. */
+    /** Returns the request to the board; called when it goes out. */
     fun request(port: OpenPort): String
 
-    /** Whether the board on [port] may report critical percepts between two messages. Any thread. */
+    /** Returns true if the board on [port] may report critical percepts between two messages. Any thread. */
     fun mayReport(port: OpenPort): Boolean
 
-    /** [message] came, which was asked for at [askedNanos], by the platform's clock. */
+    /** Takes [message], which was asked for at [askedNanos], by the platform's clock. */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long)
 
-    /** The board did not answer in time. */
+    /** Reports that the board did not answer in time. */
     fun unanswered(port: OpenPort, trouble: PortTimeoutException)
 
-    /** The board has answered after [unanswered]. */
+    /** Reports that the board has answered after [unanswered]. */
     fun answeredAgain(port: OpenPort)
 
-    /** The port cannot be used any more. */
+    /** Reports that the port cannot be used any more. */
     fun lost(port: OpenPort, trouble: PortException)
 }
 
@@ -44,7 +44,7 @@ internal interface SensingListener {
  * Asks one board for its percepts, or listens to it, on a thread of its own, while the agent wants to perceive it. In between it
  * watches the line, so that a pulled cable is noticed whether or not the agent perceives or acts.
  *
- * It keeps no copy of what the agent wants: it asks [listener] each time, so that no change can be lost between two threads.
+ * It keeps no copy of the agent's wishes: it asks [listener] each time, so that no change can be lost between two threads.
  */
 internal class Sensing(
     private val port: OpenPort,
@@ -104,7 +104,7 @@ internal class Sensing(
         (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** The time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
+    /** Returns the time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
     private fun nanosUntilDue(): Long = when {
         !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // not paced: the agent's own thread takes the messages
         listens() -> 0
@@ -115,7 +115,7 @@ internal class Sensing(
 
     private fun mayReport() = isPaced && !listens() && listener.mayReport(port)
 
-    /** Looks at the line. Messages that nobody wants now are dropped, but where the agent's own thread takes them. */
+    /** Looks at the line. Drops messages that nobody wants now, unless the agent's own thread takes them. */
     private fun watch(): Boolean = using {
         when {
             !isPaced -> port.link.check()
@@ -125,7 +125,10 @@ internal class Sensing(
         }
     }
 
-    /** How long the line is read at once: not beyond the next request, and so short that a change of what the agent wants waits little. */
+    /**
+     * Returns the time in ms for which the line is read at once: not beyond the next request, and so short that a change of the agent's
+     * wishes waits little.
+     */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */
@@ -162,7 +165,10 @@ internal class Sensing(
         unforeseen(unforeseen)
     }
 
-    /** The far end of a network connection may have gone without a word, and may be back without knowing this connection. */
+    /**
+     * Handles a missing answer. The far end of a network connection may have gone without closing it, and may be back without knowing this
+     * connection.
+     */
     private fun unanswered(timeout: PortTimeoutException): Boolean {
         isTimedOut = true
         val isLong = lock.withLock {
@@ -180,14 +186,14 @@ internal class Sensing(
         return false
     }
 
-    /** A thread that dies silently would leave a stale world. */
+    /** Reports an unforeseen exception as a lost port: if the thread died silently, the agent's world would be stale. */
     private fun unforeseen(cause: Throwable): Boolean {
         listener.lost(port, PortFaultException(port.link.port, "sensing ended: $cause", cause))
         return false
     }
 
     private companion object {
-        /** How long a device may be gone before it is noticed, while nothing is asked of it. */
+        /** The longest time until a lost device is noticed while nothing is asked of it, in ns. */
         val WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
         const val LOOK_MS = 1
         const val MAX_SLICE_MS = 10L

@@ -1,11 +1,11 @@
 package argo.sensing
 
-/** When a snapshot of the sensors is handed to the agent: `argo_sensing` in the `.mas2j`. */
+/** The policy by which snapshots of the sensors are handed to the agent: `argo_sensing` in the `.mas2j`. */
 internal enum class SensingPolicy(val word: String) {
     /** The newest one, as soon as the agent has taken in the one before: see `argo.perception.HandOver`. */
     FRESH("fresh"),
 
-    /** Each one, in its order, whatever the agent has still to do. */
+    /** Each one, in its order, whatever work the agent has left. */
     EVERY("every"),
 
     /**
@@ -15,7 +15,7 @@ internal enum class SensingPolicy(val word: String) {
     IN_CYCLE("in_cycle");
 
     companion object {
-        /** The policy called [word], or null. */
+        /** Returns the policy called [word], or null. */
         fun of(word: String): SensingPolicy? = entries.find { it.word == word }
 
         /** All words, for a message. */

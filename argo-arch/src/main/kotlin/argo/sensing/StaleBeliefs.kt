@@ -6,7 +6,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)` about the port in use when no message has come for too long, one for each name of the port.
+ * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port.
  *
  * The beliefs change on the agent's thread only, in [update]; any thread may read.
  *
@@ -30,25 +30,25 @@ internal class StaleBeliefs(
         freshMs = nowMs()
     }
 
-    /** The time in ms until the port in use is stale, 0 if it is; null: the agent does not listen, or the board may be silent. */
+    /** Returns the time in ms until the port in use is stale, 0 if it is; null: the agent does not listen, or the board may be silent. */
     fun dueInMs(): Long? = listened()?.options?.staleAfterMs(intervalMs())?.let { maxOf(0, freshMs + it - nowMs()) }
 
-    /** Recomputes the beliefs; returns whether they changed. */
+    /** Recomputes the beliefs; returns true if they changed. */
     fun update(): Boolean {
         val now = silent()
         return (now != believed).also { believed = now }
     }
 
-    /** Whether the agent believes it of [port]. Any thread. */
+    /** Returns true if the agent believes `stale` about [port]. Any thread. */
     fun isStale(port: Term): Boolean = port in believed
 
-    /** Whether [update] would change the beliefs. */
+    /** Returns true if [update] would change the beliefs. */
     fun hasNews(): Boolean = silent() != believed
 
-    /** Whether there is no such belief. */
+    /** Returns true if there is no such belief. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
-    /** The beliefs. */
+    /** Returns the beliefs. */
     fun beliefs(): List<Literal> = believed.map { ASSyntax.createLiteral(FUNCTOR, it) }
 
     private fun silent(): Set<Term> = if (dueInMs() == 0L) listened()?.terms.orEmpty().toSet() else emptySet()

@@ -2,7 +2,7 @@ package argo.sensing
 
 import java.util.concurrent.TimeUnit
 
-/** Requests in a row that a board has not answered, and since when. Guarded by its user's lock. */
+/** Counts requests in a row that a board has not answered, with the time of the first. Guarded by its user's lock. */
 internal class UnansweredRequests {
     private var sinceNanos = 0L
     private var count = 0
@@ -12,12 +12,12 @@ internal class UnansweredRequests {
         if (count++ == 0) sinceNanos = nowNanos
     }
 
-    /** The board has answered, or is not asked for a while. */
+    /** Forgets the count: the board has answered, or is not asked for a while. */
     fun clear() {
         count = 0
     }
 
-    /** Whether [LONG_COUNT] requests in a row or more were not answered, for longer than [LONG_S] s. */
+    /** Returns true if [LONG_COUNT] requests in a row or more were not answered, for longer than [LONG_S] s. */
     fun isLong(nowNanos: Long): Boolean = count >= LONG_COUNT && nowNanos - sinceNanos > TimeUnit.SECONDS.toNanos(LONG_S)
 
     companion object {

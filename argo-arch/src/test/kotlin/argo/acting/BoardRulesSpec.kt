@@ -7,23 +7,28 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.Rule
 import argo.filters.TermTest
+import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import javino.wire.BoardRule
 import javino.wire.CommandItem
+import java.util.TreeMap
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
+import kotlin.random.Random
 
-/** A board of the test's, which answers commands when it is told to. */
+/** A board whose answers to commands the test decides. */
 private class RulesBench {
     var wanted = emptyList<CriticalRule>()
     val sent = ArrayList<String>()
+    private val changes = ArrayList<CommandItem.Rule>()
     private val waiting = ArrayDeque<(Failure?) -> Unit>()
     var isOpen = true
     val rules = BoardRules({ wanted }, { command, outcome ->
         sent += words(command)
+        changes += command
         if (isOpen) waiting += outcome else outcome(Failure("port_gone", "the port is gone"))
     })
 
@@ -32,12 +37,25 @@ private class RulesBench {
         this.rules.renew()
     }
 
+    /** How many commands wait. */
+    val count get() = waiting.size
+
+    /** The board, which has the rules [onBoard] by their numbers, carries out the oldest command that waits, if one does. */
+    fun handle(onBoard: MutableMap<Int, String>) {
+        if (waiting.isEmpty()) return
+        val command = changes[changes.size - waiting.size]
+        val number = command.text()[0].code
+        val rule = BoardRule.read(command)
+        if (rule != null) onBoard[number] = rule.functor() else if (number == 0) onBoard.clear() else onBoard -= number
+        ends()
+    }
+
     /** The outcome of the oldest command that waits. */
     fun ends(error: String? = null) = waiting.removeFirst()(error?.let { Failure(it, it) })
 
     fun endsAll() = repeat(waiting.size) { ends() }
 
-    /** The commands since the last call. */
+    /** Returns the commands since the last call. */
     fun news(): List<String> = sent.toList().also { sent.clear() }
 
     private fun words(change: CommandItem.Rule): String {
@@ -142,12 +160,37 @@ class BoardRulesSpec : FunSpec({
         bench.wants(a, b)
         bench.rules.began(2)
         bench.rules.began(2)
-        bench.news() shouldBe listOf("1=a", "2=b", "3=a", "4=b")
+        bench.news() shouldBe listOf("1=a", "2=b", "none", "3=a", "4=b")
         bench.ends()
         bench.ends("act_refused")
+        bench.ends()
         listOf(a, b).map(bench.rules::isWatching) shouldBe listOf(false, false)
         bench.endsAll()
         listOf(a, b).map(bench.rules::isWatching) shouldBe listOf(true, true)
+    }
+
+    test("whatever waits on the line while the board starts anew, it has the rules of now when all is handled") {
+        for (seed in 1..500) {
+            val random = Random(seed)
+            val bench = RulesBench()
+            val onBoard = TreeMap<Int, String>()
+            bench.rules.began(8)
+            repeat(random.nextInt(1, 20)) {
+                when (random.nextInt(4)) {
+                    0 -> {
+                        onBoard.clear()
+                        bench.rules.began(8)
+                    }
+                    1 -> bench.handle(onBoard)
+                    else -> bench.wants(*listOf(a, b, c, d).filter { random.nextBoolean() }.toTypedArray())
+                }
+            }
+            repeat(bench.count) { bench.handle(onBoard) }
+            withClue("seed $seed") {
+                onBoard.values.sorted() shouldBe bench.wanted.map { "${it.rule.predicate}" }
+                bench.wanted.all(bench.rules::isWatching) shouldBe true
+            }
+        }
     }
 
     test("on a line that is gone no rule is set, and nothing is tried again") {

@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
 class ExpectedAnswerSpec : FunSpec({
     fun ms(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
 
-    /** Was asked at 20 ms, and answered 3 ms later. */
+    /** Makes one that was asked at 20 ms, and answered 3 ms later. */
     fun answered() = ExpectedAnswer().apply {
         asked(ms(20))
         came(ms(23))

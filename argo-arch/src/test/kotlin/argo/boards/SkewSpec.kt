@@ -16,15 +16,15 @@ private class AskedBoard(private val random: Random, begins: Long) {
     private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
     private var askedNanos = begins + random.nextLong(longestNanos)
 
-    /** When its next answer arrives. */
+    /** The time at which its next answer arrives. */
     var arrivesNanos = askedNanos + random.nextLong(longestNanos)
         private set
 
-    /** When what the agent believes of it arrived; null: nothing is believed yet. */
+    /** The time at which the believed percepts arrived; null: none is believed yet. */
     var believedNanos: Long? = null
         private set
 
-    /** How old what is believed of it can be when it is handed over. */
+    /** The greatest age of its percepts when they are handed over. */
     val boundNanos = intervalNanos + longestNanos
 
     fun answers() {

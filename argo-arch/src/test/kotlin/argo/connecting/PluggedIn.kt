@@ -11,7 +11,7 @@ class PluggedIn : UsbTransportProvider("plugged", { devices }) {
     companion object {
         val devices = CopyOnWriteArrayList<SerialPortInfo>()
 
-        /** A device of this [name] with the identity `fff1:0002:A1`. */
+        /** Makes a device of this [name] with the identity `fff1:0002:A1`. */
         fun device(name: String) = SerialPortInfo(
             name, name, Optional.empty(), Optional.empty(), OptionalInt.of(0xfff1), OptionalInt.of(2), Optional.of("A1"),
         )

@@ -49,6 +49,10 @@ private class PortsBench : AutoCloseable {
     val time = TestTime()
     val closers = ConcurrentLinkedQueue<String>()
 
+    /** Called before a line is closed, by the thread that does. */
+    @Volatile
+    var beforeClosing: () -> Unit = {}
+
     /** How many threads more the machine has none for. */
     @Volatile
     var missingThreads = 0
@@ -58,6 +62,7 @@ private class PortsBench : AutoCloseable {
             return object : BoardLink by link {
                 override fun close() {
                     closers += Thread.currentThread().name
+                    beforeClosing()
                     link.close()
                 }
             }
@@ -340,6 +345,28 @@ class PortsSpec : FunSpec({
                 ports.lost(checkNotNull(ports.current), PortGoneException("sim:robot", "a command found it gone"))
             }
             choose("sim:robot") shouldBe null
+        }
+    }
+
+    test("a port that was given up while its line is still being closed is opened by who asks for it, once it is free") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            val isClosing = CountDownLatch(1)
+            val mayClose = CountDownLatch(2)
+            beforeClosing = {
+                isClosing.countDown()
+                mayClose.countDown()
+                mayClose.await() // until another thread closes it as well
+            }
+            ports.lost(checkNotNull(ports.current), PortGoneException("sim:robot", "a command found it gone"))
+            isClosing.await()
+            ports.closeAll { }
+            val outcome = CompletableFuture<Failure?>()
+            ports.choose(ASSyntax.createString("sim:robot"), "sim:robot", null) {
+                outcome.complete(it)
+                mayClose.countDown()
+            }
+            outcome.get(20, TimeUnit.SECONDS) shouldBe null
         }
     }
 

@@ -6,7 +6,7 @@ import javino.Transports
 import javino.sim.FakeBoard
 import java.util.concurrent.TimeUnit
 
-/** A board as a process of its own, at the far end of a pseudo-terminal: it counts how often it was asked for its percepts. */
+/** A board as a process of its own, at the far end of a pseudo-terminal: it counts the requests for its percepts. */
 internal class BoardProcess(device: String) : AutoCloseable {
     private val process = ProcessBuilder(
         ProcessHandle.current().info().command().orElse("java"),
@@ -17,10 +17,10 @@ internal class BoardProcess(device: String) : AutoCloseable {
         check(process.inputReader().readLine() == STARTED) { "the board's process did not start" }
     }
 
-    /** Has the system stop the process where it is. */
+    /** Stops the process as it is, by a signal. */
     fun stop() = signal("STOP")
 
-    /** Lets it go on there. */
+    /** Lets it go on. */
     fun goOn() = signal("CONT")
 
     private fun signal(name: String) = ProcessBuilder("kill", "-$name", "${process.pid()}").start().waitFor().let {
@@ -44,7 +44,7 @@ fun main(arguments: Array<String>) {
         try {
             board.program().run(it)
         } catch (_: PortException) {
-            // the line has gone, and with it what the process is for
+            // the line has gone, and with it the purpose of the process
         }
     }
 }

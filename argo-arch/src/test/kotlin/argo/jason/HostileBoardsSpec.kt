@@ -31,7 +31,7 @@ import kotlin.concurrent.thread
 
 private const val LIMIT_BYTES = 1024L
 
-/** Teaches 126 percepts of 255 bytes, and then says each 32,000 times in two bytes: a gigabyte of text. */
+/** Frames that teach 126 percepts of 255 bytes, and then repeat each 32,000 times in two bytes: a gigabyte of text. */
 private val BOMBS = listOf(
     (0 until 126).joinToString("") { "${it.toChar()}\u00ff" + "a".repeat(255) },
     "\u0080\u007e".repeat(32_000),
@@ -64,7 +64,7 @@ private class BombingBoard : SimulatedBoard, BoardProgram {
     private fun Transport.say(frame: WireFrame, nonce: Int) = frame.toBytes(nonce).let { write(it, 0, it.size, 60_000) }
 }
 
-/** A line that throws [fault] once, where it is [reading] or where it writes. */
+/** A line that throws [fault] once, when it is read, if [reading], or when it is written. */
 private class FaultyLine(private val line: Transport, private val reading: Boolean, private val fault: AtomicReference<Throwable?>) :
     Transport by line {
     override fun isWritableNow(unread: Long) = line.isWritableNow(unread)
@@ -80,7 +80,7 @@ private class FaultyLine(private val line: Transport, private val reading: Boole
     }
 }
 
-/** A line that notes who writes how many bytes on it, and who would wait. */
+/** A line that notes the threads that write to it, with their bytes, and those that would wait. */
 private class NotedLine(private val line: Transport, private val bytes: MutableMap<String, Long>, private val waiting: MutableSet<String>) :
     Transport by line {
     override fun isWritableNow(unread: Long) = line.isWritableNow(unread)

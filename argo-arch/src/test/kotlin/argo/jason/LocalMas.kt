@@ -19,7 +19,7 @@ import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** How long a real-time test waits for what takes milliseconds on an idle machine. */
+/** The longest wait of a real-time test for events that take milliseconds on an idle machine. */
 internal val LIMIT = 60.seconds
 
 /** Jason's Local infrastructure in this process, in real time, for agents given as text. One at a time. */
@@ -70,7 +70,7 @@ internal class LocalMas : AutoCloseable {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
 
-    /** The agent's beliefs, as text without their sources. */
+    /** Returns the agent's beliefs, as text without their sources. */
     fun beliefs(name: String): Set<String> =
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 

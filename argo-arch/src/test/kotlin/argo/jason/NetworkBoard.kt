@@ -15,7 +15,7 @@ internal class NetworkBoard(number: Int = 0) : AutoCloseable {
     private val connections = ConcurrentLinkedQueue<Socket>()
     private var count = 0
 
-    /** Whether it does not answer, though it reads. */
+    /** True if it does not answer, though it reads. */
     @Volatile
     var isMute = false
 
@@ -53,7 +53,7 @@ internal class NetworkBoard(number: Int = 0) : AutoCloseable {
         }
     }
 
-    /** Ends the connections there are. */
+    /** Ends all connections. */
     fun cut() = connections.forEach(Socket::close)
 
     override fun close() {

@@ -8,7 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** Whether there is Python, and a system on which it makes pseudo-terminals. */
+/** Enabled if there is Python, and a system on which it makes pseudo-terminals. */
 internal val withPython: Enabled = run {
     val works = try {
         ProcessBuilder("python3", "-c", "import pty").start().waitFor() == 0
@@ -19,8 +19,8 @@ internal val withPython: Enabled = run {
 }
 
 /**
- * The board of `javino-python/tests/boards/echo.py` as a process, at the pseudo-terminal that it links [link] to, until it is closed.
- * With a [seed] one byte in 200 is damaged in both directions.
+ * The board of `javino-python/tests/boards/echo.py` as a process, at a pseudo-terminal to which [link] leads, until it is closed. With a
+ * [seed] one byte in 200 is damaged in both directions.
  */
 internal class PythonBoard(link: Path, seed: Int? = null) : AutoCloseable {
     private val folder = Path.of("../javino-python").toRealPath()

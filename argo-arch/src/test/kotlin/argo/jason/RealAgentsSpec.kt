@@ -15,7 +15,9 @@ import javino.sim.FakeBoard
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.locks.LockSupport
 
-/** What only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit. */
+/**
+ * Behaviour that only Jason's own infrastructure and real threads show; all other behaviour is specified in virtual time, in argo-testkit.
+ */
 class RealAgentsSpec : FunSpec({
     test("200 agents started and killed in one system leave no thread and no open port").config(tags = thorough) {
         val boards = (1..200).map { FakeBoard.plugIn("robot$it").lenient() }
@@ -147,7 +149,7 @@ class RealAgentsSpec : FunSpec({
     }
 })
 
-/** An architecture, such as CArtAgO's, for which it matters how often it is stopped. Jason makes it, so all of them are kept. */
+/** An architecture that counts its stops, which matter to some, such as CArtAgO's. Jason makes it, so all of them are kept. */
 class CountedStops : AgArch() {
     var stops = 0
         private set
@@ -166,7 +168,7 @@ class CountedStops : AgArch() {
     }
 }
 
-/** Has each reasoning cycle take half a millisecond more, and records how many intentions there were at most. Jason makes it. */
+/** Lengthens each reasoning cycle by half a millisecond, and records the largest number of intentions. Jason makes it. */
 class SlowCycles : AgArch() {
     override fun reasoningCycleFinished() {
         super.reasoningCycleFinished()

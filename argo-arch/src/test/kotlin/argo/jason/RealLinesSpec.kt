@@ -24,7 +24,7 @@ private val withSignals: Enabled =
 
 /** Agents on lines of the operating system: pseudo-terminals, TCP, and a board that never pauses. */
 class RealLinesSpec : FunSpec({
-    /** An agent that sends its board the last percept, so that the test knows that it is perceived. */
+    /** Writes an agent that sends its board the last percept, so that the test knows that it is perceived. */
     fun follower(port: String) = """
         !start.
         +!start <- argo.port("$port", [baud(115200)]); argo.limit(5); argo.percepts(open).

@@ -11,12 +11,12 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** Whether pseudo-terminals can be had here. */
+/** Enabled if this system has pseudo-terminals. */
 internal val withTerminals: Enabled =
     if (PseudoTerminals.available()) Enabled.enabled
     else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")
 
-/** A fake board at the far end of a pseudo-terminal, until it is closed, which is to the computer as if its cable were pulled. */
+/** A fake board at the far end of a pseudo-terminal. Closing it is for the computer like a pulled cable. */
 internal class TerminalBoard(board: FakeBoard) : AutoCloseable {
     private val terminals = PseudoTerminals.open()
     private val end = Transports.open(terminals.board().path, LineSettings(115_200))

@@ -11,14 +11,14 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 
-/** Whether there is a `socat` with OpenSSL, an `openssl` that makes certificates, and Python for the board. */
+/** Enabled if there is a `socat` with OpenSSL, an `openssl` that makes certificates, and Python for the board. */
 private val withSocat: Enabled = run {
     fun runs(vararg command: String) = runCatching { ProcessBuilder(*command).start().waitFor() == 0 }.getOrDefault(false)
     val works = runs("sh", "-c", "socat -V | grep -q 'define WITH_OPENSSL' && openssl version")
     if (works) withPython else Enabled.disabled("needs socat with OpenSSL, and openssl")
 }
 
-/** A real agent and a board behind `socat`'s end of TLS, as the page on ports has it. */
+/** A real agent and a board behind `socat`'s end of TLS, as on the page on ports. */
 class TlsBoardSpec : FunSpec({
     val folder by lazy { tempdir().toPath() }
 

@@ -19,7 +19,7 @@ import javino.wire.ReflexOutcome
 import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 
-/** An agent that perceives the board on [port] in a time of the test's. */
+/** An agent that perceives the board on [port] in the test's own time. */
 private class Perceiving(private val port: OpenPort, log: Logger) {
     @Volatile
     var nowMs = 0L
@@ -37,10 +37,10 @@ private class Perceiving(private val port: OpenPort, log: Logger) {
     )
     private var perceived = ""
 
-    /** The sensing thread has read [message]. */
+    /** Hands over [message], as the sensing thread does. */
     fun hears(message: String) = board.received(port, message, nowMs, nowMs)
 
-    /** The agent's thread begins a reasoning cycle; returns what it believes of the board in it. */
+    /** Begins a reasoning cycle, as the agent's thread does; returns the beliefs about the board in it. */
     fun perceive(): String {
         board.putDue()
         handOver.take()?.let { perceived = it.percepts.toString() }

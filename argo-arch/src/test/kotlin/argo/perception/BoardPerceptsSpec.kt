@@ -47,20 +47,20 @@ private class PerceptsBench(port: OpenPort) {
     fun hears(message: String, askedMs: Long = nowMs, olderMs: Map<String, Long> = emptyMap()) =
         board.received(port, message, askedMs, nowMs, olderMs)
 
-    /** The board reports a percept that meets [rule]. */
+    /** Hands over the board's report of a percept that meets [rule]. */
     fun isTold(percept: String, rule: CriticalRule, outcome: ReflexOutcome = ReflexOutcome.CARRIED_OUT) =
         board.reported(port, rule, outcome, percept, nowMs)
 
-    /** When a percept was seen last. */
+    /** Returns the time at which a percept was seen last. */
     fun seenMs(percept: String) = lastSeen.lastSeenNanos(ASSyntax.parseLiteral(percept))
 
-    /** Warnings about percepts since the last call. */
+    /** Returns the warnings about percepts since the last call. */
     fun refused(): List<String> = unreadable.toList().also { unreadable.clear() }
 
-    /** What the agent perceives now. */
+    /** Returns the percepts that the agent perceives now. */
     fun perceived() = handOver.take()?.percepts?.map { "$it" }
 
-    /** The reflexes that were sent. */
+    /** Returns the reflexes that were sent. */
     fun reflexes(): List<String> = sent.toList()
 }
 

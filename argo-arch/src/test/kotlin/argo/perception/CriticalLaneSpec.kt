@@ -47,7 +47,7 @@ class CriticalLaneSpec : FunSpec({
         busy.handOver.put(snapshot(2, near to "near(9)"))
         busy.handOver.isReady() shouldBe true
         busy.taken() shouldBe 2
-        busy.taken() shouldBe null // what stood there before it is older
+        busy.taken() shouldBe null // the snapshot there before it is older
     }
 
     test("one with the same critical percepts waits as any other") {

@@ -11,7 +11,7 @@ import jason.asSyntax.Literal
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 
-/** Board and agent at one hand-over; what the agent takes is checked as it does. */
+/** Board and agent at one hand-over; checks the agent's snapshots as it takes them. */
 private class Perceptions(private val handOver: HandOver) {
     private val taken = ArrayList<Snapshot>() // the agent's, and after it has ended the test's
 
@@ -24,7 +24,7 @@ private class Perceptions(private val handOver: HandOver) {
         taken += snapshot
     }
 
-    /** The times of all snapshots that were taken, when nothing is left to take. */
+    /** Returns the times of all snapshots that were taken, when none is left to take. */
     fun all(): List<Long> {
         while (handOver.isReady()) take()
         return taken.map { it.receivedNanos }
@@ -40,7 +40,7 @@ class HandOverInterleavingsSpec : FunSpec({
 
     fun fresh() = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
 
-    /** Puts [snapshots] while the agent takes twice, in all interleavings; [expect] is given the times of all that it took. */
+    /** Puts [snapshots] while the agent takes twice, in all interleavings; [expect] gets the times of all snapshots that it took. */
     fun check(handOver: () -> HandOver, vararg snapshots: Snapshot, expect: (List<Long>) -> Boolean) = inEachInterleaving {
         val shared = handOver()
         val agent = Perceptions(shared)

@@ -4,7 +4,7 @@ import javino.LineClock
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** The machine, but for its time, which passes when it is told to. */
+/** The machine, but for its time, which the test advances. */
 internal class TestTime : Platform by Platform.system {
     private class Due(val atMs: Long, val action: () -> Unit)
 
@@ -21,12 +21,12 @@ internal class TestTime : Platform by Platform.system {
         dues += Due(nowMs + delayMs, action)
     }
 
-    /** Lets [ms] pass; what is due meanwhile is not done. */
+    /** Lets [ms] pass, without the work that is due meanwhile. */
     fun pass(ms: Long) {
         nowMs += ms
     }
 
-    /** Does what is due next, once something is; other threads may be about to say so. */
+    /** Does the work that is due next, and waits if there is none yet: other threads may be about to add it. */
     fun step() {
         val due = checkNotNull(dues.poll(20, TimeUnit.SECONDS)) { "nothing is due" }
         nowMs = maxOf(nowMs, due.atMs)
@@ -40,6 +40,6 @@ internal class TestTime : Platform by Platform.system {
 
     fun isIdle() = dues.isEmpty()
 
-    /** When the next is due that was asked for first; there is one. */
+    /** Returns the time of the oldest pending work; there is some. */
     fun nextMs(): Long = dues.element().atMs
 }

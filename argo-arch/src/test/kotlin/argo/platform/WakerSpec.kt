@@ -8,7 +8,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** Counts how often it is woken. */
+/** An architecture that counts how often it is woken. */
 private class Sleeper : AgArch() {
     @Volatile
     var wakes = 0

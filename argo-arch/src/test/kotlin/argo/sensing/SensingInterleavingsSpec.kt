@@ -26,7 +26,7 @@ import java.util.concurrent.locks.Condition
 /** The board has been asked for its percepts: ends the sensing thread. */
 private class Asked : Error()
 
-/** Time and threads of one port's sensing. A wait of 50 ms or more ends with a signal alone, so that a lost one is found. */
+/** Time and threads of one port's sensing. A wait of 50 ms or more ends only with a signal, so that a lost one is found. */
 private class SensingTime : Platform, LineClock {
     @Volatile
     private var now = 0L
@@ -55,7 +55,7 @@ private class SensingTime : Platform, LineClock {
         JavinoLink(Link.over(SilentLine(this), settings, this))
 }
 
-/** A line whose board says nothing. */
+/** A line whose board is silent. */
 private class SilentLine(private val time: SensingTime) : Transport {
     override fun name() = "silent"
 
@@ -71,7 +71,7 @@ private class SilentLine(private val time: SensingTime) : Transport {
     override fun close() = Unit
 }
 
-/** What the agent wants. */
+/** The agent's wishes. */
 private class Wishes : SensingListener {
     @Volatile
     var isPerceiving = false

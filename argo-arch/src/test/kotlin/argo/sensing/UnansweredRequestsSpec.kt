@@ -19,7 +19,7 @@ import javino.sim.FakeBoard
 
 private const val MOST_EXCHANGES = 1000
 
-/** What sensing makes of a board that does not answer any more. */
+/** Sensing of a board that does not answer any more. */
 class UnansweredRequestsSpec : FunSpec({
     val time = TestTime()
     val events = ArrayList<String>()

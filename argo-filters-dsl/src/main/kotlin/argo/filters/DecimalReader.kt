@@ -8,7 +8,7 @@ internal object DecimalReader {
 
     /**
      * The number that fills the text from [start] to [end], blanks after it aside: an optional sign, digits, an optional fraction. NaN for
-     * anything else, be it another form of a number or none. Allocates nothing.
+     * any other text, also for another form of a number. Allocates nothing.
      */
     fun plain(text: CharSequence, start: Int, end: Int): Double {
         val negative = text[start] == '-'

@@ -8,7 +8,7 @@ import argo.filters.PerceptionFilter.OnSwitch
 annotation class FilterDsl
 
 /**
- * A filter that drops the percepts its rules meet and keeps all others.
+ * Makes a filter that drops the percepts its rules meet and keeps all others.
  *
  * ```kotlin
  * val frontDistance = dropFilter("frontDistance") {
@@ -19,7 +19,7 @@ annotation class FilterDsl
  * ```
  *
  * @param name what agents call it
- * @param onSwitch what becomes of beliefs that it hides when an agent changes to it
+ * @param onSwitch the fate of beliefs that it hides when an agent changes to it
  * @throws IllegalArgumentException if no agent can ask for a filter of that name, or a predicate, a value or a pattern cannot be read; the
  * message names the fault
  */
@@ -27,7 +27,7 @@ fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRu
     DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical) }
 
 /**
- * A filter that keeps the percepts its rules meet and drops all others.
+ * Makes a filter that keeps the percepts its rules meet and drops all others.
  *
  * ```kotlin
  * val frontDistance = keepFilter("frontDistance") {
@@ -64,8 +64,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Percepts of [predicate] that meet all [conditions] must not wait: they are kept whatever the other rules, and come before all else. A
-     * critical rule drops nothing.
+     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules, and come before all else.
+     * A critical rule drops nothing.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }

@@ -6,13 +6,13 @@ package argo.filters
  * @property source the file or other place the text came from
  * @property line counted from 1
  * @property column counted from 1, in characters
- * @property message what was found and what is expected
+ * @property message the finding and the expectation
  */
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
     /** `file:line:column: message`. */
     override fun toString(): String = "$source:$line:$column: $message"
 
-    /** This problem with a message that has a beginning and an end, however long a value it quotes. */
+    /** Returns this problem with a message of bounded length: of a long one only the beginning and the end are left. */
     internal fun shortened(): Problem {
         if (message.length <= MAX_LENGTH) return this
         val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
@@ -23,7 +23,7 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** What is expected stands at the end. */
+        /** A message ends with the expectation, so its last characters are kept. */
         const val SHOWN_LAST = 250
     }
 }

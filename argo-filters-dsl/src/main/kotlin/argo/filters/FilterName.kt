@@ -1,12 +1,12 @@
 package argo.filters
 
-/** What file names cannot hold on one system or another. */
+/** Characters that file names cannot hold on one system or another. */
 private const val FOREIGN = "\\:*?\"<>|"
 
-/** What `argo.change_filter` takes for no filter at all. */
+/** The name with which `argo.change_filter` switches filtering off. */
 private const val NO_FILTER = "none"
 
-/** Why no filter or file of one can have this [name], null if it can. */
+/** Explains why neither a filter nor its file can have this [name]; null if they can. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"
@@ -15,7 +15,7 @@ internal fun nameProblem(name: String): String? = when {
     else -> null
 }
 
-/** [name], by which an agent can ask for a filter; others are refused. */
+/** Returns [name] if an agent can ask for a filter by it, and refuses others. */
 internal fun usableName(name: String): String {
     val problem = if (name == NO_FILTER) "argo.change_filter(none) ends the filtering" else nameProblem(name)
     require(problem == null) { "'$name' cannot be a filter's name: $problem" }

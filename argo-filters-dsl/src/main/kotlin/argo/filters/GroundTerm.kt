@@ -33,10 +33,10 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string. Where Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written
+     * A string. If Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written
      * `\u005C` and `\u000D`, which [of] and the reader of percepts understand, and Jason's parser does not.
      *
-     * @property text what stands between the quotes once it is read: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
+     * @property text the characters between the quotes once it is read: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
      */
     data class Text(val text: String) : GroundTerm {
         override fun toString(): String = StringText.write(text)
@@ -96,7 +96,10 @@ sealed interface GroundTerm {
             }
         }
 
-        /** What [text], which begins as a variable, is with a lower-case letter in front; null: Jason reads no word or structure from that. */
+        /**
+         * Returns [text], which begins as a variable, without underscores in front and with its first letter in lower case; null if Jason
+         * reads no word or structure from that.
+         */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }
     }

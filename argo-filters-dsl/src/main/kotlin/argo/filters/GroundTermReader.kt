@@ -3,8 +3,8 @@ package argo.filters
 /**
  * Reads one ground term out of a region of text, as Jason's parser would.
  *
- * Whatever is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text) is read as null,
- * and so does anything nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
+ * Returns null for text that is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text), and
+ * for terms nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
@@ -69,7 +69,7 @@ internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : Term
     override fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
 
     companion object {
-        /** Deeper terms than any board sends; keeps hostile text from using up the stack. */
+        /** No board nests terms deeper; the limit keeps hostile text from using up the stack. */
         const val MAX_DEPTH = 64
     }
 }

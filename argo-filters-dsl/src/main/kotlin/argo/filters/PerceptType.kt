@@ -5,7 +5,7 @@ import kotlin.reflect.KProperty
 /** The rules on declared percept types under construction, on the thread that makes them. */
 private val underConstruction = ThreadLocal<RuleConditions?>()
 
-/** Has [say] speak of [rule], which then knows each declared argument that is read. */
+/** Runs [say] with [rule] under construction on this thread, so that the rule notes each declared argument that [say] reads. */
 internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
     val outer = underConstruction.get()
     underConstruction.set(rule)
@@ -34,7 +34,7 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
  */
 @FilterDsl
 abstract class PerceptType(predicate: String) {
-    /** What percepts of this type are called. */
+    /** The predicate of percepts of this type. */
     val predicate: Predicate = Predicate.of(predicate)
 
     private var declared = 0
@@ -57,7 +57,7 @@ abstract class PerceptType(predicate: String) {
     }
 }
 
-/** The declaration of an argument, which a property is delegated to. */
+/** The declaration of an argument: the delegate of a property. */
 class Declared<A : TypedArgument<*>> internal constructor(private val make: (name: String) -> A) {
     /** The argument that was declared. A rule under construction expects a condition on it. */
     operator fun getValue(type: PerceptType, property: KProperty<*>): A =
@@ -67,8 +67,8 @@ class Declared<A : TypedArgument<*>> internal constructor(private val make: (nam
 /**
  * An argument of a [PerceptType].
  *
- * @param V what conditions compare it with
- * @property index which it is, counted from 0
+ * @param V the type of the values that conditions compare it with
+ * @property index its position, counted from 0
  */
 sealed class TypedArgument<V>(
     internal val type: PerceptType,

@@ -3,12 +3,12 @@ package argo.filters
 /**
  * A perception filter, which decides over percepts by its [rules].
  *
- * Immutable, and safe to share between agents. Two filters are equal if they decide alike; the [name] is how a filter is found, not what
- * it does, and has no part in it.
+ * Immutable, and safe to share between agents. Two filters are equal if they decide alike; their [name]s may differ, since a name only
+ * finds a filter.
  *
  * @property name what agents call the filter
- * @property mode what becomes of the percepts that a rule meets
- * @property onSwitch what becomes of beliefs that this filter hides when an agent changes to it
+ * @property mode the fate of the percepts that a rule meets
+ * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
  * @param critical the rules on percepts that must not wait, which have the last word
  */
 class PerceptionFilter(
@@ -18,7 +18,7 @@ class PerceptionFilter(
     val onSwitch: OnSwitch = OnSwitch.FORGET,
     critical: List<CriticalRule> = emptyList(),
 ) {
-    /** What becomes of the percepts that one of a filter's rules meets. */
+    /** The fate of the percepts that one of a filter's rules meets. */
     enum class Mode {
         /** They are dropped, and all others are kept: the filters of the paper. */
         DROP,
@@ -27,7 +27,7 @@ class PerceptionFilter(
         KEEP,
     }
 
-    /** What becomes of the beliefs that a filter hides when an agent changes to it. */
+    /** The fate of the beliefs that a filter hides when an agent changes to it. */
     enum class OnSwitch {
         /** Jason's belief update deletes them. */
         FORGET,

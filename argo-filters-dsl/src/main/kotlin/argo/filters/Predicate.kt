@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * What a rule or a term is called: a functor as Jason reads it, negated or not, in a namespace.
+ * The name of a rule or a term: a functor as Jason reads it, negated or not, in a namespace.
  *
  * `open` and `~open` are different predicates, and so are `open` and `house::open`.
  *
@@ -44,7 +44,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        /** Where the `::` behind a namespace stands, negative if there is none; one in quotes is part of a name. */
+        /** Returns the index of the `::` behind a namespace, negative if there is none; one in quotes is part of a name. */
         private fun separator(text: String): Int {
             val first = text.indexOf("::")
             val quote = text.indexOf('\'')
@@ -56,7 +56,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
-        /** The namespace that is meant by what stands before `::`, which may be nothing. */
+        /** Returns the namespace that [written], the text before `::`, means; it may be empty. */
         internal fun namespaceOf(written: String): String =
             if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }

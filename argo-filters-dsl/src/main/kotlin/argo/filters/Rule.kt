@@ -31,10 +31,10 @@ data class Rule(
  * Holds percepts back that come too soon or differ too little from the one that was let through last.
  *
  * It counts for each percept up to its numeric arguments: `dist(f,1)` and `dist(f,2)` are one, `dist(f,1)` and `dist(b,1)` are two.
- * A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. What is held back is not
- * lost: it is delivered when the interval ends; where only deadbands are given, [SETTLING_MS] after it was first held back.
+ * A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. A percept that is held back is
+ * not lost: it is delivered when the interval ends; if there are only deadbands, [SETTLING_MS] after it was first held back.
  *
- * Percepts are held back only in an [argo.filters.matching.FilterSession], which has the time.
+ * Only an [argo.filters.matching.FilterSession], which has the time, holds percepts back.
  *
  * @property everyMs the interval in milliseconds in which at most one percept is let through; null: none
  * @property deadbands by how much numbers must move to be let through at once
@@ -53,13 +53,13 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
         ).joinToString(" and ")
 
     companion object {
-        /** After how many milliseconds a percept is delivered that a deadband alone has held back. */
+        /** A percept that only a deadband holds back is delivered after this time, in milliseconds. */
         const val SETTLING_MS: Long = 1_000
     }
 }
 
 /**
- * How far a number must move.
+ * The distance that a number must move to be let through.
  *
  * @property argument which argument, counted from 0; null: each argument that is a number
  * @property width a percept whose number is less than this away from the one that was let through last is held back

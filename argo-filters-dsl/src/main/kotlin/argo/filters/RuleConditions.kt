@@ -45,7 +45,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Percepts are held back that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
+     * Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
      *
      * @throws IllegalArgumentException if there is another interval already
      */
@@ -61,7 +61,7 @@ open class RuleConditions internal constructor() {
      */
     fun every(interval: Duration): Unit = everyMs(wholeMillis(interval))
 
-    /** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
+    /** Holds back percepts of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
     fun deadband(width: Number): Unit = deadband(null, width)
 
     internal fun deadband(argument: Int?, width: Number) {
@@ -72,12 +72,12 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** The rule names [term], which needs a condition or a deadband. */
+    /** Notes that the rule names [term], which needs a condition or a deadband. */
     internal fun mention(term: Any) {
         unsaid += term
     }
 
-    /** There is a condition or a deadband on [term]. */
+    /** Notes that there is a condition or a deadband on [term]. */
     internal fun specify(term: Any) {
         unsaid.removeAll { it === term }
     }
@@ -103,7 +103,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
 
     /**
-     * The command [command] is sent when a percept comes that meets the rule, before the agent reasons: `reflex("speed(0)")`; see
+     * Has [command] sent when a percept that meets the rule comes, before the agent reasons: `reflex("speed(0)")`; see
      * [CriticalRule.reflex].
      *
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
@@ -164,7 +164,7 @@ sealed class AnyTerm {
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
     /**
-     * It is a number, and [range] has it between its ends or as one of them: `argument(1) isIn 1..5` holds for 2.5, too.
+     * It is a number in [range], of which both ends are part: `argument(1) isIn 1..5` holds for 2.5, too.
      *
      * @throws IllegalArgumentException if [range] is empty
      */
@@ -187,7 +187,7 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
         tests.forEach { rule.add(Condition.Argument(index, it)) }
     }
 
-    /** Percepts are held back of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
+    /** Holds back percepts of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
         rule.specify(this)
         rule.deadband(index, width)
@@ -219,7 +219,7 @@ private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds
     require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
 }
 
-/** What a number in the range meets. */
+/** The tests that a number in the range meets. */
 internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
     require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
     return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))

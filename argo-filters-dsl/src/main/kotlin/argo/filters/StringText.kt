@@ -1,13 +1,13 @@
 package argo.filters
 
-/** How strings are written between double quotes, and read. */
+/** Writes strings between double quotes, and reads them. */
 internal object StringText {
     private const val UNICODE_DIGITS = 4
 
     /** The length of `\uXXXX`. */
     private const val UNICODE_LENGTH = 2 + UNICODE_DIGITS
 
-    /** [text] in quotes: as Jason writes it if it can, else with `\uXXXX` for what it cannot write. */
+    /** Returns [text] in quotes: as Jason writes it if it can, else with `\uXXXX` for each character that it cannot write. */
     fun write(text: String): String {
         val written = quoted(text)
         val end = written.length
@@ -17,7 +17,7 @@ internal object StringText {
 
     private fun quoted(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
 
-    /** The string that [written] stands for, which was between quotes. */
+    /** Returns the string that [written], the text between the quotes, stands for. */
     fun read(written: String): String {
         if ("\\u" !in written) return asJason(written)
         val text = StringBuilder()
@@ -35,10 +35,10 @@ internal object StringText {
         return text.append(asJason(written.substring(start))).toString()
     }
 
-    /** As Jason resolves escapes when it reads a string: these two, one after the other, and no others. */
+    /** Resolves escapes as Jason does when it reads a string: these two, one after the other, and no others. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
-    /** Whether the backslash at [start] begins `\uXXXX`. */
+    /** Returns true if the backslash at [start] begins `\uXXXX`. */
     fun isUnicode(text: CharSequence, start: Int, end: Int): Boolean =
         start + UNICODE_LENGTH <= end && text[start + 1] == 'u' && (2 until UNICODE_LENGTH).all { isHex(text[start + it]) }
 

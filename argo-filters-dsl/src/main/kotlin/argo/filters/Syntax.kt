@@ -5,7 +5,7 @@ internal object Syntax {
     const val FUNCTOR_IN_WORDS =
         "it starts with a lower-case letter and goes on with letters, digits and _, or stands in single quotes"
 
-    /** Atoms that stand alone: no arguments, annotations or negation. */
+    /** Atoms that take no arguments, annotations or negation. */
     val TRUTH_VALUES = setOf("true", "false")
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
@@ -15,7 +15,7 @@ internal object Syntax {
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }
 
-    /** Whether a word is one that Jason's parser takes for something else than an atom. */
+    /** Returns true if Jason's parser does not read the word as an atom. */
     fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
         end - start < RESERVED.size && RESERVED[end - start].any { isAt(text, start, end, it) }
 
@@ -62,7 +62,7 @@ internal object Syntax {
 
     fun isWordCharacter(c: Char): Boolean = c in 'a'..'z' || c in 'A'..'Z' || c in '0'..'9' || c == '_'
 
-    /** Whether an atom is the name of an internal action or arithmetic function to Jason, by the dot in it. */
+    /** Returns true if the atom has a dot, so that Jason reads it as the name of an internal action or arithmetic function. */
     fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
         text[start] != '\'' && (start until end).any { text[it] == '.' }
 
@@ -134,7 +134,7 @@ internal object Syntax {
         }
     }
 
-    /** Whether [word] is what stands in [text] from [start] to [end]. */
+    /** Returns true if [text] holds exactly [word] from [start] to [end]. */
     fun isAt(text: CharSequence, start: Int, end: Int, word: String): Boolean {
         if (word.length != end - start) return false
         for (i in word.indices) if (text[start + i] != word[i]) return false

@@ -1,9 +1,9 @@
 package argo.filters
 
-/** Moves over the parts of terms in [text], from [at] to [end]. Whatever returns null has found no such part. */
+/** Moves over the parts of terms in [text], from [at] to [end]. A function returns null if it finds no such part. */
 internal abstract class TermCursor(protected val text: CharSequence, protected var at: Int, protected val end: Int) {
 
-    /** Skips what separates the parts of a term; returns the position of the next part. */
+    /** Skips the blanks between the parts of a term; returns the position of the next part. */
     protected abstract fun blanks(): Int
 
     protected fun isNext(expected: Char): Boolean = blanks() < end && text[at] == expected

@@ -1,6 +1,6 @@
 package argo.filters
 
-/** How a condition compares a term with a value. The names are those of the filter files. */
+/** A comparison of a term with a value. The names are those of the filter files. */
 enum class Operator(internal val words: String, internal val ordering: Boolean) {
     EQ("is", false),
     NE("is not", false),

@@ -9,7 +9,7 @@ open class TypedRule internal constructor(internal val type: PerceptType, intern
 /** A critical rule on a declared percept type under construction. */
 class TypedCriticalRule internal constructor(type: PerceptType, internal val critical: CriticalConditions) : TypedRule(type, critical)
 
-/** The command [command] is sent when a percept comes that meets the rule: `reflex("stop")`; see [CriticalConditions.reflex]. */
+/** Has [command] sent when a percept that meets the rule comes: `reflex("stop")`; see [CriticalConditions.reflex]. */
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 
@@ -49,7 +49,7 @@ infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
 context(rule: TypedRule)
 infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
-/** Percepts are held back of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
+/** Holds back percepts of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
 infix fun NumberArgument.deadband(width: Number) {
     specify()
@@ -60,7 +60,7 @@ infix fun NumberArgument.deadband(width: Number) {
 context(rule: TypedRule)
 fun PerceptType.arity(count: Int): Unit = rule.conditions.arity(count)
 
-/** Percepts are held back that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate]. */
+/** Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
 
@@ -68,7 +68,7 @@ fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
 context(rule: TypedRule)
 fun PerceptType.every(interval: Duration): Unit = rule.conditions.every(interval)
 
-/** Percepts are held back of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
+/** Holds back percepts of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 

@@ -6,7 +6,7 @@ import java.io.ByteArrayOutputStream
 import java.io.File
 import java.io.PrintStream
 
-/** What the compiler says to [declarations] and after them [statements], each in a function on a line of its own. */
+/** Compiles [declarations], then [statements], each in a function on a line of its own, and keeps the compiler's messages. */
 class Compilation(directory: File, statements: List<String>, private val declarations: String) {
     private val messages = ByteArrayOutputStream()
     private val firstLine = declarations.lines().size + 1

@@ -11,13 +11,13 @@ import kotlin.io.path.outputStream
 
 private const val SERVICES = "META-INF/services/"
 
-/** What is true of a jar alone and not of what is packed from it: signatures, module descriptors, classes for newer Java, build records. */
+/** Files that are valid only in their own jar: signatures, module descriptors, classes for newer Java, build records. */
 private val LEFT_OUT = Regex("""META-INF/(MANIFEST\.MF|INDEX\.LIST|[^/]+\.(SF|RSA|DSA|EC)|(versions|maven)/.*)|module-info\.class""")
 private val LICENCES = Regex("""META-INF/.*(LICEN[CS]E|NOTICE|COPYING)[^/]*""", RegexOption.IGNORE_CASE)
 
 /**
- * The entries of one jar that holds all of [sources]. Service files of one name are merged; of other files that several have, the first is
- * taken.
+ * Returns the entries of one jar that holds all of [sources]. Service files of one name are merged; of other files with the same name, the
+ * first is taken.
  */
 fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> {
     val packed = sortedMapOf<String, ByteArray>()
@@ -41,7 +41,7 @@ fun pack(sources: List<Source>, relocation: Relocation): Map<String, ByteArray> 
     return packed + providers.mapValues { (_, names) -> names.joinToString("") { "$it\n" }.toByteArray() }
 }
 
-/** Writes [entries] and a manifest with [attributes] into [jar]; the same bytes whenever it is written. */
+/** Writes [entries] and a manifest with [attributes] into [jar]. Equal input always gives the same bytes. */
 fun writeJar(jar: Path, attributes: Map<String, String>, entries: Map<String, ByteArray>) {
     val manifest = Manifest().apply {
         mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
@@ -64,6 +64,6 @@ private val WRITTEN = LocalDateTime.of(2026, 1, 1, 0, 0)
 
 private fun Relocation.ofBinary(name: String): String = of(name.replace('.', '/')).replace('/', '.')
 
-/** The classes that a service file names. */
+/** Returns the classes that a service file names. */
 internal fun providers(bytes: ByteArray): List<String> =
     bytes.decodeToString().lines().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }

@@ -9,19 +9,21 @@ import org.objectweb.asm.commons.Remapper
 /**
  * Gives the classes of libraries names of their own, so that a project can have another version of the same library.
  * Names in strings, which reflection uses, stay as they are.
- * @param own beginnings of the names that stay
- * @param into what is put before the other names
+ * @param own prefixes of the names that stay
+ * @param into the prefix that the other names get
  */
 class Relocation(sources: List<Source>, own: List<String>, private val into: String) {
     private val relocated = sources.flatMap { it.classes }.filterNot { name -> own.any { name.startsWith(it) } }.toSet()
 
-    /** The new name of a class; both are internal names, `java/lang/String`. */
+    /** Returns the new name of a class; both are internal names, `java/lang/String`. */
     fun of(name: String): String = if (name in relocated) into + name else name
 
-    /** Whether all classes of [source] get new names, so that what its `META-INF` says to compilers and shrinkers is no longer true. */
+    /**
+     * Returns true if all classes of [source] get new names, so that its `META-INF` for compilers and shrinkers is no longer true.
+     */
     fun isWhole(source: Source): Boolean = source.classes.isNotEmpty() && relocated.containsAll(source.classes)
 
-    /** The class file [bytes] with the new names; the same bytes where it has none of them. */
+    /** Returns the class file [bytes] with the new names; the same bytes if it uses none of them. */
     fun rename(bytes: ByteArray): ByteArray {
         var renamed = false
         val remapper = object : Remapper(Opcodes.ASM9) {

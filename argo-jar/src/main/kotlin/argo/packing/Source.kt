@@ -20,7 +20,7 @@ class Source(val entries: Map<String, ByteArray>) {
         entries.keys.filter { it.endsWith(".class") && !it.startsWith("META-INF/") }.map { it.removeSuffix(".class") }
 
     companion object {
-        /** Reads what lies at [path]; nothing where there is nothing, as in a module without resources. */
+        /** Reads the files at [path]; none if it does not exist, as in a module without resources. */
         fun read(path: Path): Source = Source(
             when {
                 !path.exists() -> emptyMap()

@@ -20,7 +20,7 @@ import kotlin.io.path.setLastModifiedTime
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** What `./argo` prints itself. */
+/** The lines that `./argo` itself prints. */
 class FrontDoorSpec : FunSpec({
     fun bash(vararg command: String): Pair<Int, String> {
         val process = ProcessBuilder("bash", *command).redirectErrorStream(true).start()
@@ -91,10 +91,11 @@ class FrontDoorSpec : FunSpec({
     test("a release's library lies where Maven looks for it, with the checksum of the file that was packed") {
         val folder = tempdir().toPath()
         folder.resolve("packed.jar").writeText("bytes")
+        folder.resolve("pom.xml").writeText("    <argo.group>org.example.robots</argo.group>\n")
         val pack = "in_repository argo-arch 0.1.0 '$folder/packed.jar' -sources.jar"
         val (status, said) = bash("-c", ". ../build-tools/dist; here='$folder'; $pack")
         withClue(said) { status shouldBe 0 }
-        val place = folder.resolve("dist/maven/argo/argo-arch/0.1.0")
+        val place = folder.resolve("dist/maven/org/example/robots/argo-arch/0.1.0")
         place.resolve("argo-arch-0.1.0-sources.jar").readText() shouldBe "bytes"
         val sum = MessageDigest.getInstance("SHA-1").digest("bytes".toByteArray()).joinToString("") { "%02x".format(it) }
         place.resolve("argo-arch-0.1.0-sources.jar.sha1").readText().trim() shouldBe sum
@@ -118,7 +119,7 @@ class FrontDoorSpec : FunSpec({
 
     mapOf(
         "new" to "new takes the name of a project, such as my-robot", "sample" to "sample takes the name of one: blink",
-        "site here" to "site takes --into FOLDER or nothing, not: here", "dist here" to "dist takes no arguments, not: here",
+        "site here" to "site takes --into FOLDER or nothing, not: here", "dist here" to "dist takes --bundle or nothing, not: here",
         "install here" to "install takes no arguments, not: here", "explore" to "explore takes the .asl of an agent",
         "sample blinc" to "there is no sample 'blinc'; there are: blink, collision",
     ).forEach { (line, reason) ->

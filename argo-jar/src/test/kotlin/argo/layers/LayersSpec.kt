@@ -18,7 +18,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/** Which package may know which: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
+/** Each package knows only those that it may: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
 class LayersSpec : FunSpec({
     val product = ClassFileImporter().withImportOption(ImportOption.DoNotIncludeTests()).importPackages("argo", "javino", "jason.stdlib")
         .that(
@@ -29,7 +29,7 @@ class LayersSpec : FunSpec({
 
     fun packages(vararg names: String) = resideInAnyPackage(*names)
 
-    /** Classes of the product that are in none of [allowed]. */
+    /** Selects classes of the product that are in none of [allowed]. */
     fun productBut(vararg allowed: String): DescribedPredicate<JavaClass> =
         packages("argo..", "javino..").and(DescribedPredicate.not(packages(*allowed)))
             .`as`("another package of the product than ${allowed.joinToString()}")
@@ -39,7 +39,8 @@ class LayersSpec : FunSpec({
         "argo.observing" to emptyList(),
         "argo.links" to emptyList(),
         "argo.boundary" to listOf("argo.observing"),
-        "argo.platform" to listOf("argo.links", "argo.boundary"),
+        "argo.insides" to emptyList(),
+        "argo.platform" to listOf("argo.links", "argo.boundary", "argo.insides"),
         "argo.calls" to listOf("argo.observing", "argo.links"),
         "argo.connecting" to listOf("argo.calls", "argo.platform", "argo.links"),
         "argo.acting" to listOf("argo.connecting", "argo.calls", "argo.platform", "argo.links", "argo.observing"),
@@ -97,6 +98,12 @@ class LayersSpec : FunSpec({
                 noClasses().that().resideInAPackage(name).should()
                     .dependOnClassesThat(productBut(name, "argo.filters..", "javino", "javino.wire", *below.toTypedArray())).check(product)
             }
+        }
+        test("reaches private members of Jason in argo.insides only") {
+            noClasses().that().resideOutsideOfPackages("argo.insides", "javino..").should()
+                .callMethodWhere(
+                    DescribedPredicate.describe("makes a private member accessible") { it.target.name in setOf("setAccessible", "trySetAccessible") },
+                ).check(product)
         }
         test("imports, for its comments too, no package that it does not know") {
             order.flatMap { (name, below) ->

@@ -14,7 +14,7 @@ import java.nio.file.Path
 import java.util.jar.JarFile
 import kotlin.io.path.exists
 
-/** What is in argo.jar. */
+/** The contents of argo.jar. */
 class JarSpec : FunSpec({
     val file = Path.of(System.getProperty("argo.jar"))
     val jar = Source.read(file)
@@ -62,7 +62,7 @@ private fun Map<String, ByteArray>.services(): Map<String, List<String>> =
 
 private fun isOfJava(name: String): Boolean = ClassLoader.getPlatformClassLoader().getResource("$name.class") != null
 
-/** The classes that a class file names. */
+/** Returns the classes that a class file names. */
 private fun names(bytes: ByteArray): Set<String> {
     val names = mutableSetOf<String>()
     val collector = object : Remapper(Opcodes.ASM9) {

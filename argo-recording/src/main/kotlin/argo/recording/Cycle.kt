@@ -26,7 +26,7 @@ data class Cycle(
 /** What entered an agent in a cycle. */
 @Serializable
 data class Input(
-    @Holds("triggers that another thread had put into its event queue since its last cycle")
+    @Holds("triggers that another thread had put into its event queue since its last cycle, or in this one until it took them")
     val events: List<String> = emptyList(),
     @Holds("the messages of boards that it perceived, in their order")
     val snapshots: List<PerceivedSnapshot> = emptyList(),
@@ -50,6 +50,8 @@ data class Input(
     val filters: List<FilterChange> = emptyList(),
     @Holds("whether a thread had changed how many beliefs there are since its last cycle")
     val isChangedOutside: Boolean = false,
+    @Holds("where in its queue events stood, by their places in events, if not at its end: it had added others since")
+    val eventPlaces: Map<Int, Int> = emptyMap(),
 )
 
 /** The terms that a replay reads. */

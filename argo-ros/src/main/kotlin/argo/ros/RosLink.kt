@@ -42,10 +42,11 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. What it says is the newest message of each topic that the agent's filter lets through.
+ * A robot behind a bridge of the rosbridge protocol. Its percepts are made of the newest message of each topic that the agent's filter lets
+ * through.
  *
- * A thread of the HTTP client takes messages in, and keeps the newest; the sensing thread makes percepts of them. So a message waits for
- * nobody, and none waits behind another.
+ * A thread of the HTTP client takes messages in and keeps the newest; the sensing thread makes percepts of them. So no message waits for a
+ * thread, nor behind another message.
  */
 internal class RosLink private constructor(
     override val port: String,
@@ -61,12 +62,12 @@ internal class RosLink private constructor(
     private val types = RobotTypes(mapping, api, ::warn, ::tell)
     private val graph = RobotGraph(mapping, api, clock, ::warn)
     private val time = RobotTime(clock, api, ::clockIsThere, ::warn, ::tell)
-    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, ::warn)
 
     private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private var wish: Wish? = null
-    private var clockType: String? = null // of the topic of a simulator's time; null: there is none
+    private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
     private var aliveNanos = clock.nanos()
@@ -115,7 +116,7 @@ internal class RosLink private constructor(
         if (topic == RobotTime.CLOCK) message.part("clock")?.rosNanos()?.let { time.show(it, nowNanos) }
         val trueNanos = time.trueAt(topic, message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
         lock.withLock {
-            if (topic !in subscribed) return // one that was on its way when the topic was unsubscribed
+            if (topic !in subscribed) return // a message that was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
             if (topic !in perceived) return
             topics.add(topic, message, trueNanos, nowNanos)
@@ -130,7 +131,7 @@ internal class RosLink private constructor(
         }?.let(::wants)
     }
 
-    /** What is subscribed to for [wish]: its topics, and a simulator's time. */
+    /** Returns the subscriptions for [wish]: its topics, and a simulator's time. */
     private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
         val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
@@ -159,7 +160,7 @@ internal class RosLink private constructor(
         "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs, "queue_length" to 1,
     )
 
-    /** Waits for a message of a topic. While there is none, the bridge is asked halfway whether it is there. */
+    /** Waits for a message of a topic. If none has come after half of the time, the bridge is asked to show that it is there. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
         lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { graph.explainSilence(it.topic, it.type) }
@@ -184,11 +185,14 @@ internal class RosLink private constructor(
         }
     }
 
-    /** No topic has said anything since [startNanos]; null, unless the bridge has not shown either that it is there. */
+    /**
+     * Ends a wait since [startNanos] in which no topic published: returns the held percepts if there are no subscriptions, else null.
+     * Throws if the bridge has not shown since that it is there.
+     */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // where nothing is wanted of it, it is enough that it is there
+        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions it is enough that the bridge is there
     }
 
     private fun await(nanos: Long) {
@@ -219,7 +223,7 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // the socket may still take it and lose it
+        val isOver = bridge == null || !isOpen // the socket may still take the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
@@ -256,11 +260,10 @@ internal class RosLink private constructor(
         private const val CHECKING_MS = 3_000L
 
         /**
-         * Connects to the bridge at [address], and has the fields of [mapping] checked against what the bridge knows of their types, if it
-         * does.
+         * Connects to the bridge at [address], and checks the fields of [mapping] against their types as far as the bridge knows them.
          *
-         * @param token what the bridge is shown; null: nothing
-         * @throws PortException if there is no bridge, or a field is none
+         * @param token the token that the bridge is shown; null: none
+         * @throws PortException if there is no bridge, or a field does not exist
          */
         fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
             over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
@@ -282,7 +285,7 @@ internal class RosLink private constructor(
         }
     }
 
-    /** The connection may have ended before it was this link's. */
+    /** Closes the link; its connection may have ended before the link was made. */
     private fun abandon() {
         close()
         bridge?.close()

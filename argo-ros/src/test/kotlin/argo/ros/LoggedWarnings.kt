@@ -6,7 +6,7 @@ import java.util.logging.Level
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** What [source] logs as a warning from now on. */
+/** The warnings that [source] logs from now on. */
 internal class LoggedWarnings(source: Class<*>) : AutoCloseable {
     private val logger = Logger.getLogger(source.name)
     val messages = CopyOnWriteArrayList<String>()

@@ -30,7 +30,7 @@ class RosAgentSpec : FunSpec({
                 }
                 eventually(LIMIT) { bridge.sent("/dock/goal").size shouldBe 1 }
                 val id = bridge.sent("/dock/goal").single().part("goal_id")?.text("id")
-                bridge.publish("/sonar/front", """{"range": 0.5}""") // the action, under way, holds no percept up
+                bridge.publish("/sonar/front", """{"range": 0.5}""") // percepts do not wait for the action under way
                 mas.awaitBelief("dist(f,50)")
                 ("docked" in mas.beliefs()) shouldBe false
                 bridge.publish("/dock/result", """{"status": {"goal_id": {"id": "$id"}, "status": 3, "text": ""}}""")

@@ -30,7 +30,7 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
-/** What a robot has, as `rosapi` of ROS 1 describes it: each type with its fields. */
+/** The types of a robot, as `rosapi` of ROS 1 describes them, each with its fields. */
 private val TYPES = mapOf(
     "std_msgs/String" to "data string", "std_msgs/Bool" to "data bool", "std_msgs/UInt8" to "data uint8", "std_msgs/Int64" to "data int64",
     "std_msgs/Float32" to "data float32", "std_msgs/Empty" to "",
@@ -49,7 +49,7 @@ private fun definition(type: String): String {
         "fieldtypes": ${list(fields.map { it[1].substringBefore('[') })}, "fieldarraylen": $lengths}"""
 }
 
-/** [type] and all types in it, the outermost first. */
+/** Describes [type] and all types in it, the outermost first. */
 private fun details(type: String): String {
     val all = generateSequence(listOf(type)) { before ->
         before.flatMap { TYPES.getValue(it).split(Regex("[ ,\\[]")) }.filter { it in TYPES }.ifEmpty { null }
@@ -168,6 +168,16 @@ class RosChecksSpec : FunSpec({
                 """{"names":["a","b","true"]}""", """{"raw":[0,255]}""", """{"raw":"AQID"}""", """{"at":"now"}""", """{"at":{"secs":7}}""",
             )
         }
+    }
+
+    test("annotations of a command are left out, which is reported once for each command") {
+        open(COMMANDS).use { link ->
+            listOf("say(a)[fast]", "say(b)[source(self),slow]", "level(1)[fast]").forEach { link.outcomeOf(it) shouldBe "done" }
+        }
+        log.messages.filter { "annotations" in it } shouldContainExactly listOf("say/1", "level/1").map {
+            "port robot: the annotations of the command $it are left out, since no message of ROS has any"
+        }
+        eventually(LIMIT) { published() shouldContainExactly listOf("""{"data":"a"}""", """{"data":"b"}""", """{"data":1}""") }
     }
 
     test("fields and constants of commands, and nested fields of percepts, are refused with line and column when the port is opened") {

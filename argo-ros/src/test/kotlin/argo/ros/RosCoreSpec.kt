@@ -43,7 +43,7 @@ private class RosGraph : AutoCloseable {
 
     private suspend fun awaitPort(number: Int) = eventually(LIMIT) { Socket("127.0.0.1", number).close() }
 
-    /** What its processes have printed. */
+    /** Returns the output of its processes. */
     fun log(): String = Files.list(logs).use { files -> files.filter { "$it".endsWith(".log") }.toList() }
         .joinToString("\n") { "--- ${it.fileName}\n${Files.readString(it).takeLast(SHOWN)}" }
 

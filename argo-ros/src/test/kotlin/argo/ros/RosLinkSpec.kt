@@ -47,7 +47,7 @@ import kotlin.time.Duration.Companion.seconds
 internal val LIMIT = 60.seconds
 private const val LIMIT_MS = 20_000
 
-/** What the link subscribes to for its actions. */
+/** The topic to which the link subscribes for its actions. */
 private const val RESULT = "/dock/result"
 
 private val ROBOT = """
@@ -80,7 +80,7 @@ class RosLinkSpec : FunSpec({
     suspend fun awaitSubscriptions(vararg topics: Pair<String, Pair<Long, Int>>) =
         eventually(LIMIT) { bridge.subscribed() - RESULT shouldBe topics.toMap() }
 
-    /** The next messages, until one [is] as wanted. */
+    /** Listens until a message [is wanted][isWanted], and returns it. */
     fun BoardLink.awaitMessage(isWanted: (BoardMessage) -> Boolean): BoardMessage {
         while (true) listen(LIMIT_MS)?.takeIf(isWanted)?.let { return it }
     }

@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit
 
 private const val STEP_MS = 10L
 
-/** How old a message is when it comes. */
+/** The age of a message when it comes. */
 private const val DELAY_MS = 30L
 
 /** A robot in a simulator, in virtual time: each fifth step it shows its time on `/clock`, and a message that was true [DELAY_MS] ago. */
@@ -37,7 +37,7 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
 
     /**
      * Runs for [seconds], with the simulator at [speed], and returns the ages of its messages in ms.
-     * @param isShown whether `/clock` says something
+     * @param isShown whether `/clock` is published
      */
     fun run(seconds: Int, speed: Double, isShown: Boolean = true): List<Long> {
         val ages = ArrayList<Long>()
@@ -55,7 +55,7 @@ private class SimulatedRobot(private val hasClock: Boolean = true) : Bridge {
         return ages
     }
 
-    /** Its time goes back by [ms]. */
+    /** Turns its time back by [ms]. */
     fun jumpBack(ms: Long) {
         simMs -= ms
         history.clear()
@@ -116,7 +116,7 @@ class SimulatedTimeSpec : FunSpec({
             val robot = robot()
             robot.run(5, 0.5).shouldBeRight()
             val standing = robot.run(30, 0.0, isShown)
-            withClue("/clock is shown: $isShown") { standing.drop(25).shouldBeRight() } // a second, for one that says nothing
+            withClue("/clock is shown: $isShown") { standing.drop(25).shouldBeRight() } // a second, for a silent topic
             robot.run(5, 0.5).shouldBeRight()
         }
     }

@@ -19,12 +19,12 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
-/** What a service answers to its arguments: whether it worked, and its values or the reason why not. */
+/** A service: returns for its arguments whether it worked, and its values or the reason why not. */
 internal typealias Service = (JsonObject) -> Pair<Boolean, JsonElement>
 
 /**
- * A bridge in this program that treats subscriptions as rosbridge 0.11.17 does: with a queue it keeps the newest messages and sends one each
- * throttle interval; without one it drops what comes too early.
+ * A bridge in this program that treats subscriptions as rosbridge 0.11.17 does: with a queue it keeps the newest messages and sends one
+ * each throttle interval; without one it drops messages that come too early.
  *
  * @param number its TCP port; 0: a free one
  */
@@ -37,7 +37,7 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
     val heard = ConcurrentLinkedQueue<JsonObject>()
     private val services = ConcurrentHashMap<String, Service>()
 
-    /** Whether it shows that it is there. */
+    /** True if it shows that it is there. */
     @Volatile
     var answersPings = true
 
@@ -79,10 +79,10 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
     /** The name of the port for an agent. */
     val port: String get() = "ros://127.0.0.1:$number"
 
-    /** How many clients there are. */
+    /** The number of clients. */
     val clients: Int get() = server.connections.size
 
-    /** Has [service] answer as [answer] does. */
+    /** Lets [answer] answer for [service]. */
     fun serve(service: String, answer: Service) {
         services[service] = answer
     }
@@ -111,21 +111,21 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
         connection.send(operation("service_response", "id" to id, "service" to service, "values" to values, "result" to worked))
     }
 
-    /** A node publishes [message] on [topic]. */
+    /** Publishes [message] on [topic] as a node would. */
     fun publish(topic: String, message: String) {
         subscriptions[topic]?.handle("""{"op":"publish","topic":"$topic","msg":$message}""")
     }
 
-    /** Sends [text] to all clients, whatever it is. */
+    /** Sends any [text] to all clients. */
     fun say(text: String) = server.connections.forEach { it.send(text) }
 
     /** Sends [bytes] to all clients. */
     fun sayBytes(bytes: ByteArray) = server.connections.forEach { it.send(bytes) }
 
-    /** The subscription to each topic: its throttle interval in ms and the length of its queue. */
+    /** Returns the subscription to each topic: its throttle interval in ms and the length of its queue. */
     fun subscribed(): Map<String, Pair<Long, Int>> = subscriptions.mapValues { (_, it) -> it.throttleMs to it.length }
 
-    /** The operations [op] that have come. */
+    /** Returns the operations [op] that have come. */
     fun heard(op: String): List<JsonObject> = heard.filter { it.text("op") == op }
 
     override fun close() {

@@ -14,11 +14,11 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: to an operation that the client sent there, with
- * what the bridge sent because of it, as long after it. Operations that the transcript does not have get no answer.
+ * Answers a client as a bridge did in a transcript, a file of `src/test/ros/record.py`: an operation that the client sent there gets the
+ * bridge's messages that it caused, after the same time. Operations that the transcript does not have get no answer.
  */
 internal class TranscriptBridge(transcript: String) : AutoCloseable {
-    /** An operation of the client, and what the bridge sent because of it, each so many ms later. */
+    /** An operation of the client, and the bridge's messages that it caused, each so many ms later. */
     private class Exchange(val operation: JsonObject, val atMs: Long) {
         val answers = ArrayList<Pair<Long, String>>()
         var isOver = false
@@ -62,7 +62,7 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
         return exchanges
     }
 
-    /** Whether the bridge sent [answer] because of [operation]. */
+    /** Returns true if the bridge sent [answer] because of [operation]. */
     private fun isCause(operation: JsonObject, answer: JsonObject): Boolean {
         if (answer.text("op") == "service_response") return operation.text("id") == answer.text("id")
         val goal = answer.part("msg")?.part("status")?.part("goal_id")?.text("id") ?: return isSubscriptionTo(operation, answer)
@@ -72,7 +72,7 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
     private fun isSubscriptionTo(operation: JsonObject, answer: JsonObject) =
         operation.text("op") == "subscribe" && operation.text("topic") == answer.text("topic")
 
-    /** What answers name [operation] by. */
+    /** Returns the id by which answers name [operation]. */
     private fun idOf(operation: JsonObject): String? {
         val message = operation.part("msg") ?: return operation.text("id")
         return message.part("goal_id")?.text("id") ?: message.text("id")
@@ -90,7 +90,7 @@ internal class TranscriptBridge(transcript: String) : AutoCloseable {
         }
     }
 
-    /** [operation] without what differs each time. */
+    /** Returns [operation] without the ids, which differ each time. */
     private fun withoutIds(operation: JsonObject): JsonObject =
         JsonObject(operation - "id" + listOfNotNull(operation.part("msg")?.let { "msg" to JsonObject(it - "goal_id" - "id") }))
 

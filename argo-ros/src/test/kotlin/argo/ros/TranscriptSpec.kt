@@ -13,14 +13,14 @@ import javino.LineClock
 import java.net.URI
 import java.util.concurrent.atomic.AtomicLong
 
-/** What becomes of the commands of `transcripts/session.ros.yaml`, with the robot of `src/test/ros/robot.py`. */
+/** The outcomes of the commands of `transcripts/session.ros.yaml`, with the robot of `src/test/ros/robot.py`. */
 internal val SESSION_OUTCOMES = setOf(
     "outcome(move(0.5,0.25),done)", "outcome(horn,done)", "outcome(lamp(true),done)", "outcome(lamp(false),act_failed)",
     "outcome(none,act_failed)", "outcome(drive(2),done)", "outcome(drive(-2),act_failed)", "outcome(drive(0),act_refused)",
     "outcome(drive(100),act_unconfirmed)",
 )
 
-/** ARGO's client against what rosbridge 0.11.17 on a ROS 1 graph sent, with the robot of `src/test/ros/robot.py`. */
+/** ARGO's client with the messages of rosbridge 0.11.17 on a ROS 1 graph, with the robot of `src/test/ros/robot.py`. */
 class TranscriptSpec : FunSpec({
     test("an agent perceives and commands a robot behind rosbridge") {
         TranscriptBridge("session").use { bridge ->

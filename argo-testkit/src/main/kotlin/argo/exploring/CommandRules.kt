@@ -13,8 +13,8 @@ import kotlin.time.Duration.Companion.seconds
 fun losesNoCommand(within: Duration = 5.seconds): Rule = LosesNoCommand(within)
 
 /**
- * A failed one of [commands] is sent again, or another of them, within [within] of when its board is perceived again, as long as the agent
- * perceives of it what it had perceived when it sent the command: whoever believes that it has stopped, and has not, drives on.
+ * If one of [commands] fails, the agent sends it or another of them within [within] of the time when it perceives the board again, as long
+ * as it perceives the same of that board as when it sent the command: an agent that wrongly believes that it has stopped drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule = SendsAgain(commands, within)
 
@@ -75,7 +75,7 @@ private class SendsAgain(private val commands: List<String>, private val within:
         }.minByOrNull { it.at }
     }
 
-    /** Until when [command] should have been sent again; null: its reason has gone, or its board. */
+    /** Returns the time by which [command] should have been sent again; null: its reason has gone, or its board. */
     private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended): Duration? {
         val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
         val again = perceived.firstOrNull { it.received > lost.at } ?: return null
@@ -85,7 +85,7 @@ private class SendsAgain(private val commands: List<String>, private val within:
     }
 
     private companion object {
-        /** The errors of commands that it makes no sense to send again. */
+        /** Errors after which it makes no sense to send the command again. */
         val FINAL = setOf("act_replaced", "act_refused")
     }
 }
@@ -133,5 +133,5 @@ private class ActsAgain(private val within: Duration) : ReadyRule("acts again", 
     }
 }
 
-/** The commands that plans of [agent] have sent. */
+/** Returns the commands that plans of [agent] have sent. */
 private fun Run.planned(agent: String) = of(agent).filterIsInstance<Issued>().filter { it.plan != null }

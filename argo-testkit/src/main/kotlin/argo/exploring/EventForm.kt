@@ -4,7 +4,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields, which Kotlin code, JSON and shorter events are made of.
+ * A [WorldEvent] as its kind and its fields, from which Kotlin code, JSON and shorter events are made.
  *
  * @property fields in the order of the constructor; each a [Duration], an [Int] or a [String]
  */
@@ -74,18 +74,18 @@ internal val WorldEvent.form: EventForm
         },
     )
 
-/** [value], a time, a number or a text, as in a program. */
+/** Writes [value], a time, a number or a text, as in a program. */
 internal fun kotlinOf(value: Any): String = when (value) {
     is Duration -> "${value.inWholeMilliseconds}.milliseconds"
     is String -> "\"${value.replace("\\", "\\\\").replace("\"", "\\\"").replace("$", "\\$")}\""
     else -> "$value"
 }
 
-/** The events as JSON: an array with an object for each, on a line of its own. */
+/** Writes the events as JSON: an array with an object for each, on a line of its own. */
 fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n  ", "\n]\n") { it.form.json }
 
 /**
- * The events in [json], as [jsonOf] writes them.
+ * Reads the events in [json], as [jsonOf] writes them.
  *
  * @throws IllegalArgumentException if they cannot be read
  */

@@ -5,7 +5,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Draws what may happen in a run of [exploration]: the same list for the same seed.
+ * Draws the events of a run of [exploration]: the same list for the same seed.
  *
  * @param agents the names of the agents, for messages
  */
@@ -13,7 +13,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
 
-    /** The events of the run with [seed], in the order of their times. */
+    /** Returns the events of the run with [seed], in the order of their times. */
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
@@ -26,17 +26,17 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * The [events] and one more fault of the board that a command is for which was sent in [run], the one that they drove: a moment before
-     * it was issued, while it was on the line, or when its outcome was. Null: no command was sent, or none of these faults is played.
+     * Returns [events] with one more fault that hits a command of [run], the run that they drove: a fault of the command's board a moment
+     * before it was issued, while it was on the line, or at its outcome. Null: no command was sent, or none of these faults is played.
      *
-     * A command is on its way for so short a time that faults drawn from a seed alone seldom hit it.
+     * A command is on its way for so short a time that faults drawn only from a seed seldom hit it.
      */
     fun atCommand(run: Run, events: List<WorldEvent>, seed: Long): List<WorldEvent>? {
         val random = Random(seed.inv())
         val kinds = hits(random).takeIf { it.isNotEmpty() } ?: return null
         val sent = run.trace.filterIsInstance<Issued>().filter { it.port in exploration.boards && it.at <= exploration.eventful }
         val equal = sent.groupBy { it.command }.values.toList().takeIf { it.isNotEmpty() } ?: return null
-        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // one that is seldom sent as likely as any
+        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // rare commands are as likely as others
         val ended = run.of(command.agent).filterIsInstance<Ended>().find { it.number == command.number }?.at ?: command.at
         val from = (command.at.inWholeMilliseconds - AROUND_MS).coerceAtLeast(1)
         val until = minOf(ended, command.at + LONGEST).inWholeMilliseconds + AROUND_MS
@@ -44,7 +44,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         return (events + kinds[random.nextInt(kinds.size)](at, command.port)).sortedBy { it.at }
     }
 
-    /** What can hit a command. */
+    /** Returns makers of the events that can hit a command. */
     private fun hits(random: Random): List<(Duration, String) -> WorldEvent> = exploration.played.mapNotNull { fault ->
         when (fault) {
             Fault.CABLES -> { at, port -> Unplugged(at, port, lasts(random)) }
@@ -55,7 +55,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         }
     }
 
-    /** The time to the next event: often so short that the agent is still at the last one. */
+    /** Draws the time to the next event: often so short that the agent is still handling the last one. */
     private fun pause(random: Random): Duration = when (random.nextInt(4)) {
         0 -> random.nextInt(1, 60)
         1 -> random.nextInt(60, 600)
@@ -64,7 +64,7 @@ internal class EventSource(private val exploration: Exploration, private val age
 
     private fun lasts(random: Random): Duration = LENGTHS[random.nextInt(LENGTHS.size)].let { random.nextInt(it / 2, it + 1) }.milliseconds
 
-    /** What makes an event at a time, of each kind that is played; sensors twice as often as each fault. */
+    /** Returns makers of events at a given time, of each kind that is played; sensors twice as often as each fault. */
     private fun makers(random: Random): List<(Duration) -> WorldEvent> {
         fun port() = ports[random.nextInt(ports.size)]
         val makers = ArrayList<(Duration) -> WorldEvent>()
@@ -100,7 +100,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         return Reads(at, port, sensor.name, sensor.percepts[index])
     }
 
-    /** Between values that are next to each other, as a noisy sensor does. */
+    /** Makes a sensor flicker between neighbouring values, as a noisy one does. */
     private fun flickers(at: Duration, random: Random): Flickers {
         val (port, sensor) = sensing[random.nextInt(sensing.size)]
         val index = random.nextInt(sensor.percepts.size)
@@ -116,10 +116,10 @@ internal class EventSource(private val exploration: Exploration, private val age
         /** The longest of each sort of trouble, in ms: from a loose contact to a board that is gone. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
-        /** How long before a command is issued a fault that hits it begins at most, and how long after its end, in ms. */
+        /** The longest time, in ms, by which a fault that hits a command begins before it is issued, or after its end. */
         const val AROUND_MS = 3L
 
-        /** How long after a command has been issued a fault begins at most that hits it. */
+        /** The longest time after the issue of a command at which a fault that hits it begins. */
         val LONGEST = 200.milliseconds
 
         /** A sensor flickers by at most this part of its range. */

@@ -7,7 +7,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The boards of the agents that are explored, what may happen to them, and the rules: the receiver of [explore]'s last argument.
+ * The boards of the explored agents, the events that may happen to them, and the rules: the receiver of [explore]'s last argument.
  *
  *     fun Exploration.boards() {
  *         board("ttyACM0") { sensor("dist(front,%d)", 5..200) }
@@ -22,53 +22,53 @@ class Exploration internal constructor() {
     internal var kept: List<Rule> = usualRules()
         private set
 
-    /** The function with all of this, with its package; null: it is not known. */
+    /** The function that makes all of this, with its package; null: it is not known. */
     internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** How long events happen in a run. They begin 200 ms after it. */
+    /** The time of a run in which events happen. It begins 200 ms after the run. */
     var eventful: Duration = 10.seconds
 
-    /** How long a run goes on when the last event is over. Some rules need that time to see that something does not happen. */
+    /** The time for which a run goes on after its last event. Some rules need it to see that something does not happen. */
     var settling: Duration = 8.seconds
 
-    /** How many events a run has at most. */
+    /** The largest number of events in a run. */
     var mostEvents: Int = 8
 
     /** The first seed. */
     var seed: Long = 0
 
-    /** How many runs are tried at most. */
+    /** The largest number of runs. */
     var runs: Int = 1_000
 
-    /** How long runs are tried at most, in real time; a failing run is shortened afterwards. */
+    /** The longest time for all runs, in real time; a failing run is shortened afterwards. */
     var time: Duration = 60.seconds
 
-    /** The board on [port], named as the agents name it. Each agent that runs on `argo.Arch` has one. */
+    /** Describes the board on [port], named as the agents name it. Each agent that runs on `argo.Arch` has one. */
     fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
 
-    /** Someone who is not among the agents, [sender], may send [agent] this message at any time: see the test kit's `hears`. */
+    /** Lets [sender], who is not among the agents, send [agent] this message at any time: see the test kit's `hears`. */
     fun message(agent: String, sender: String, performative: String, content: String) {
         messages += Hears(Duration.ZERO, agent, sender, performative, content)
     }
 
-    /** The rules to be kept, in place of [usualRules]. */
+    /** Sets the rules to be kept, in place of [usualRules]. */
     fun rules(vararg rules: Rule) = rules(rules.toList())
 
-    /** The rules to be kept, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
+    /** Sets the rules to be kept, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
     fun rules(rules: List<Rule>) {
         kept = rules
     }
 
-    /** The faults that are played, in place of all. Without any, sensors change and messages come. */
+    /** Sets the faults that are played, in place of all. Without any, only sensors change and messages come. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }
 
-    /** More of the configuration of each agent: options, an environment, a class of its own. */
+    /** Configures each agent further: options, an environment, a class of its own. */
     fun agents(setUp: AgentSetUp.() -> Unit) {
         setUps += setUp
     }
@@ -111,7 +111,7 @@ enum class Fault {
     LATE_MESSAGES,
 }
 
-/** A board that is explored: what its sensors can show, and how it behaves without faults. */
+/** A board that is explored: the percepts that its sensors can show, and its behaviour without faults. */
 @TestSetUp
 class ExploredBoard internal constructor() {
     internal val sensors = ArrayList<Sensor>()
@@ -122,7 +122,7 @@ class ExploredBoard internal constructor() {
         private set
 
     /**
-     * A sensor that shows [percept] with a whole number of [range] in place of `%d`, at first [first].
+     * Adds a sensor that shows [percept] with a whole number of [range] in place of `%d`, at first [first].
      * @throws IllegalArgumentException if there is no `%d` in it, or the range is empty
      */
     fun sensor(percept: String, range: IntRange, first: Int = range.last) {
@@ -131,26 +131,26 @@ class ExploredBoard internal constructor() {
         sensors += Sensor(percept, range.toList().map { percept.replace("%d", "$it") }, first - range.first, range)
     }
 
-    /** A sensor that shows one of [percepts], at first the first one; an empty text stands for no percept. */
+    /** Adds a sensor that shows one of [percepts], at first the first one; an empty text stands for no percept. */
     fun sensor(vararg percepts: String) {
         require(percepts.size > 1) { "a sensor shows one of several percepts: sensor(\"line(on)\", \"line(off)\")" }
         sensors += Sensor(percepts.joinToString("|"), percepts.toList(), 0, null)
     }
 
-    /** The board speaks version 2 of the protocol. */
+    /** Lets the board speak version 2 of the protocol. */
     fun version2() {
         isVersion2 = true
     }
 
-    /** The board speaks version 2 of the protocol, and these [actions] are all it can do: see the test kit's `knows`. */
+    /** Lets the board speak version 2 of the protocol and have only these [actions]: see the test kit's `knows`. */
     fun knows(vararg actions: String) {
         isVersion2 = true
         known = actions.toList()
     }
 
     /**
-     * More of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. What it shows here is in place of
-     * the sensors; a script that `shows` what depends on `commands` is a simulated robot. Called for each run, before it begins.
+     * Sets more of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. Percepts that it shows here
+     * replace the sensors; a script whose percepts depend on `commands` is a simulated robot. Called for each run, before it begins.
      */
     fun script(behaviour: Board.() -> Unit) {
         scripts += behaviour
@@ -158,10 +158,10 @@ class ExploredBoard internal constructor() {
 }
 
 /**
- * What a sensor can show.
+ * The percepts that a sensor can show.
  *
- * @property percepts each of them; an empty text is no percept
- * @property first the index of what it shows at first
+ * @property percepts all of them; an empty text is no percept
+ * @property first the index of the one that it shows at first
  * @property range the numbers in the percepts; null: it has none
  */
 internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

@@ -13,10 +13,10 @@ import kotlin.time.TimeSource
  *         }
  *     }
  *
- * Takes as many runs as [Exploration.runs], at most as long as [Exploration.time] in real time.
+ * Tries [Exploration.runs] runs, but for no longer than [Exploration.time] in real time.
  *
  * @param source the file of an agent, or the `.mas2j` of a system; looked for as the test kit's `agent` does
- * @return what was played, if all rules were kept
+ * @return the number and the time of the runs, if all rules were kept
  * @throws AssertionError if a rule is broken, with the run made as short as it gets, in words and as a spec; or if the agents are not
  *     deterministic
  * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described
@@ -27,18 +27,18 @@ fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
         else -> throw AssertionError(reportOf(outcome))
     }
 
-/** What [explore] finds, without an [AssertionError]. */
+/** Returns the outcome of [explore] instead of throwing an [AssertionError]. */
 fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Search(scenario(source, describe), TimeSource.Monotonic).look()
 
 /**
- * Plays [events] against the agents in [source], once, and returns what the run has shown. The same events give the same run.
+ * Plays [events] against the agents in [source], once, and returns the run. The same events give the same run.
  *
  * @throws IllegalArgumentException as [explore]
  */
 fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).play(events)
 
 /**
- * Plays [events] against the agents in [source] and checks the rules: what [explore] prints calls it.
+ * Plays [events] against the agents in [source] and checks the rules: the spec that [explore] prints calls it.
  *
  * @throws AssertionError if a rule is broken
  * @throws IllegalArgumentException as [explore]

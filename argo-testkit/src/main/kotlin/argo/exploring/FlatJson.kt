@@ -1,6 +1,9 @@
 package argo.exploring
 
-/** Reads an array of JSON whose elements are objects of texts and whole numbers. The library of the filters is not on each class path. */
+/**
+ * Reads an array of JSON whose elements are objects of texts and whole numbers. The library that the filters read JSON with is not on each
+ * class path.
+ */
 internal class FlatJson(private val text: String) {
     private var at = 0
 
@@ -65,7 +68,7 @@ internal class FlatJson(private val text: String) {
         at++
     }
 
-    /** The next character that is no space; null: there is none. */
+    /** Returns the next character that is no space; null: there is none. */
     private fun next(): Char? {
         while (text.getOrNull(at)?.isWhitespace() == true) at++
         return text.getOrNull(at)
@@ -84,7 +87,7 @@ internal class FlatJson(private val text: String) {
     }
 }
 
-/** [text] as a text of JSON, in quotes. */
+/** Writes [text] as a text of JSON, in quotes. */
 internal fun jsonText(text: String): String = text.map { char ->
     when {
         char == '"' || char == '\\' -> "\\$char"

@@ -4,10 +4,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * When the run ends, no intention has waited at one step for longer than [longest] for what need not come. A wait for a time that the step
- * names, as `.wait(9000)`, has an end.
+ * At the end of a run no intention has waited at one step for longer than [longest] for something that need not come. A wait for a time
+ * that the step names, as `.wait(9000)`, has an end.
  *
- * @param except goals that may, since they wait for something that need not come: `patrol` stands for `patrol(3)` too
+ * @param except goals that may wait so: `patrol` stands for `patrol(3)` too
  */
 fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule = NeverWaitsForever(longest, except)
 
@@ -22,7 +22,7 @@ fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule
 /** Agents rest now and then, so that time goes on, and are not stopped. */
 fun staysAlive(): Rule = StaysAlive()
 
-/** The rules that say something of any agent; [explore] checks them unless others are named. */
+/** The rules that fit any agent; [explore] checks them unless others are given. */
 fun usualRules(): List<Rule> = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(), neverFloods(), neverOscillates(),
     perceivesAgain(),

@@ -16,19 +16,19 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
     NeverActsOnStalePercepts(maxAge, except)
 
 /**
- * An agent that gets no percepts stops what moves. It is blind from [blindAfter] after its newest message until the next one. While it is
+ * An agent that gets no percepts stops its motion. It is blind from [blindAfter] after its newest message until the next one. While it is
  * blind no plan sends one of [moving]; and if the last of these commands before was one of [moving], it sends [safe] until [within] after
  * it got blind, or, if the port was off meanwhile, until [within] after the port is on again. It need not if it is blind for no longer than
  * [within].
  *
- * @param safe the command that stops what moves; `speed` stands for `speed(0)` too
+ * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
 fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.seconds, within: Duration = 1.seconds): Rule =
     StopsWhenBlind(safe, moving, blindAfter, within)
 
 /**
- * Each time [percept] begins to hold in what the agent perceives, and does for [within], it sends one of [commands] within that time of the
- * last byte of the first such message, unless the last command that it sent is one of them already.
+ * Each time [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time of
+ * the last byte of the first such message, unless its last command is one of them already.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if it is none
@@ -36,7 +36,7 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
 fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule = ReactsTo(percept, commands, within)
 
 /**
- * While [percept] holds in what the agent perceives, and has held for [after], no plan sends one of [commands].
+ * While [percept] holds in the agent's percepts, and has held for [after], no plan sends one of [commands].
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if it is none
@@ -78,7 +78,7 @@ private class StopsWhenBlind(
             .firstNotNullOfOrNull { (last, next) -> breachIn(entries, agent, run.ended, last, next) }
     }
 
-    /** No message came between [last] and [next]. */
+    /** Returns the breach by an agent that perceived no message between [last] and [next]; null: it kept the rule. */
     private fun breachIn(entries: List<AgentEntry>, agent: String, ended: Duration, last: Duration, next: Duration): Breach? {
         val blind = last + blindAfter
         val commands = entries.filterIsInstance<Issued>().filter { it.plan != null && (isMoving(it) || isCommand(it.command, safe)) }
@@ -133,11 +133,11 @@ private class NeverSends(private val commands: List<String>, private val percept
     }
 }
 
-/** A condition on what an agent perceives. */
+/** A condition on an agent's percepts. */
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
-    /** The messages with which it begins to hold, each with the one with which it ends to; null: it holds at the end. */
+    /** Returns the messages with which it begins to hold, each with the one with which that ends; null: it holds at the end. */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
         val periods = ArrayList<Pair<Perceived, Perceived?>>()
@@ -152,7 +152,7 @@ private class PerceivedFormula(text: String) {
 
     private fun Agent.holds(percepts: List<String>): Boolean {
         bb.clear()
-        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // the agent leaves out what cannot be read, too
+        percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // the agent leaves out unreadable percepts, too
         return formula.logicalConsequence(this, Unifier()).hasNext()
     }
 }

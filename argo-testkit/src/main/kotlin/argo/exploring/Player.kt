@@ -15,7 +15,7 @@ internal class Player(private val exploration: Exploration, private val events: 
     private val recorder = TraceRecorder(mas)
     private val faults = HashMap<Board, Trouble>()
 
-    /** What is wrong with a board. */
+    /** The faults of a board at one moment. */
     private data class Trouble(val isUnplugged: Boolean, val hangs: Boolean)
 
     fun play(program: Program): Run = mas.use {
@@ -45,12 +45,12 @@ internal class Player(private val exploration: Exploration, private val events: 
         passUntil(end)
     }
 
-    /** An agent that waits inside its cycle may have advanced time beyond [at]. */
+    /** Advances time to [at], unless an agent that waits inside its cycle has advanced it beyond. */
     private fun passUntil(at: Duration) {
         mas.after((at - recorder.now).coerceAtLeast(Duration.ZERO))
     }
 
-    /** The boards of all agents, with their ports. */
+    /** Returns the boards of all agents, with their ports. */
     private fun boards(): List<Pair<String, Board>> =
         mas.all.flatMap { it.platform.named().toList() }.filter { (port, _) -> port in exploration.boards }
 
@@ -83,7 +83,7 @@ internal class Player(private val exploration: Exploration, private val events: 
             } catch (_: IllegalStateException) {
                 // the board restarts
             } catch (_: PortException) {
-                // its cable is out
+                // its cable is unplugged
             }
         }
     }
@@ -92,7 +92,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         mas.all.flatMap { agent -> agent.platform.named().map { (port, board) -> "${agent.name} $port" to board.commands } }.toMap()
 
     private companion object {
-        /** Fewer than in a test: an agent that repeats what fails at once grows with each cycle, and there are many runs. */
+        /** Fewer than in a test: an agent that repeats a failing step at once grows with each cycle, and there are many runs. */
         const val MOST_CYCLES = 500
     }
 }

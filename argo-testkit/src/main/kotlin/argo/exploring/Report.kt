@@ -2,7 +2,7 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** What came of an exploration, for a person. */
+/** Describes the outcome of an exploration for a person. */
 fun reportOf(outcome: Outcome): String = when (outcome) {
     is NothingFound -> "no rule was broken in ${runsOf(outcome)}"
     is NotDeterministic ->
@@ -26,11 +26,11 @@ private fun runsOf(outcome: Outcome) =
     (if (outcome.runs == 1) "1 run" else "${outcome.runs} runs") +
         ", ${outcome.played.inWholeMinutes} min ${outcome.played.inWholeSeconds % SECONDS} s of virtual time"
 
-/** The events as a list in words. */
+/** Lists the events in words. */
 fun wordsOf(events: List<WorldEvent>): String =
     if (events.isEmpty()) "  nothing" else events.joinToString("\n") { "  ${timeOf(it.at)}  ${it.words}" }
 
-/** What the world and the agents did in [run], a line for each; the last [MOST_LINES] of many. */
+/** Tells the events of the world and the agents in [run], one a line; of many, the last [MOST_LINES]. */
 internal fun storyOf(run: Run): String {
     val lines = run.trace.mapNotNull { entry -> lineOf(entry)?.let { "  ${timeOf(entry.at)}  $it" } }
     val left = if (lines.size > MOST_LINES) listOf("  … ${lines.size - MOST_LINES} more before these") else emptyList()

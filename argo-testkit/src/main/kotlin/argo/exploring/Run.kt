@@ -2,13 +2,13 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** Something that a run has shown, at a time since it began. Does not change. */
+/** An entry of a run's trace, at a time since the run began. Immutable. */
 sealed interface TraceEntry {
-    /** When it was. */
+    /** Its time. */
     val at: Duration
 }
 
-/** What [agent] does or what happens to it. */
+/** An action of [agent], or an event that happens to it. */
 sealed interface AgentEntry : TraceEntry {
     /** The name of the agent. */
     val agent: String
@@ -33,7 +33,7 @@ data class Perceived(
  * The agent has called `argo.act`, or a reflex was sent.
  *
  * @property number counts the agent's commands
- * @property plan the plan that did it, with file and line; null: none did
+ * @property plan the plan that called it, with file and line; null: none did
  */
 data class Issued(
     override val at: Duration,
@@ -56,11 +56,11 @@ data class Ended(
 /** The state of a port of the agent: `on`, `off` or `timeout`. */
 data class PortChanged(override val at: Duration, override val agent: String, val port: String, val status: String) : AgentEntry
 
-/** How much the agent has in mind after a reasoning cycle. Recorded when it has changed. */
+/** The numbers of an agent's beliefs, intentions and events after a reasoning cycle. Recorded if they have changed. */
 data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
     AgentEntry
 
-/** The agent waits with [intention], which it is at the same step of since [since]. Recorded at the end of a run. */
+/** The agent's [intention] waits, at the same step since [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
 /** A plan of the agent has failed and there was no plan for that. [what] is Jason's message. */
@@ -79,11 +79,11 @@ data class Stopped(override val at: Duration, override val agent: String) : Agen
 data class NeverRests(override val at: Duration, val what: String) : TraceEntry
 
 /**
- * What has happened from the beginning of a run to its end.
+ * The events of a run from its beginning to its end.
  *
- * @property events what drove it, in the order of their times
- * @property trace all that was recorded, in the order of the times
- * @property ended how long it was
+ * @property events the events that drove it, in the order of their times
+ * @property trace all recorded entries, in the order of their times
+ * @property ended its length
  * @property agents the names of its agents
  * @property arrived the commands that have arrived at each board, in their order
  */
@@ -94,12 +94,12 @@ class Run internal constructor(
     val agents: List<String>,
     val arrived: Map<String, List<String>>,
 ) {
-    /** What was recorded of [agent]. */
+    /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"
 
-    /** What differs in [other], which was driven by the same events, for a person; null: nothing does. */
+    /** Describes for a person how [other], which was driven by the same events, differs; null: it does not. */
     internal fun differenceFrom(other: Run): String? {
         val pairs = trace.size.coerceAtLeast(other.trace.size)
         val first = (0 until pairs).firstOrNull { trace.getOrNull(it) != other.trace.getOrNull(it) }

@@ -21,12 +21,12 @@ import kotlin.time.Duration
 
 /** The agents that are explored. Made anew for each run. */
 internal fun interface Program {
-    /** Makes the agents, each with [setUp] besides what the program says. */
+    /** Makes the agents, each with [setUp] besides the program's own settings. */
     fun MasSetUp.make(setUp: AgentSetUp.() -> Unit)
 }
 
 /**
- * The agents in the file [source]: one in an `.asl`, all of a `.mas2j`. It is looked for as the test kit's `agent` does.
+ * Returns the agents in the file [source]: one in an `.asl`, all of a `.mas2j`. The file is found as by the test kit's `agent`.
  *
  * @throws IllegalArgumentException if there is none, or it cannot be read
  */
@@ -67,7 +67,7 @@ private fun AgentSetUp.take(parameters: AgentParameters) {
     parameters.options.orEmpty().forEach { (name, value) -> options(name to textIn(value)) }
 }
 
-/** The text that [value] of an option stands for, without the quotes around it and the backslashes before those within. */
+/** Returns the text of [value], an option's, without the quotes around it and the backslashes before quotes within. */
 private fun textIn(value: String) = if (value.startsWith('"')) value.removeSurrounding("\"").replace("\\\"", "\"") else value
 
 private fun environmentOf(project: MAS2JProject): Environment? = project.envClass?.let { wanted ->
@@ -83,22 +83,22 @@ private fun <T> classOf(name: String, type: Class<T>): Class<out T> = try {
     throw IllegalArgumentException("the class $name is no ${type.name}", other)
 }
 
-/** What is explored: [program] with what [exploration] describes. */
+/** The subject of an exploration: [program] with the boards and rules of [exploration]. */
 internal class Scenario(private val program: Program, private val source: String, val exploration: Exploration) {
-    /** What drives a run of it with [events], in the order of their times. */
+    /** Plays a run with [events], in the order of their times. */
     fun play(events: List<WorldEvent>): Run = Player(exploration, events.sortedBy { it.at }).play(program)
 
-    /** The first rule that [run] breaks, and where; null: all are kept. */
+    /** Returns the first rule that [run] breaks, and where; null: all are kept. */
     fun breachIn(run: Run): Pair<Rule, Breach>? =
         exploration.kept.mapNotNull { rule -> rule.breachIn(run)?.let { rule to it } }.minByOrNull { (_, breach) -> breach.at }
 
-    /** A name for a class about it. */
+    /** The name of the spec's class. */
     val name: String get() = Path.of(source).nameWithoutExtension
 
     val file: String get() = source
 }
 
-/** What [exploration] adds to each agent. */
+/** Adds the settings and boards of [exploration] to an agent. */
 internal fun AgentSetUp.describedBy(exploration: Exploration, state: WorldState) {
     exploration.setUps.forEach { it() }
     if (arch == null) return
@@ -112,5 +112,5 @@ internal fun AgentSetUp.describedBy(exploration: Exploration, state: WorldState)
     }
 }
 
-/** How long a run with [events] is. */
+/** Returns the length of a run with [events]. */
 internal fun Exploration.lengthOf(events: List<WorldEvent>): Duration = (events.maxOfOrNull { it.ends } ?: Duration.ZERO) + settling

@@ -4,30 +4,30 @@ import kotlin.time.Duration
 import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
-/** What came of an exploration. */
+/** The outcome of an exploration. */
 sealed interface Outcome {
-    /** How many runs there were, those for shrinking included. */
+    /** The number of runs, those for shrinking included. */
     val runs: Int
 
-    /** How long they took together, in virtual time. */
+    /** Their length together, in virtual time. */
     val played: Duration
 }
 
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/** Two runs with the same [events] differ; [difference] has where first. So what a run shows says nothing of another. */
+/** Two runs with the same [events] differ; [difference] names the first place. So one run says nothing about another. */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 
 /**
  * A run breaks a rule.
  *
- * @property seed what the run was drawn from; null: it is the run without any events
+ * @property seed the seed of the run; null: it is the run without any events
  * @property rule the name of the rule
- * @property breach where the shortened run breaks it
- * @property events what is left of the events after shrinking
- * @property drawn how many events there were before
+ * @property breach the breach in the shortened run
+ * @property events the events that are left after shrinking
+ * @property drawn the number of events before
  * @property run the shortened run
  */
 class Found internal constructor(
@@ -72,10 +72,13 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
         return NothingFound(runs, played)
     }
 
-    /** Whether the list of [seed] is played once more with a fault that hits a command. Most faults are found without, and shorter. */
+    /**
+     * Returns true if the list of [seed] is played again with one more fault, which hits a command. Most faults are found without, and
+     * shorter.
+     */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 
-    /** What came of [run], which [events] drove; null: it keeps the rules. */
+    /** Returns the outcome of [run], which [events] drove; null: it keeps the rules. */
     private fun outcome(seed: Long, events: List<WorldEvent>, run: Run): Outcome? {
         val (rule, _) = scenario.breachIn(run) ?: return null
         run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }
@@ -99,11 +102,11 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private companion object {
-        /** Behind so many lists one in so many is played once more. */
+        /** After this many lists, one in [HIT_EACH] is played once more. */
         const val HIT_FROM = 20L
         const val HIT_EACH = 3L
 
-        /** How many runs shrinking takes at most. */
+        /** The largest number of runs for shrinking. */
         const val MOST_SHRINKING = 400
     }
 }

@@ -9,11 +9,11 @@ import kotlin.time.Duration.Companion.milliseconds
  * Makes a list of events that breaks a rule shorter and plainer, as long as it still does (delta debugging): leaves out halves, smaller
  * parts, single events; then gives those that are left rounder times and numbers.
  *
- * @param budget how often it may ask
- * @param breaks plays events; whether the rule is still broken
+ * @param budget the number of times that it may call [breaks]
+ * @param breaks plays events and returns true if they still break the rule
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
-    /** Returns what is left of [events], which break the rule. */
+    /** Returns the shortened list of [events], which break the rule. */
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {
         var left = withoutParts(events)
         while (budget > 0) {
@@ -50,7 +50,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         return left
     }
 
-    /** Values that are easier to read than [value], or less: the best first. A time of beginning is rounded alone. */
+    /** Returns values that are easier to read than [value], or smaller: the best first. The beginning of an event is only rounded. */
     private fun plainer(name: String, value: Any): List<Any> = when (value) {
         is Duration -> {
             val ms = value.inWholeMilliseconds
@@ -62,7 +62,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         else -> emptyList()
     }
 
-    /** A percept whose number is rounded to tens. */
+    /** Rounds the number in a percept to tens. */
     private fun roundedNumber(percept: String): List<String> {
         val number = NUMBER.find(percept) ?: return emptyList()
         val rounded = (number.value.toDouble() / TEN).roundToInt() * TEN

@@ -35,7 +35,7 @@ internal class TraceRecorder(private val mas: TestMas) {
         minds += MindWatch(agent).also(agent.infra::insertAgArch)
     }
 
-    /** The trace so far, with what the agents have printed and what they wait for. */
+    /** Returns the trace so far, with the lines that the agents have printed and the waits of their intentions. */
     fun trace(): List<TraceEntry> {
         val names = minds.map { it.agent.name }
         val logged = mas.log.entries.mapNotNull { entry ->
@@ -50,7 +50,7 @@ internal class TraceRecorder(private val mas: TestMas) {
         return (entries + logged + minds.flatMap { it.waits() }).sortedBy { it.at }
     }
 
-    /** What an agent has in mind after each of its cycles. */
+    /** Records the numbers of an agent's beliefs, intentions and events after each of its cycles. */
     private inner class MindWatch(val agent: TestAgent) : AgArch(), Transparent {
         private var last: MindSize? = null
         private var waiting = emptyMap<String, Pair<String, Duration>>()
@@ -75,23 +75,25 @@ internal class TraceRecorder(private val mas: TestMas) {
             super.stop()
         }
 
-        /** In an order that does not depend on the numbers of intentions, which differ from run to run. */
+        /** Returns the waits in an order that does not depend on the numbers of intentions, which differ from run to run. */
         fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** Whether the run is over: agents that stop now do so because it is. */
+    /** True if the run is over; agents that stop now stop for that reason. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** The intentions that wait for something that need not come, each with what it does; the same key means the same step. */
+    /** Returns the intentions that wait for something that need not come, in words; the same key means the same step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
         (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
             .filterNot { it.isFinished || endsByItself(it) }
             .map { "${it.id} ${it.size()} ${stepOf(it)}" to "${it.last().trigger.literal.copy().apply { clearAnnots() }} at ${stepOf(it)}" }
 
-    /** Whether it waits for a time that its step names, as `.wait(9000)` and `.send(bob, askOne, price(P), A, 9000)` do. */
+    /**
+     * Returns true if [intention] waits for a time that its step names, as `.wait(9000)` and `.send(bob, askOne, price(P), A, 9000)` do.
+     */
     private fun endsByItself(intention: Intention): Boolean {
         val means = intention.peek()
         val step = means.currentStep?.bodyTerm as? InternalActionLiteral ?: return false
@@ -114,7 +116,7 @@ internal class TraceRecorder(private val mas: TestMas) {
         override fun commandIssued(command: IssuedCommand) =
             record(Issued(now, agent.name, command.number, command.port, command.text, planThatRuns()))
 
-        /** Null on the threads that sense, which send reflexes. */
+        /** Returns the plan that runs; null on sensing threads, which send reflexes. */
         private fun planThatRuns() = if (mas.time.running == null) planOf(agent.circumstance.selectedIntention) else null
 
         override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
@@ -132,10 +134,10 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     private companion object {
-        /** How Jason's messages begin about a failure that no plan handles. */
+        /** Beginnings of Jason's messages about a failure that no plan handles. */
         val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
 
-        /** What follows the goal in them. */
+        /** The text behind the goal in them. */
         const val SOURCE = "["
 
         /** The place of the time limit among the arguments of `.send`, from 0. */

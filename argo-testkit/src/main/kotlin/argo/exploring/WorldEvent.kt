@@ -4,19 +4,19 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Something that happens in the outside world during a run, at a time since the run began. Does not change. A run is a function of the
- * agents' programs, the description of the boards, and a list of these.
+ * An event in the outside world during a run, at a time since the run began. Immutable. A run is a function of the agents' programs, the
+ * description of the boards, and a list of these.
  *
  * Times are whole milliseconds. Of several that overlap on one board, the strongest has effect.
  */
 sealed interface WorldEvent {
-    /** When it begins. */
+    /** Its beginning. */
     val at: Duration
 
-    /** When it is over; [at] if it takes no time. */
+    /** Its end; [at] if it takes no time. */
     val ends: Duration get() = at
 
-    /** What happens, for a person, without the time. */
+    /** A description for a person, without the time. */
     val words: String
 }
 
@@ -25,7 +25,7 @@ data class Reads(override val at: Duration, val board: String, val sensor: Strin
     override val words get() = "the board on $board shows ${percept.ifEmpty { "nothing in place of $sensor" }}"
 }
 
-/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts]; then it shows what it showed before. */
+/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts]; then it shows its former percept again. */
 data class Flickers(
     override val at: Duration,
     val board: String,
@@ -77,7 +77,7 @@ data class Garbles(override val at: Duration, val board: String, val oneIn: Int,
     override val words get() = "one in $oneIn bytes on the line of $board is wrong, for $lasts"
 }
 
-/** The board on port [board] sends what its sensors show [messages] times, unasked, 5 ms apart. */
+/** The board on port [board] sends its percepts [messages] times, unasked, 5 ms apart. */
 data class Floods(override val at: Duration, val board: String, val messages: Int) : WorldEvent {
     override val ends get() = at + FLOOD_INTERVAL * messages
     override val words get() = "the board on $board sends ${if (messages == 1) "a message" else "$messages messages"} that nobody asked for"

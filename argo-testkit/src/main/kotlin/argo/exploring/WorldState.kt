@@ -2,9 +2,9 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** The outside world at any time of a run, as [events] make it. A function of them alone. */
+/** The outside world at any time of a run. Depends only on [events]. */
 internal class WorldState(private val boards: Map<String, ExploredBoard>, private val events: List<WorldEvent>) {
-    /** What the sensors of the board on [port] show at [at]. */
+    /** Returns the percepts that the sensors of the board on [port] show at [at]. */
     fun percepts(port: String, at: Duration): List<String> =
         boards.getValue(port).sensors.map { shownBy(port, it, at) }.filter { it.isNotEmpty() }
 

@@ -22,7 +22,7 @@ internal class AgentInspector(private val ts: TransitionSystem) {
     val beliefs: List<String>
         get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
-    /** Its intentions, each with the goals that led to it, the latest first, and what it is about to do; in alphabetical order. */
+    /** Its intentions, each with the goals that led to it, the latest first, and its next step; in alphabetical order. */
     val intentions: List<String>
         get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
@@ -58,7 +58,7 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 }
 
 /**
- * Creates the agent in [file] behind [infra], as an infrastructure does. Jason's source path is one for the program.
+ * Creates the agent in [file] behind [infra], as an infrastructure does. The whole program has one source path of Jason.
  *
  * @param file null: it has no program
  * @param called the program's name in messages

@@ -9,7 +9,7 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 import java.util.logging.SimpleFormatter
 
-/** Records what is logged in [time], which includes what its agents print. */
+/** Records the log of [time], including the lines that its agents print. */
 internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseable {
     /**
      * One record.
@@ -35,7 +35,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     /** All records, in their order. */
     val entries: List<Entry> get() = all
 
-    /** What [agent] printed. */
+    /** Returns the lines that [agent] printed. */
     fun printedBy(agent: String): List<String> = all.filter { it.isPrinted && it.isOf(agent) }.map { it.text }
 
     override fun publish(record: LogRecord) {
@@ -44,7 +44,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         all += Entry(time.nanos(), record.level, record.loggerName.orEmpty(), text, isPrinted(record))
     }
 
-    /** An agent prints with the logger that Jason uses for its own messages about that agent. */
+    /** Returns true if a plan printed [record]: Jason uses the agent's logger for its own messages, too. */
     private fun isPrinted(record: LogRecord): Boolean {
         val jason = TransitionSystem::class.java
         return record.loggerName.orEmpty().startsWith("${jason.name}.") &&
@@ -52,8 +52,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     }
 
     /**
-     * Keeps what agents under test log from the console: an expectation that fails shows it, and the passing ones would flood it. The
-     * property `argo.testkit.log`, set to `console`, shows it all the same.
+     * Keeps the log of agents under test from the console: an expectation that fails shows it, and the passing ones would flood the
+     * console. The property `argo.testkit.log`, set to `console`, shows it all the same.
      */
     private class Quiet(private val other: Filter?) : Filter {
         override fun isLoggable(record: LogRecord): Boolean =

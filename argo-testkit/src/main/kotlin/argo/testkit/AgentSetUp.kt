@@ -28,7 +28,7 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
      */
     var environment: Environment? = null
 
-    /** How long each of its reasoning cycles takes; the next one begins no earlier. */
+    /** The time that each of its reasoning cycles takes; the next one begins no earlier. */
     var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)
@@ -36,12 +36,12 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     internal val options = LinkedHashMap<String, String>()
     internal val sourcePaths = ArrayList<String>()
 
-    /** Sets options as they stand in brackets in a `.mas2j`: `options("argo_sensing" to "every")`. */
+    /** Sets options, which a `.mas2j` has in brackets: `options("argo_sensing" to "every")`. */
     fun options(vararg options: Pair<String, String>) {
         this.options += options
     }
 
-    /** Adds directories in which included files are looked for, besides that of the `.asl`: `aslSourcePath` in a `.mas2j`. */
+    /** Adds directories for included files, besides that of the `.asl`: `aslSourcePath` in a `.mas2j`. */
     fun sourcePath(vararg directories: String) {
         sourcePaths += directories
     }
@@ -49,6 +49,6 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     /** The board on the first port that the agent opens, if no other is named with [board]. */
     val board: Board get() = platform.first()
 
-    /** The board on [port]. */
+    /** Returns the board on [port]. */
     fun board(port: String): Board = platform.at(port)
 }

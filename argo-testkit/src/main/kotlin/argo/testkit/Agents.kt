@@ -12,7 +12,7 @@ import java.nio.file.Path
  * Jason reads it and it runs on `argo.Arch`, as in a project; only time and the boards are simulated. Its name is its file's. Close it
  * at the end of the test, with `use` or Kotest's `autoClose`.
  *
- * @param source looked for in the directory that the test runs in, in `src/agt`, `src/main/asl` and `src/test/resources` under it
+ * @param source a path from the directory in which the test runs, or from `src/agt`, `src/main/asl` or `src/test/resources` under it
  * @param setUp configures the agent and its boards before it starts
  * @throws IllegalArgumentException if there is no such file, or Jason cannot read it
  */

@@ -44,7 +44,7 @@ class Board internal constructor(private val time: VirtualTime) {
     private val threads = ArrayList<Thread>()
     private var answer: (Set<String>) -> String? = { "" }
 
-    /** How many requests for percepts it has answered since [shows] or [showsRaw] was called last. */
+    /** The number of requests for percepts that it has answered since [shows] or [showsRaw] was called last. */
     internal var answers = 0
         private set
 
@@ -62,14 +62,14 @@ class Board internal constructor(private val time: VirtualTime) {
     )
     private var bootMs = 0
 
-    /** Its program is to begin anew on the line that it is on. */
+    /** True if its program is to begin anew on its line. */
     @Volatile
     private var isToRestart = false
 
-    /** Whether requests for percepts get no answer now, whatever its sensors show. */
+    /** True if it answers no requests for percepts now, whatever its sensors show. */
     internal var isSilent = false
 
-    /** Of how many bytes on its line, in each direction, one arrives with a wrong bit; 0: none does. */
+    /** One in this many bytes on its line arrives with a wrong bit, in each direction; 0: none does. */
     internal var garbledOneIn = 0
 
     /**
@@ -83,23 +83,26 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * Its sensors show from now on what [sensors] returns, which is called for each request, by the board's thread, with the time since the
-     * test began: a robot that drives at 10 cm/s towards a wall, `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`.
-     * Percepts that an agent would leave out fail the test.
+     * Its sensors show the percepts that [sensors] returns, from now on. The board's thread calls [sensors] for each request, with the time
+     * since the test began: a robot that drives at 10 cm/s towards a wall,
+     * `shows { listOf("dist(front,${90 - it.inWholeMilliseconds / 100})") }`. Percepts that an agent would leave out fail the test.
      */
     fun shows(sensors: (Duration) -> List<String>): Board = answers { functors ->
         val percepts = sensors(now).also { shown = it }
         messageOf(percepts.filter { functors.isEmpty() || functorOf(it) in functors })
     }
 
-    /** It answers requests for percepts from now on with [message] as it is: what no sensor should send, `dist(front;)(;`. */
+    /** It answers requests for percepts from now on with exactly [message], even one that no sensor should send: `dist(front;)(;`. */
     fun showsRaw(message: String): Board = apply {
         sendable(message)
         showsRaw { message }
         shown = perceptsOf(message)
     }
 
-    /** It answers requests for percepts from now on with the message that [message] returns, which is called as that of [shows] is. */
+    /**
+     * It answers requests for percepts from now on with the message that [message] returns; [message] is called as the argument of [shows]
+     * is.
+     */
     fun showsRaw(message: (Duration) -> String): Board = answers {
         sendable(message(now)).also { shown = perceptsOf(it) }
     }
@@ -114,7 +117,7 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * It sends [percepts] unasked, now, as a board does whose port is opened with `mode(listen)`.
+     * It sends [percepts] unasked, now, as a board does if its port is opened with `mode(listen)`.
      * @throws IllegalArgumentException if an agent would leave out one of them
      */
     fun says(vararg percepts: String): Board = apply {
@@ -128,35 +131,35 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * From the next opening of its port on it sends what a board sent in [recording], at the times of the recording, and takes any command.
-     * Its other settings have no effect then, except for those of its port.
+     * From the next opening of its port on it sends the bytes of the board in [recording], at the times of the recording, and takes any
+     * command. Its other settings have no effect then, except for those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
         program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += Arrival(it, now) }
     }
 
-    /** [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
+    /** It [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
     fun replays(file: Path): Board = replays(LineRecording.read(file))
 
     /**
-     * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] is given
-     * the port's name and settings, and the time that the line goes by. The board's other settings have no effect then, except for those of
-     * its port, nor do the expectations of commands.
+     * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
+     * port's name and settings, and the line's clock. The board's other settings have no effect then, except for those of its port, nor do
+     * the expectations of commands.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /**
-     * Its port is not a line but what its name says, as `ros://robot:9090`, of a robot whose topics a mapping turns into percepts. The
-     * mapping and all of ARGO's side are the real ones, with nothing behind them: the robot [publishes] what the test has it publish, and
-     * does each command at once. The board's other settings have no effect then, except for those of its port. To be called before the port
+     * Its port is not a line but the robot that the port's name addresses, as `ros://robot:9090`, whose topics a mapping turns into
+     * percepts. The mapping and all of ARGO's side are real, and there is no robot behind them: the test [publishes] its messages, and each
+     * command is done at once. The board's other settings have no effect then, except for those of its port. To be called before the port
      * is opened.
      */
     fun playsItsMapping(): Board = apply { isMapped = true }
 
     /**
-     * The robot says [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that
-     * [plays its mapping][playsItsMapping].
+     * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that [plays its
+     * mapping][playsItsMapping].
      * @throws IllegalArgumentException if [message] is none
      * @throws IllegalStateException if the board is not mapped
      */
@@ -165,7 +168,7 @@ class Board internal constructor(private val time: VirtualTime) {
         played?.says(topic, message)
     }
 
-    /** What the robot was sent, each with the topic, service or action that took it there: `/cmd_vel {"linear":{"x":0.3}}`. */
+    /** The messages, requests and goals to the robot, each with its topic, service or action: `/cmd_vel {"linear":{"x":0.3}}`. */
     val published: List<String> get() = taking
 
     /** It speaks version 2 of the protocol with agents that do; to be called before the port is opened. */
@@ -175,14 +178,15 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * It tells agents that speak version 2 that [actions] are all it can do: `ledOn`, `speed/1` with an argument, `say` with a slash and a
-     * star behind it for any number of them. Without this it tells nothing, and agents check no command before they send it.
+     * It tells agents that speak version 2 that it has only these [actions]: `ledOn`, `speed/1` with an argument, `say` with a slash and a
+     * star behind it for any number of them. Without this it describes no actions, and agents check no command before they send it.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
     /**
-     * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with what its sensors [show][shows], and
-     * carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is opened.
+     * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with the percepts that its sensors
+     * [show][shows], and carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is
+     * opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
@@ -192,7 +196,7 @@ class Board internal constructor(private val time: VirtualTime) {
      */
     fun refuses(command: String): Board = apply { refusable(fake.whenAsked(command)) }
 
-    /** It refuses every command that [kind] is true for: see the other form. */
+    /** It refuses every command for which [kind] is true: see the other form. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
     /** It carries out [command] again, without delay. */
@@ -201,7 +205,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It needs [duration] to carry out [command], and does nothing else meanwhile. */
     fun takes(duration: Duration, command: String): Board = apply { fake.whenAsked(command).after(millis(duration)) }
 
-    /** It needs [duration] to boot when its port is opened, and loses what arrives meanwhile. */
+    /** It needs [duration] to boot when its port is opened, and loses all bytes that arrive meanwhile. */
     fun boots(duration: Duration): Board = apply {
         bootMs = millis(duration)
         fake.bootTakes(bootMs)
@@ -211,8 +215,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
 
     /**
-     * It restarts now, as a board does whose watchdog bites or whose supply dips: its port stays open, it forgets the session of version 2,
-     * and loses what arrives within [booting].
+     * It restarts now, as after a reset by its watchdog or a dip of its supply: its port stays open, it forgets the session of version 2,
+     * and loses all bytes that arrive within [booting].
      */
     fun restarts(booting: Duration): Board = apply {
         if (!isOpen) return@apply
@@ -234,7 +238,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * Its cable is pulled: opening the port fails with `error(no_such_port)` until [reconnects] is called. An agent that has the port open
-     * believes `port(P,off)`. The board loses power: one that [hung][hangs] does not any more afterwards.
+     * believes `port(P,off)`. The board loses power: afterwards it no longer [hangs].
      */
     fun disconnects(): Board = apply {
         isConnected = false
@@ -255,7 +259,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** Its port is free, and the agent has permission to open it. */
     fun admits(): Board = apply { refusal = null }
 
-    /** Whether the agent has its port open. */
+    /** True if the agent has its port open. */
     val isOpen: Boolean get() = line?.let { !it.isGone } ?: played?.link?.isOpen ?: false
 
     /** The messages that have arrived, requests for percepts and commands, in their order. */
@@ -274,27 +278,27 @@ class Board internal constructor(private val time: VirtualTime) {
 
     private val now: Duration get() = time.nanos().nanoseconds
 
-    /** Its [arrivals], and whether an expectation has taken each. */
+    /** Its [arrivals], each with true if an expectation has taken it. */
     internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
     /** The commands that no expectation has taken. */
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
-    /** Takes [command] if it has arrived, at a time that [isTimely], and no expectation has taken it. */
+    /** Takes [command] if it has arrived at an [acceptable time][isTimely] and no expectation has taken it. */
     internal fun take(command: String, isTimely: (Duration) -> Boolean = { true }): Boolean {
         val index = arrivals.withIndex().firstOrNull { (i, it) -> i !in taken && it.command == command && isTimely(it.at) }?.index
             ?: return false
         return taken.add(index)
     }
 
-    /** Whether its port exists. */
+    /** True if its port exists. */
     internal val isPresent: Boolean get() = isConnected
 
-    /** Whether its port is what its name says, see [playsItsMapping]. */
+    /** True if its port is the robot of its name, see [playsItsMapping]. */
     internal var isMapped = false
         private set
 
-    /** Opens its port as what its name says. */
+    /** Opens its port as the robot of its name. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }
@@ -370,7 +374,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** A misspelt percept would let each later `shouldNotSend` pass. */
+/** Refuses a misspelt percept, which would let each later `shouldNotSend` pass. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

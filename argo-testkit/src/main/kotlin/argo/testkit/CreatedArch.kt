@@ -6,7 +6,7 @@ import argo.platform.Platform
 /**
  * Returns the factory of the architecture of an agent that another one creates.
  *
- * @param classes what stands in `agentArchClass(…)`; none: that of [father]
+ * @param classes the classes in `agentArchClass(…)`; none: that of [father]
  * @throws IllegalArgumentException if it cannot run in a test
  */
 internal fun archOf(classes: List<String>, father: TestAgent?): ((Platform) -> Arch)? = when {

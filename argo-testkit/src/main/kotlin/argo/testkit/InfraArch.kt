@@ -20,7 +20,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     private var awake = true
     private var running = true
 
-    /** What the agent has said to others, in its order. */
+    /** The agent's messages to others, in their order. */
     val said = ArrayList<Message>()
 
     /** Runs one reasoning cycle, unless the agent sleeps. */
@@ -85,7 +85,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // where Jason 3.3 asks for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks here for some services
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {
@@ -95,7 +95,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 
     companion object {
-        /** The receiver of what is broadcast. */
+        /** The receiver of broadcast messages. */
         const val EVERYBODY = "everybody"
         private const val NO_ENVIRONMENT =
             "this agent under test has no environment, so it can only do internal actions: " +

@@ -6,17 +6,17 @@ import kotlin.io.path.nameWithoutExtension
 /** The agents of a test and their configuration: the receiver of [mas]'s argument. */
 @TestSetUp
 class MasSetUp internal constructor(private val mas: TestMas) {
-    /** The agent in the file [source], as [argo.testkit.agent] finds it. */
+    /** Adds the agent in the file [source], which is found as by [argo.testkit.agent]. */
     fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}) {
         make(found(source), setUp)
     }
 
-    /** The agent in [file]. */
+    /** Adds the agent in [file]. */
     fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}) {
         make(existing(file), setUp)
     }
 
-    /** An agent with [program] and [name]. */
+    /** Adds an agent with [program] and [name]. */
     fun agentOf(name: String, program: String, setUp: AgentSetUp.() -> Unit = {}) {
         written(program) { mas.make(it, "$name.asl", AgentSetUp(mas.time, name).apply(setUp)) }
     }
@@ -26,6 +26,6 @@ class MasSetUp internal constructor(private val mas: TestMas) {
     }
 }
 
-/** The configuration of one agent cannot be written within that of another. */
+/** Marks configurations, so that one agent's cannot be written within another's. */
 @DslMarker
 annotation class TestSetUp

@@ -7,7 +7,7 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.writeText
 
 /**
- * The file of the agent [source].
+ * Finds the file of the agent [source].
  *
  * @param first directories to look in before the usual ones
  * @throws IllegalArgumentException if there is none
@@ -24,7 +24,7 @@ internal fun existing(file: Path): Path {
     return file.toAbsolutePath().normalize()
 }
 
-/** Does [work] with a file that holds [program] meanwhile. */
+/** Does [work] with a temporary file that holds [program]. */
 internal fun written(program: String, work: (Path) -> Unit) {
     val directory = createTempDirectory("argo-testkit")
     val file = directory.resolve("agent.asl").apply { writeText(program) }

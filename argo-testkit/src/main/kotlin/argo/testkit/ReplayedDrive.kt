@@ -20,12 +20,12 @@ import kotlin.time.toJavaDuration
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * What is exact of that and what is not: see [WhatIf].
+ * [WhatIf] says how far the result is exact.
  *
- * @param file the recording; looked for in the directory that the test runs in, and in `src/test/resources` under it
- * @param agent the name of the agent; null: the recording has one alone
- * @param program its program as it is now, looked for as [argo.testkit.agent] does; null: the file that is called as the recorded one
- * @param filter what it perceives its boards through; null: the recorded filters
+ * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
+ * @param agent the name of the agent; null: the recording has only one
+ * @param program its program as it is now, found as by [argo.testkit.agent]; null: the file with the name of the recorded one
+ * @param filter the filter through which it perceives its boards; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */
 fun replayed(
@@ -71,7 +71,7 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     /**
      * Expects that the agent sends the commands that were recorded, in their order, each at the same time.
      *
-     * @param within how much earlier or later a command may be
+     * @param within the time by which a command may be earlier or later
      * @throws AssertionError with the first command that differs
      */
     fun shouldSendTheSame(within: Duration = WITHIN): ReplayedDrive = apply {
@@ -96,14 +96,14 @@ class ReplayedDrive internal constructor(private val file: String, private val a
 
     private fun at(command: SentCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
 
-    /** The commands from a few before the one with the index [first] on. */
+    /** Lists the commands from a few before the one with the index [first] on. */
     private fun listed(commands: List<SentCommand>, first: Int): String {
         val shown = commands.drop(maxOf(0, first - SHOWN_BEFORE)).take(SHOWN).ifEmpty { return "nothing" }
         return shown.joinToString("") { "\n    ${at(it)}: ${it.text}${it.place?.let { place -> " ($place)" }.orEmpty()}" }
     }
 
     private companion object {
-        /** How much earlier or later a command may be if a test says nothing of it. */
+        /** The time by which a command may be earlier or later by default. */
         val WITHIN = 100.milliseconds
         const val SHOWN_BEFORE = 3
         const val SHOWN = 7

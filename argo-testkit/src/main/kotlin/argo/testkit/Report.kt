@@ -6,7 +6,7 @@ import argo.perception.whyLeftOut
 import java.util.logging.Level
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** The state of this agent, to show why an expectation is not met. */
+/** Describes the state of this agent, to show why an expectation is not met. */
 internal fun TestAgent.report(): String {
     val found = listOf(
         "sent" to accounted(), "boards" to boards(), "believes" to beliefs, "intends" to intentions, "said" to said,
@@ -18,10 +18,10 @@ internal fun TestAgent.report(): String {
     }
 }
 
-/** Whether this agent perceives through the port in use. */
+/** True if this agent perceives through the port in use. */
 internal val TestAgent.isPerceiving: Boolean get() = observed()?.isPerceiving ?: false
 
-/** Why this agent has not perceived its first board. */
+/** Explains why this agent has not perceived its first board. */
 internal fun TestAgent.whyBlind(): String {
     val agent = observed()
     val port = agent?.ports()?.find { it.isInUse }
@@ -37,7 +37,7 @@ internal fun TestAgent.whyBlind(): String {
     }
 }
 
-/** What its boards show, what its filters make of that, and whether it perceives any of it. */
+/** Describes the percepts of its boards, their fate in the filters, and whether the agent perceives them. */
 private fun TestAgent.boards(): List<String> {
     val agent = observed() ?: return emptyList()
     val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // a name is a literal
@@ -51,7 +51,7 @@ private fun TestAgent.boards(): List<String> {
     }
 }
 
-/** What becomes of [percept]; null: it is believed as it is. */
+/** Describes the fate of [percept]; null: it is believed unchanged. */
 private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Boolean): String? {
     val fault = whyLeftOut(percept.trim())
     return when {
@@ -61,7 +61,7 @@ private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Bo
     }
 }
 
-/** Of how many percepts of a board it is said what becomes of them. */
+/** The largest number of a board's percepts whose fate is described. */
 private const val MOST_PERCEPTS = 24
 
 private fun TestAgent.observed(): ObservedAgent? =
@@ -72,10 +72,10 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
         "at ${arrival.at.inWholeMilliseconds} ms: ${arrival.command}${if (isTaken) ", taken by an earlier expectation" else ""}"
     }
 
-/** Errors stay, however old: a program that cannot be read is reported at the start. */
+/** Selects the newest entries, and all errors, however old: a program that cannot be read is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
         .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }
 
-/** How many of the newest records of the log are shown. */
+/** The number of the log's newest records that are shown. */
 private const val LOGGED = 20

@@ -14,8 +14,8 @@ import kotlin.time.Duration.Companion.seconds
  * once every thread is waiting: the agent reasons until it sleeps, then time jumps to the end of the shortest wait of the agent, its boards
  * and their lines.
  *
- * An expectation waits up to one second of virtual time, or the time given, for what should happen; what should not happen must not happen
- * in that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
+ * An expectation waits up to one second of virtual time, or the given time, until it is met; an expectation that something does not happen
+ * watches for that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
  *
  * May be used by one thread at a time.
  */
@@ -43,28 +43,28 @@ class TestAgent internal constructor(
     private var cyclesAt = -1L
     private var isBusy = false
 
-    /** Where the programs of agents that it creates are looked for first. */
+    /** The first directories of the search for programs of agents that it creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
     /** Its name. */
     val name: String get() = setUp.name
 
-    /** Whether it has been neither stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
+    /** True if it has been neither stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
     val isRunning: Boolean get() = infra.isRunning
 
     /** The board on its first port. */
     val board: Board get() = platform.first()
 
-    /** The board on [port], named as the agent names it. */
+    /** Returns the board on [port], named as the agent names it. */
     fun board(port: String): Board = platform.at(port)
 
     /** The virtual time since the test began. */
     val now: Duration get() = time.nanos().nanoseconds
 
-    /** The commands that have arrived at its boards, of each board in their order. */
+    /** The commands that have arrived at its boards, board by board in their order. */
     val sent: List<String> get() = platform.all().flatMap { it.commands }
 
-    /** The commands that have arrived at its boards, each with the time at which it did, in the order of these times. */
+    /** The commands that have arrived at its boards, each with its time, in the order of these times. */
     val arrivals: List<Arrival> get() = platform.all().flatMap { it.arrivals }.sortedBy { it.at }
 
     /** Its beliefs, without annotations and rules, in alphabetical order. */
@@ -89,13 +89,13 @@ class TestAgent internal constructor(
 
     /**
      * The sensors of its first [board] show [percepts] from now on; then time advances until the agent has perceived them. Fails if they
-     * have not reached it [within] that time, as when perceiving is blocked.
+     * have not reached it [within] that time, because perceiving is blocked, for example.
      * @throws IllegalArgumentException if an agent would leave out one of them, as `dist(front`: see [perceivesRaw]
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
         perceives(percepts.joinToString().ifEmpty { "no percepts" }, within) { shows(*percepts) }
 
-    /** As [perceives], with the board's whole [message] as it is: what no sensor should send, `dist(front;)(;`. */
+    /** As [perceives], with exactly [message] as the board's whole message, even one that no sensor should send: `dist(front;)(;`. */
     fun perceivesRaw(message: String, within: Duration = PATIENCE): TestAgent = perceives(message, within) { showsRaw(message) }
 
     private fun perceives(what: String, within: Duration, shows: Board.() -> Unit): TestAgent = apply {
@@ -110,7 +110,7 @@ class TestAgent internal constructor(
         mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }
 
-    /** Agent [sender] sends it [content]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
+    /** Sends it [content] from the agent [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
     fun hears(sender: String, performative: String, content: String): TestAgent = apply {
         require(performative in Message.knownPerformatives) {
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
@@ -128,7 +128,7 @@ class TestAgent internal constructor(
 
     /**
      * Expects [command] at one of its boards in the time from [since] on, a past value of [now], until [within] later: how promptly it
-     * reacts to what the test did at [since]. Each command that arrives fulfils one expectation.
+     * reacts to the test's step at [since]. Each command that arrives fulfils one expectation.
      * @throws IllegalArgumentException if [since] is yet to come
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
@@ -175,7 +175,7 @@ class TestAgent internal constructor(
     /** Expects that it is stopped, as by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** It is stopped, as by `.kill_agent`; its boards remain, with their ports closed. */
+    /** Stops it, as `.kill_agent` does; its boards remain, with their ports closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)
@@ -191,7 +191,7 @@ class TestAgent internal constructor(
         if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n${report()}")
     }
 
-    /** Runs one reasoning cycle. With an agent that never sleeps time would not advance. */
+    /** Runs one reasoning cycle. Fails if the agent never sleeps, since time would not advance. */
     internal fun step(): Boolean {
         if (isBusy || !cycle()) return false
         takeTime()
@@ -220,7 +220,7 @@ class TestAgent internal constructor(
         )
     }
 
-    /** Jason wakes an agent at least once a second. */
+    /** Wakes the agent at least once a second, as Jason does. */
     private fun wakeEachSecond() {
         infra.wake()
         if (isRunning) time.later(nanos(1.seconds), ::wakeEachSecond)
@@ -241,15 +241,15 @@ class TestAgent internal constructor(
     override fun close() = mas.close()
 
     internal companion object {
-        /** The first answer has been read when the board is asked again. */
+        /** The first answer has been read once the board is asked again. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }
 }
 
-/** How long an expectation waits by default. */
+/** The time that an expectation waits by default. */
 internal val PATIENCE = 1.seconds
 
-/** @throws IllegalArgumentException if it is negative or longer than a test can be */
+/** @throws IllegalArgumentException if [duration] is negative or longer than a test can be */
 internal fun nanos(duration: Duration): Long {
     require(!duration.isNegative()) { "time does not go back: $duration" }
     require(duration <= LONGEST) { "a test lasts $LONGEST at most, not $duration" }

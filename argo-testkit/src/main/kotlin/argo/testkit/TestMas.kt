@@ -18,14 +18,14 @@ import kotlin.time.Duration
 class TestMas internal constructor() : AutoCloseable {
     internal val time = VirtualTime().also { it.mas = this }
     internal val log = AgentLog(time)
-    private val agents = LinkedHashMap<String, TestAgent>() // of several that had a name in turn, the last
+    private val agents = LinkedHashMap<String, TestAgent>() // the last of those that had the name in turn
     private val made = ArrayList<TestAgent>()
     private var closed = false
 
-    /** How long a message from one agent of the test to another takes; asked when it is sent. */
+    /** The time that a message from one agent of the test to another takes; asked when it is sent. */
     internal var delayOf: (Message) -> Duration = { Duration.ZERO }
 
-    /** How many reasoning cycles an agent may have at one instant. */
+    /** The largest number of reasoning cycles that an agent may have at one instant. */
     internal var mostCycles = 10_000
 
     /** Opens the observer of an agent that is being made; null: nobody observes. */
@@ -35,7 +35,7 @@ class TestMas internal constructor() : AutoCloseable {
     val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
 
     /**
-     * The agent called [name], also one that has been stopped.
+     * Returns the agent called [name], also one that has been stopped.
      * @throws IllegalArgumentException if there is none
      */
     operator fun get(name: String): TestAgent =
@@ -95,17 +95,17 @@ class TestMas internal constructor() : AutoCloseable {
         }
     }
 
-    /** [base], or [base] with a number: what an agent can be called that is made now. */
+    /** Returns a name for a new agent: [base], or [base] with a number. */
     internal fun newName(base: String): String =
         (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
 
-    /** The agents that run. */
+    /** Returns the agents that run. */
     internal fun running(): List<TestAgent> = agents.values.filter { it.isRunning }
 
-    /** The agent that is called [name], if it runs. */
+    /** Returns the agent called [name], if it runs. */
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Takes [message] to its receiver; one that is not in the test is spoken to in vain. */
+    /** Takes [message] to its receiver; if that is not in the test, the message is lost. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)
@@ -121,7 +121,7 @@ class TestMas internal constructor() : AutoCloseable {
         deliver(message.clone().apply { receiver = other.name })
     }
 
-    /** Stops [agents] in [deadlineMs] ms of this time, and has them know it until then. */
+    /** Stops [agents] in [deadlineMs] ms of this time, and tells them so at once. */
     internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
         if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
         time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // never within a reasoning cycle
@@ -130,7 +130,7 @@ class TestMas internal constructor() : AutoCloseable {
     private fun shuttingDown(deadlineMs: Int) =
         Trigger(TEOperator.add, TEType.belief, ASSyntax.createLiteral("jag_shutting_down", ASSyntax.createNumber(deadlineMs.toDouble())))
 
-    /** What was logged about the agent [name], and about no agent. */
+    /** Returns the log's entries about the agent [name], and those about no agent. */
     internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {

@@ -30,15 +30,15 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
 
     override fun isPresent(port: String) = at(port).isPresent
 
-    /** The board on [port]; the first port that is named gets the board that [first] has returned. */
+    /** Returns the board on [port]; the first port that is named gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
-    /** The board of the first port there is; of the first that the agent will open, if there is none yet. */
+    /** Returns the board of the first port; if there is none yet, of the first that the agent will open. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
-    /** The boards on the ports that have been named, by these names. */
+    /** Returns the boards on the ports that have been named, by these names. */
     fun named(): Map<String, Board> = boards
 
-    /** All boards. */
+    /** Returns all boards. */
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)
 }

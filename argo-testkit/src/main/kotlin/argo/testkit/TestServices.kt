@@ -75,7 +75,7 @@ internal class TestServices private constructor(private val real: RuntimeService
     }
 
     companion object {
-        /** Puts it in the place of what is there. */
+        /** Puts it in the place of Jason's present services. */
         @Synchronized
         fun install() {
             val there: RuntimeServices? = RuntimeServicesFactory.get()

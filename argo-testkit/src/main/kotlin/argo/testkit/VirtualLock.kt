@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
-/** A reentrant, fair lock for the threads of [time], of which one runs at a time. */
+/** A reentrant, fair lock for the threads of [time]; only one of these runs at a time. */
 internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var owner: Any? = null
     private var holds = 0

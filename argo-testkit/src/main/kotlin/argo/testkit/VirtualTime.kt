@@ -81,7 +81,7 @@ internal class VirtualTime : LineClock {
         !ran
     }
 
-    /** The names of the threads that have not ended. */
+    /** Returns the names of the threads that have not ended. */
     fun living(): List<String> = threads.filter { !it.over }.map { it.name }
 
     /** Interrupts all threads. */
@@ -130,7 +130,10 @@ internal class VirtualTime : LineClock {
         thread.failure?.let { throw IllegalStateException("thread ${thread.name} ended with $it", it) }
     }
 
-    /** Whether the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted: no thread runs beside it. */
+    /**
+     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted: no thread runs beside
+     * it.
+     */
     private fun returns(): Boolean {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
         var wasInterrupted = false
@@ -147,7 +150,7 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** When the next thread or timer is due, now at the earliest; null: never. */
+    /** Returns the time at which the next thread or timer is due, now at the earliest; null: never. */
     private fun nextInstant(): Long? =
         (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
             .minOrNull()?.let { maxOf(it, nowNanos) }
@@ -227,10 +230,10 @@ internal class VirtualTime : LineClock {
     companion object {
         private val ACTIVE = ThreadLocal<VirtualTime?>()
 
-        /** The time that the calling thread belongs to or drives; null if it does neither. */
+        /** Returns the time that the calling thread belongs to or drives; null if it does neither. */
         fun active(): VirtualTime? = (Thread.currentThread() as? VirtualThread)?.time ?: ACTIVE.get()
 
-        /** How long a resumed thread may run in real time, in s. */
+        /** The time that a resumed thread may run in real time, in s. */
         private const val STUCK_S = 30L
     }
 }

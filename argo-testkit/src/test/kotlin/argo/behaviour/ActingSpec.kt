@@ -50,6 +50,29 @@ class ActingSpec : FunSpec({
         }
     }
 
+    test("commands to a board that has fallen silent fail together after five seconds, urgent ones go out, and the log has it once") {
+        agentOf("""
+            !start.
+            +!start <- argo.port(ttyACM0); argo.limit(50); argo.percepts(open).
+            +p <- argo.act(first); .wait(2000);
+                  for (.range(I,1,5)) { !!do(walk(I),[]) }; .wait(1000); !!do(walk(6),[]); !!do(speed(1),[latest]);
+                  .wait(1500); !!do(stop,[urgent]); !!do(speed(2),[latest]).
+            +!do(W,Options) <- argo.act(W,Options).
+            -!do(W,_)[error(E),error_msg(M)] <- +failed(W,E); .print(M).
+        """) { board.shows("p") }.use { bob ->
+            bob.shouldSend("first").board.ignoresRequests()
+            bob.shouldSend("stop", within = 5.seconds)
+            bob.shouldBelieve("failed(walk(1),port_timeout)", within = 3.seconds).after(1.milliseconds)
+            bob.shouldBelieve("failed(walk(5),port_timeout) & not failed(walk(6),_)", within = 1.milliseconds)
+            bob.shouldPrint("the board does not answer", within = 1.milliseconds)
+            bob.shouldBelieve("failed(walk(6),port_timeout) & failed(speed(1),act_replaced)", within = 1100.milliseconds)
+            bob.sent shouldBe listOf("first", "stop")
+            bob.log.count { "have waited for 5000 ms" in it } shouldBe 1
+            bob.board.shows("p", "q")
+            bob.shouldSend("speed(2)").sent shouldBe listOf("first", "stop", "speed(2)")
+        }
+    }
+
     test("an intention that waits for its command does not stop the agent") {
         agentOf("""
             !start. !think(0).

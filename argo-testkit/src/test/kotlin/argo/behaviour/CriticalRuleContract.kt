@@ -13,9 +13,9 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * What an agent may expect of critical rules, whoever watches them.
+ * The behaviour of critical rules that an agent may expect, whether its board or its computer watches them.
  *
- * @param watcher who does, as `argo.explain` names it
+ * @param watcher the watching side, as `argo.explain` names it
  * @param canRefuse whether the board tells when it refuses a command
  * @param setUp makes the board
  */
@@ -30,7 +30,7 @@ abstract class CriticalRuleContract(watcher: String, canRefuse: Boolean = true, 
     fun TestAgent.isTo(goal: String) = hears("user", "achieve", goal)
     fun TestAgent.count(command: String) = board.commands.count { it == command }
 
-    /** An agent that perceives through the filter `careful`, after its rules have been settled with the board. */
+    /** Starts an agent that perceives through the filter `careful`, and waits until its rules have been settled with the board. */
     fun bob(filter: String = "careful") = project.agent("""
         !start.
         +!start <- argo.port(ttyACM0, [baud(115200)]); argo.limit(20); argo.change_filter($filter); argo.percepts(open).

@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.logging.Logger
 
-/** An observer that keeps what it is called with, one line for each call but [cycleFinished]. */
+/** An observer that notes its calls, one line for each but [cycleFinished]. */
 internal class Diary(val agent: ObservedAgent) : AgentObserver {
     val lines = ConcurrentLinkedQueue<String>()
 
@@ -35,7 +35,7 @@ internal class Diary(val agent: ObservedAgent) : AgentObserver {
     }
 }
 
-/** An observer that throws whatever it is called for. */
+/** An observer that throws at each call. */
 internal class Broken : AgentObserver {
     override fun messageFiltered(message: PerceivedMessage) = error("broken")
     override fun messagePerceived(message: PerceivedMessage) = throw StackOverflowError("broken")

@@ -12,9 +12,9 @@ import kotlin.random.Random
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Boards that do what no board should, and what the agent makes of it. */
+/** Boards that misbehave, and the agent's reactions. */
 class FaultyBoardsSpec : FunSpec({
-    /** The agent reasons still: it reaches a goal that needs no board, at once. */
+    /** Expects that the agent still reasons: it reaches a goal that needs no board, at once. */
     fun TestAgent.shouldReason(goal: String) = hears("user", "achieve", "reach($goal)").shouldBelieve("reached($goal)", within = 0.seconds)
 
     test("a board that never answers is in timeout, gets its commands all the same, and does not hold its agent up") {

@@ -2,6 +2,7 @@ package argo.behaviour
 
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -51,22 +52,23 @@ class HostileBoardSpec : FunSpec({
         }
     }
 
-    for (kind in listOf("readable", "broken")) test("thousands of ever new $kind percepts fill neither the belief base nor the log") {
-        agentOf("""
+    for (kind in listOf("readable", "broken")) test("thousands of ever new $kind percepts fill neither the belief base nor the log")
+        .config(tags = thorough) {
+            agentOf("""
             !start.
             +!start <- argo.port(ttyACM0, [boot(0), spacing(0), baud(20000000)]); argo.limit(0); argo.percepts(open).
             +ok <- argo.act(alive).
         """) {
-            var n = 0
-            board.showsRaw {
-                val percepts = List(10) { n++; if (kind == "broken") "broken$n($n;" else "new$n($n);" }
-                if (n > 6_000) "ok;" else percepts.joinToString("")
+                var n = 0
+                board.showsRaw {
+                    val percepts = List(10) { n++; if (kind == "broken") "broken$n($n;" else "new$n($n);" }
+                    if (n > 6_000) "ok;" else percepts.joinToString("")
+                }
+            }.use { bob ->
+                bob.shouldSend("alive", within = 20.seconds).beliefs shouldBe listOf("ok", "port(ttyACM0,on)")
+                bob.log.size shouldBeLessThan 150
             }
-        }.use { bob ->
-            bob.shouldSend("alive", within = 20.seconds).beliefs shouldBe listOf("ok", "port(ttyACM0,on)")
-            bob.log.size shouldBeLessThan 150
         }
-    }
 
     test("more percepts than are allowed are left out from the end, with one warning") {
         agentOf(start) {
@@ -87,3 +89,5 @@ class HostileBoardSpec : FunSpec({
         }
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

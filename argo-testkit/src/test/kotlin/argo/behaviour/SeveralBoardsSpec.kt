@@ -27,7 +27,7 @@ class SeveralBoardsSpec : FunSpec({
             argo.limit(20); argo.percepts(open).
     """
 
-    /** The percepts that the agent believes of a board, whatever else it believes. */
+    /** Returns the percepts of a board that the agent believes. */
     fun TestAgent.left() = board("ttyACM0")
     fun TestAgent.right() = board("ttyACM1")
 
@@ -528,7 +528,7 @@ internal class SlowFilter(private val port: String) : AgentObserver {
     companion object {
         const val OPTION = "argo_slow_filter"
 
-        /** The cycles so far in which one board was perceived alone. */
+        /** The number of cycles so far in which one board was perceived without the other. */
         val perceivedAlone = AtomicInteger()
     }
 }

@@ -41,7 +41,7 @@ class ExploreSpec : FunSpec({
         shouldKeepRules("${ages.write(folder, isMended = true)}", *found.events.toTypedArray()) { ages.describe(this) }
     }
 
-    /** Believes that it has stopped before it has, unless it is mended. */
+    /** Writes a robot that believes that it has stopped before it has, unless it is mended. */
     fun stopping(isMended: Boolean) = program(
         """
         !start.

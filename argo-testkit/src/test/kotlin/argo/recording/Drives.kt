@@ -15,14 +15,14 @@ import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
-/** Where the recordings of all specs are, until the tests have ended. */
+/** The directory of the recordings of all specs, until the tests have ended. */
 private val DIRECTORY: Path by lazy {
     createTempDirectory("argo-recording-spec").also { made ->
         Runtime.getRuntime().addShutdownHook(Thread { made.toFile().deleteRecursively() })
     }
 }
 
-/** A file for a recording, in a directory of its own. */
+/** Returns a file for a recording, in a directory of its own. */
 internal fun recordingFile(): Path = createTempDirectory(DIRECTORY, "drive").resolve("drive.mcap")
 
 /** Records an agent with [program] while [drive] runs, and returns the file. */
@@ -44,18 +44,18 @@ internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() 
     return file
 }
 
-/** All of [file] is replayed, and does what was recorded. */
-internal fun shouldReplay(file: Path) {
-    val outcome = replayOf(file)
+/** All of [file] is replayed, and does what was recorded; [isChecking] as of [replayOf]. */
+internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
+    val outcome = replayOf(file, isChecking)
     withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }
     outcome.cycles shouldBe outcome.recorded.toLong()
     outcome.cycles shouldBeGreaterThan 0L
 }
 
-/** What came of a replay: how many cycles were run, how many were recorded, and what differs. */
+/** The outcome of a replay: the numbers of cycles that were run and recorded, and the differences. */
 internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>)
 
-/** Replays the recording [file] as a whole; [isChecking] carries the actions of these tests out again. */
+/** Replays the recording [file] as a whole; [isChecking] carries the code of these tests out again. */
 internal fun replayOf(file: Path, isChecking: Boolean = false): Outcome = Recording(file).use { recording ->
     Replay(recording, isChecking).use { replay ->
         replay.run()

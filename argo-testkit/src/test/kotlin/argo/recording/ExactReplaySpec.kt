@@ -30,7 +30,7 @@ import java.util.logging.Logger
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Whatever enters an agent, and when, a replay gives it the same. */
+/** A replay gives an agent every input that it had, at the same time. */
 class ExactReplaySpec : FunSpec({
     fun percept(functor: String, vararg terms: Term): Literal = LiteralImpl(functor).addTerms(*terms)
 
@@ -103,7 +103,7 @@ class ExactReplaySpec : FunSpec({
         val file = recordedBy { ts -> ts.settings.isSync = true }
         Recording(file).use { it.cycles("agent").mapNotNull { cycle -> cycle.course.event }.toList() }.first { "hello" in it } shouldContain
             "kqml_received"
-        shouldReplay(file)
+        shouldReplay(file, isChecking = true) // its architecture is of the project
     }
 
     test("beliefs and goals whose values are drawn when Jason reads the program") {
@@ -181,6 +181,14 @@ class ExactReplaySpec : FunSpec({
         )
     }
 
+    test("events that another thread puts into the queue in the middle of a cycle") {
+        val file = recorded("!start. +!start : planted.rings <- !more; planted.rings; !more. +!more <- +more. +ring(N) <- .print(N).") {
+            after(1.seconds)
+        }
+        Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.input.events }.toList() } shouldBe listOf("+ring(1)", "+ring(1)")
+        shouldReplay(file)
+    }
+
     test("plans that are added while the agent runs, with chance and functions in them") {
         shouldReplay(
             recorded(
@@ -247,7 +255,7 @@ class ExactReplaySpec : FunSpec({
     }
 })
 
-/** Records an agent whose infrastructure does [live] with it, which the infrastructure of a replay does not. */
+/** Records an agent to which its infrastructure does [live]; the infrastructure of a replay does not. */
 private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try {
     ControlledArch.live = live
     recorded("+hello(N) <- .print(N).", { arch = ::ControlledArch }) {
@@ -258,8 +266,8 @@ private fun recordedBy(live: (jason.asSemantics.TransitionSystem) -> Unit) = try
     ControlledArch.live = {}
 }
 
-/** What [work] returns, and what has been logged about agents meanwhile. */
-private fun <T> logged(work: () -> T): Pair<T, List<String>> {
+/** Returns the result of [work], and the lines logged about agents meanwhile. */
+internal fun <T> logged(work: () -> T): Pair<T, List<String>> {
     val texts = CopyOnWriteArrayList<String>()
     val handler = object : Handler() {
         override fun publish(record: LogRecord) {
@@ -278,7 +286,7 @@ private fun <T> logged(work: () -> T): Pair<T, List<String>> {
     }
 }
 
-/** What an infrastructure does with an agent before it runs. */
+/** An architecture to which the infrastructure does [live] before the agent runs. */
 class ControlledArch(platform: Platform) : Arch(platform) {
     override fun init() {
         live(ts)
@@ -286,7 +294,7 @@ class ControlledArch(platform: Platform) : Arch(platform) {
     }
 
     companion object {
-        /** Nothing in a replay. */
+        /** The infrastructure's work; none in a replay. */
         var live: (jason.asSemantics.TransitionSystem) -> Unit = {}
     }
 }

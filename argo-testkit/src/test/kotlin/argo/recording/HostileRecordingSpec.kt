@@ -3,11 +3,16 @@ package argo.recording
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.Replay
+import argo.recording.replay.WhatIf
+import argo.recording.why.Question
+import argo.recording.why.Why
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.engine.spec.tempfile
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
@@ -19,13 +24,27 @@ import java.net.ServerSocket
 import java.nio.file.Path
 import java.time.Duration
 import java.util.Base64
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.zip.DeflaterOutputStream
 import kotlin.concurrent.thread
 import kotlin.io.path.createTempFile
 import kotlin.io.path.deleteExisting
+import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
+
+/** Replays the recording that is its argument, and says so before. */
+object EndlessReplay {
+    @JvmStatic
+    fun main(arguments: Array<String>) = Recording(Path.of(arguments.single())).use { recording ->
+        Replay(recording).use {
+            println("replaying")
+            it.run()
+            Unit
+        }
+    }
+}
 
 /** The recording of a stranger, when it is replayed, writes no file, reads none of the folder, calls no address and starts nothing. */
 class HostileRecordingSpec : FunSpec({
@@ -40,7 +59,7 @@ class HostileRecordingSpec : FunSpec({
         }
     }
 
-    /** The files that the Java machine has written and read while it did [work], and the processes that it has started. */
+    /** Returns the files that the Java machine has written and read during [work], and the processes that it has started. */
     fun watched(work: () -> Unit): List<String> {
         val file = createTempFile("watch", ".jfr")
         val kinds = listOf("jdk.FileWrite", "jdk.FileRead", "jdk.ProcessStart", "jdk.SocketRead", "jdk.SocketWrite")
@@ -66,14 +85,17 @@ class HostileRecordingSpec : FunSpec({
         refused.message
     }
 
-    /** Replays [file], and returns what is said about it. */
+    /** Replays [file], and returns the messages about it. */
     fun shouldDoNothing(file: Path): String {
         var said: String? = null
         val done = watched { said = replayed(file) }
         val temporary = Path.of(System.getProperty("java.io.tmpdir")).resolve("argo-replay").toString()
+        val (own, other) = done.filter { "jdk.FileRead" !in it }.partition { temporary in it }
         withClue(done.joinToString("\n")) {
-            done.filter { "jdk.FileRead" !in it && temporary !in it }.shouldBeEmpty()
+            other.shouldBeEmpty()
             done.filter { "$folder" in it }.shouldBeEmpty()
+            own.map { temporary + it.substringAfter(temporary).substringBefore('/') }.distinct().filter { Path.of(it).exists() }
+                .shouldBeEmpty() // the folder with the recorded programs
         }
         notes.readText() shouldBe "mine"
         folder.toFile().list().orEmpty().toList() shouldBe listOf("notes.asl")
@@ -113,6 +135,13 @@ class HostileRecordingSpec : FunSpec({
         }
     }
 
+    test("a belief that lists a folder") {
+        val file = made("b({ .list_files(\"$folder\",L); +files(L) }). !start. +!start <- ?b(X); X; +listed. -!start <- +failed.")
+        shouldDoNothing(file)
+        val beliefs = Recording(file).use { recording -> Replay(recording).use { it.run().beliefs("bob") } }
+        beliefs.filterNot { it.startsWith("b(") } shouldBe listOf("failed[source(self)]")
+    }
+
     test("the project's own code in a belief") {
         val before = planted.calls.CALLS.get()
         shouldDoNothing(made("b(planted.calls(N)). !start. +!start <- ?b(X); X."))
@@ -128,7 +157,7 @@ class HostileRecordingSpec : FunSpec({
     }
 
     test("files inside that would stand elsewhere") {
-        for (name in listOf("program/../../escaped.asl", "program/bob/../../../escaped.asl", "program/\u0000")) {
+        for (name in listOf("program/../../escaped.asl", "program/bob/../../../escaped.asl", "program/bob/\u0000")) {
             shouldDoNothing(made("!start.", files = mapOf(name to "x"))) shouldContain "has a file outside of its programs"
         }
         shouldDoNothing(made("!start.", mapOf("source" to "../notes.asl"), mapOf("../notes.asl" to "x"))) shouldContain
@@ -145,8 +174,31 @@ class HostileRecordingSpec : FunSpec({
         shouldDoNothing(made(started(".term2string(A,\"$wanted(1)\"); A")))
         shouldDoNothing(made("!start.", mapOf("agentClass" to wanted))) shouldContain "agent bob had the class $wanted"
         shouldDoNothing(made("!start.", mapOf("beliefBase" to wanted))) shouldContain "agent bob had the class $wanted"
-        shouldDoNothing(made("!start.", mapOf("archClass" to wanted))) shouldContain "which is not argo.Arch"
+        shouldDoNothing(made("!start.", mapOf("archClass" to wanted))) shouldContain "agent bob had the architecture $wanted"
+        shouldThrow<RecordingException> { replayOf(made("!start.", mapOf("archClass" to wanted)), isChecking = true) }.message shouldContain
+            "which is not argo.Arch"
         planted.Bomb.explosions shouldBe 0
+    }
+
+    test("classes that the .mas2j names are not made, and refuse no recording") {
+        val mas2j = "MAS x { agents: eve beliefBaseClass ${planted.Bomb::class.java.name}(7); bob; }"
+        replayOf(made("!start. +!start <- .print(a).", files = mapOf("program/x.mas2j" to mas2j))).differences.shouldBeEmpty()
+        planted.Bomb.explosions shouldBe 0
+    }
+
+    test("an architecture of the project, which is made with --check and for a program of the user's only") {
+        val file = made("!start.", mapOf("archClass" to planted.Counted::class.java.name))
+        shouldDoNothing(file) shouldContain "agent bob had the architecture planted.Counted; a class of the project may do anything"
+        Recording(file).use { recording ->
+            shouldThrow<RecordingException> { WhatIf(recording, "bob") }.message shouldContain "planted.Counted"
+            Why(recording).use { why ->
+                shouldThrow<RecordingException> { why.not("bob", checkNotNull(Question.of("stop"))) }.message shouldContain "planted.Counted"
+            }
+        }
+        planted.Counted.made shouldBe 0
+        replayOf(file, isChecking = true)
+        Recording(file).use { recording -> WhatIf(recording, "bob", tempfile(suffix = ".asl").toPath()).use { it.run() } }
+        planted.Counted.made shouldBe 2
     }
 
     test("options that would begin a server or another recording") {
@@ -163,7 +215,7 @@ class HostileRecordingSpec : FunSpec({
         return """{"index":9,"number":9,"ns":9,"parts":PARTS,"mind":"${Base64.getEncoder().encodeToString(bytes.toByteArray())}"}"""
     }
 
-    /** What is said of a recording that begins with [keyFrame]. */
+    /** Returns the messages about a recording that begins with [keyFrame]. */
     fun saidOf(keyFrame: String): String {
         val cycles = listOf("""{"index":10,"number":10,"ns":10}""")
         fun file(parts: String) = made("", keyFrame = keyFrame.replace("PARTS", parts), cycles = cycles)
@@ -184,7 +236,7 @@ class HostileRecordingSpec : FunSpec({
         saidOf(keyFrame { it.write(ByteArray(200_000_000)) }) shouldContain "holds more than"
         val list = ByteArrayOutputStream()
         ObjectOutputStream(list).use { it.writeObject(ArrayList<Any>(0)) }
-        // how many it has, in two places
+        // the number of its objects, in two places
         val claims = list.toByteArray().also { bytes -> listOf(bytes.size - 11, bytes.size - 5).forEach { bytes[it] = 0x7F } }
         saidOf(keyFrame { it.write(claims) }) shouldContain "cannot be read"
         val deep = (1..20_000).fold(ArrayList<Any>()) { inner, _ -> arrayListOf(inner) }
@@ -209,6 +261,20 @@ class HostileRecordingSpec : FunSpec({
         for (beginning in listOf("""{"beliefs":["((("]}""", """{"events":["((("]}""")) {
             shouldDoNothing(made("!start.", mapOf("beginning" to beginning))) shouldContain "cannot be read"
         }
+    }
+
+    test("a context that is searched for ever, until Java is ended: then the folder of the replay is removed, too") {
+        val file = made("!start. +!start : .range(I,0,2000000000) & I < 0 <- .print(a).")
+        val folders = tempdir()
+        val java = ProcessHandle.current().info().command().get()
+        val process = ProcessBuilder(
+            java, "-Djava.io.tmpdir=$folders", "-cp", System.getProperty("java.class.path"), EndlessReplay::class.java.name, "$file",
+        ).redirectErrorStream(true).start()
+        process.inputReader().use { it.readLine() shouldBe "replaying" }
+        folders.list().orEmpty().filter { it.startsWith("argo-replay") } shouldHaveSize 1
+        process.destroy()
+        process.waitFor(1, TimeUnit.MINUTES) shouldBe true
+        folders.list().orEmpty().toList().shouldBeEmpty()
     }
 
     test("a rule without an end") {

@@ -10,6 +10,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.architecture.MindInspectorWeb
@@ -110,6 +111,22 @@ class IncludedFilesSpec : FunSpec({
         beliefs() shouldContain "now(9)[source(self)]"
         folder.toFile().deleteRecursively()
         beliefs() shouldContain "now(3)[source(self)]"
+    }
+
+    test("chance in a block of a file that another program includes as it runs, and in a plan that it adds, is as recorded") {
+        val folder = tempdir().toPath().toRealPath()
+        folder.resolve("lib.asl").writeText("{ begin namespace(n) } +!roll : .random(R) <- +drew(R). { end }")
+        val program =
+            """
+            !work.
+            +!work <- .include("$folder/lib.asl"); !n::roll; .add_plan("+!turn : X = math.random(100) <- +turned(X)."); .wait(20); !turn.
+            """.trimIndent()
+        val file = recorded(program) { after(300.milliseconds) }
+        fun drawn(beliefs: List<String>) = beliefs.filter { "drew(" in it || "turned(" in it }
+        val recorded = Recording(file).use { recording -> Replay(recording).use { drawn(it.run().beliefs("agent")) } }
+        recorded shouldHaveSize 2
+        val other = folder.resolve("new.asl").apply { writeText("$program // another") }
+        Recording(file).use { recording -> WhatIf(recording, "agent", other).use { drawn(it.run().beliefs) } } shouldBe recorded
     }
 
     test("a recorded file that another program includes takes none of the user's") {

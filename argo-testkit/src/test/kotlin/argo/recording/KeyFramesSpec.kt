@@ -26,7 +26,7 @@ import kotlin.time.Duration.Companion.milliseconds
 
 /** A recording that has lost its beginning, as a ring of the last minutes has, is replayed from a key frame on. */
 class KeyFramesSpec : FunSpec({
-    /** The last three seconds of a drive of [program] that lasts twelve. */
+    /** Records the last three seconds of a drive of [program] that lasts twelve. */
     fun ring(program: String, kept: (String, String) -> String? = { _, text -> text }): Path = ringOf(
         recorded(program) {
             repeat(24) {
@@ -37,7 +37,7 @@ class KeyFramesSpec : FunSpec({
         Duration.ofSeconds(3), kept,
     )
 
-    /** What the agent believes at the end of a replay of [file], which is to do what was recorded. */
+    /** Returns the agent's beliefs at the end of a replay of [file], which must not differ from the recording. */
     fun beliefsAfter(file: Path, agent: String = "agent"): List<String> = Recording(file).use { recording ->
         Replay(recording).use { replay ->
             replay.run()

@@ -11,7 +11,7 @@ import java.util.logging.Logger
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** How long a real-time test waits for what takes milliseconds on an idle machine. */
+/** The longest wait of a real-time test for events that take milliseconds on an idle machine. */
 internal val LIMIT = 60.seconds
 
 /** Jason's Local infrastructure in this process, in real time, for agents that are recorded to [file]. One at a time. */
@@ -43,7 +43,7 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         (if (belief in beliefs) belief else beliefs.toString()) shouldBe belief
     }
 
-    /** Takes the handlers of the agent's logger away, as Java does with those of all loggers when it ends. */
+    /** Removes the handlers of the agent's logger, as Java does with those of all loggers at its end. */
     fun loseHandlers(name: String) = mas.getAg(name).ts.logger.run {
         for (handler in handlers) {
             removeHandler(handler)
@@ -53,6 +53,9 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
 
     /** Returns when agent [name] runs no longer. */
     suspend fun awaitEnd(name: String) = eventually(LIMIT) { (mas.getAg(name)?.isRunning ?: false) shouldBe false }
+
+    /** Returns when the thread of agent [name] has ended. */
+    suspend fun awaitDeath(name: String) = eventually(LIMIT) { Thread.getAllStackTraces().keys.count { it.name == name } shouldBe 0 }
 
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own

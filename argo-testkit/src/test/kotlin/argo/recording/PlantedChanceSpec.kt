@@ -7,7 +7,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.time.Duration.Companion.milliseconds
 
-/** What in a program gives another result each time is found by its replay, and named. */
+/** A replay finds and names the parts of a program that give another result each time. */
 class PlantedChanceSpec : FunSpec({
     fun differences(program: String, setUp: AgentSetUp.() -> Unit = {}) =
         replayOf(recorded(program, setUp) { after(300.milliseconds) }, isChecking = true).differences
@@ -61,6 +61,12 @@ class PlantedChanceSpec : FunSpec({
         val before = planted.calls.CALLS.get()
         replayOf(file).differences.shouldBeEmpty()
         planted.calls.CALLS.get() shouldBe before
+    }
+
+    test("lines that an internal action prints are not missed without --check, and compared with it; those of plans always are") {
+        val file = recorded("!start. +!start : planted.prints & .print(a) <- .print(done).") { after(300.milliseconds) }
+        replayOf(file).differences.shouldBeEmpty()
+        replayOf(file, isChecking = true).differences.first().what shouldBe "printed lines"
     }
 
     test("but nothing in a program without chance") {

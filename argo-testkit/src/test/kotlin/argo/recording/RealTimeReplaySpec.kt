@@ -1,6 +1,8 @@
 package argo.recording
 
 import argo.recording.replay.Recording
+import argo.recording.replay.RecordingException
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
@@ -142,6 +144,23 @@ class RealTimeReplaySpec : FunSpec({
         last.isEnding shouldBe true
         last.course.run { event to step } shouldBe ("+!go[source(self)]" to null)
         shouldReplay(file)
+    }
+
+    test("an agent whose thread an error ends in the middle of a cycle: the recording has what entered that cycle, and the log tells") {
+        val file = recordingFile()
+        val mas = LiveMas(file) // which takes the handlers of all loggers away
+        val log = logged {
+            mas.use {
+                mas.agent("robot", "loop :- loop. !start. +!start <- +begun; !go. +!go : loop <- .print(never).")
+                runBlocking { mas.awaitDeath("robot") }
+            }
+        }.second
+        val last = Recording(file).use { it.cycles("robot").last() }
+        last.isEnding shouldBe true
+        log.single { "an error ended cycle" in it } shouldBe
+            "argo_record: an error ended cycle ${last.number} of agent robot; its recording ends there"
+        shouldThrow<RecordingException> { replayOf(file) }.message shouldBe
+            "a term or a rule is nested too deeply in cycle ${last.number} of agent robot"
     }
 
     test("an agent that prints on while Java ends, which takes the handlers of its logger away") {

@@ -13,7 +13,7 @@ import jason.util.Config
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.milliseconds
 
-/** What a replay could not have is refused, by its name, when a recording begins; the agent runs without one. */
+/** A recording refuses at its beginning, by name, every part that a replay could not have; the agent runs without a recording. */
 class RefusedRecordingsSpec : FunSpec({
     fun shouldBeRefused(why: String, setUp: AgentSetUp.() -> Unit) {
         val file = recordingFile()
@@ -60,13 +60,17 @@ class RefusedRecordingsSpec : FunSpec({
         }
     }
 
-    test("code of Jason's that this version does not know, in a plan that is added: the agent goes on") {
-        val file = recordingFile()
-        val program = """!start. +!start <- .wait(50); .add_plan("+!x(X) <- jason.planted.unheard(X)."); .wait(50); !x(X); .print(X)."""
-        agentOf(program) { options("argo_record" to "$file") }.use {
-            it.after(300.milliseconds)
-            it.printed shouldContain "7"
-            it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+    for ((where, steps) in listOf(
+        "a plan that is added" to """.add_plan("+!x(X) <- jason.planted.unheard(X)."); .wait(50); !x(X)""",
+        "a term that is made of a text" to """.term2string(T, "jason.planted.unheard(X)"); T; .wait(50)""",
+    )) {
+        test("code of Jason's that this version does not know, in $where: the agent goes on") {
+            val file = recordingFile()
+            agentOf("!start. +!start <- .wait(50); $steps; .print(X).") { options("argo_record" to "$file") }.use {
+                it.after(300.milliseconds)
+                it.printed shouldContain "7"
+                it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+            }
         }
     }
 })

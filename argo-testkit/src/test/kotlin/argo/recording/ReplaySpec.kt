@@ -2,13 +2,14 @@ package argo.recording
 
 import argo.recording.replay.Recording
 import argo.recording.replay.Replay
+import argo.testkit.mas
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** What a recorded agent did, it does again when Jason runs it on what was recorded. */
+/** A recorded agent acts again as it did when Jason runs it on its recording. */
 class ReplaySpec : FunSpec({
     test("percepts, events, commands and timers") {
         val file = recorded(
@@ -170,6 +171,34 @@ class ReplaySpec : FunSpec({
         planted.calls.CALLS.get() shouldBe before
         Recording(file).use { it.cycles("agent").flatMap { cycle -> cycle.input.calls }.map { call -> call.name }.toList() } shouldBe
             listOf("planted.calls", ".random")
+    }
+
+    fun callsIn(file: Path) = Recording(file).use { recording ->
+        recording.agents.keys.flatMap { recording.cycles(it).flatMap { cycle -> cycle.input.calls }.map { call -> call.name } }
+    }
+
+    test("the project's actions and chance in terms that the program makes of texts as it runs") {
+        val file = recorded(
+            """
+            !start.
+            +!start <- .term2string(A, "planted.calls(X)"); A; .term2string(B, ".random(Y)"); B; .term2string(C, "system.time");
+               Z = C + 0; +held(A); ?held(H); H; .print(X, Y, Z).
+            """.trimIndent(),
+        ) { after(300.milliseconds) }
+        callsIn(file).distinct() shouldBe listOf("planted.calls", ".random", "system.time")
+        val before = planted.calls.CALLS.get()
+        shouldReplay(file)
+        planted.calls.CALLS.get() shouldBe before
+    }
+
+    test("the project's actions and chance in a message of an agent that is not recorded") {
+        val file = recordingFile()
+        mas {
+            agentOf("speaker", "!start. +!start <- .send(hearer, tell, todo({ planted.calls(X); .random(R); .print(X, R) })).")
+            agentOf("hearer", "+todo(Steps) <- Steps; .print(done).") { options("argo_record" to "$file") }
+        }.use { it.after(1.seconds) }
+        callsIn(file) shouldBe listOf("planted.calls", ".random")
+        shouldReplay(file)
     }
 
     test("an agent that writes its plans and beliefs, as Java does, writes them as without a recording") {

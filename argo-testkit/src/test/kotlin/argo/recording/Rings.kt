@@ -6,9 +6,9 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * What a ring of the [last] of the recording [file] holds at its end, in a file beside it.
+ * Returns a file beside the recording [file] with the messages that a ring of the [last] time holds at its end.
  *
- * @param kept a message as it is kept, by its topic and its text; null: it is not
+ * @param kept returns the text to keep of a message with this topic and text; null: it is not kept
  */
 internal fun ringOf(file: Path, last: Duration, kept: (topic: String, text: String) -> String? = { _, text -> text }): Path {
     val saved = file.resolveSibling("ring-${file.fileName}")

@@ -11,7 +11,7 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @property source its file
  * @property agents the names of its agents
- * @property boards its boards, and what their sensors show
+ * @property boards its boards, with the percepts of their sensors
  */
 internal class SeededDrives(val source: String, val agents: List<String>, private val boards: Exploration.() -> Unit) {
     /** Records the drive that is drawn from [seed] to [file]. */

@@ -13,15 +13,15 @@ import kotlin.io.path.deleteIfExists
 
 /**
  * Drives of the samples and of the experiment's agent, with faults, are replayed as they were: the same events, plans, steps, commands and
- * messages; and the same program, run freely on what was recorded, sends the same commands. The property `argo.drives` has how many are
- * drawn.
+ * messages; and the same program, run freely on the recorded inputs, sends the same commands. The property `argo.drives` is the number of
+ * drives.
  */
 class SeededDrivesSpec : FunSpec({
     val folder = tempdir().toPath()
     val drives = Integer.getInteger("argo.drives", 9)
     val systems = SeededDrives.ALL
 
-    /** How the replay of [file] differs; null: it does not. */
+    /** Returns the first difference of the replay of [file]; null: there is none. */
     fun differenceOf(file: Path): String? = try {
         val outcome = replayOf(file)
         outcome.cycles shouldBeGreaterThan 0L
@@ -31,7 +31,7 @@ class SeededDrivesSpec : FunSpec({
         "$refused"
     }
 
-    /** How the commands of an agent of [file] differ that runs freely on what was recorded; null: they do not. */
+    /** Returns the first difference of the commands of an agent of [file] that runs freely on the recorded inputs; null: there is none. */
     fun differenceOfCommands(file: Path): String? = Recording(file).use { recording ->
         recording.agents.keys.firstNotNullOfOrNull { agent ->
             WhatIf(recording, agent).use { it.run().difference(Duration.ZERO) }?.let { "agent $agent sends others: $it" }

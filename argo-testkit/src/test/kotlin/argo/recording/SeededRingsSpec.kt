@@ -13,17 +13,17 @@ import java.time.Duration
 import kotlin.io.path.deleteIfExists
 
 /**
- * Of the drives of the samples and of the experiment's agent, with faults, only the last seconds are left, as in a ring: from a key frame
- * on they are replayed as they were. The property `argo.rings` has how many are drawn.
+ * Drives of the samples and of the experiment's agent, with faults, of which only the last seconds are left, as in a ring, are replayed as
+ * they were from a key frame on. The property `argo.rings` is the number of rings.
  */
 @Tags("Thorough")
 class SeededRingsSpec : FunSpec({
     val folder = tempdir().toPath()
     val drives = Integer.getInteger("argo.rings", 18)
     val systems = SeededDrives.ALL
-    val from = HashMap<String, Int>() // how many replays began where
+    val from = HashMap<String, Int>() // the number of replays by their beginning
 
-    /** Where the replay of [ring] begins: with the first cycle, a key frame, or nowhere. */
+    /** Returns the beginning of the replay of [ring]: the first cycle, a key frame, or none. */
     fun beginningOf(ring: Path): String = Recording(ring).use { recording ->
         val beginnings = recording.agents.keys.map { agent ->
             val isWhole = (recording.cycles(agent).firstOrNull()?.index ?: 1) == 1L

@@ -19,7 +19,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** What another program would have done on what was recorded. */
+/** Runs of another program on the recorded inputs. */
 class WhatIfSpec : FunSpec({
     val folder = tempdir().toPath()
     val robot =
@@ -128,7 +128,7 @@ class WhatIfSpec : FunSpec({
         kind(listOf(sent("go", 0)), listOf(sent("go", 101))) shouldBe "later"
         kind(listOf(sent("go", 101)), listOf(sent("go", 0))) shouldBe "earlier"
         kind(listOf(sent("go", 0), sent("stop", 1999)), listOf(sent("go", 0))) shouldBe "missing"
-        kind(listOf(sent("go", 0)), listOf(sent("go", 0), sent("stop", 2001))) shouldBe null // behind the end of the recording
+        kind(listOf(sent("go", 0)), listOf(sent("go", 0), sent("stop", 2001))) shouldBe null // after the end of the recording
     }
 
     test("what cannot be run is refused in words") {

@@ -8,7 +8,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 import jason.infra.local.LocalAgArch
 
-/** Ends the run of the agent, as the end of its program does at any moment of a cycle, before it closes what the agent has. */
+/** Ends the run of the agent as the end of its program does at any moment of a cycle, before the agent's resources are closed. */
 @Suppress("ClassName")
 class stopping : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {

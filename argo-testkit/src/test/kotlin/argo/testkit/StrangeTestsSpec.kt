@@ -1,6 +1,7 @@
 package argo.testkit
 
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
@@ -16,9 +17,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.days
 import kotlin.time.Duration.Companion.seconds
 
-/** What tests do that were not meant to. */
+/** Tests that misuse the test kit. */
 class StrangeTestsSpec : FunSpec({
-    /** Those of agents and boards that have not ended within 20 s. */
+    /** Returns the threads of agents and boards that have not ended within 20 s. */
     fun threads() = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-") || it.name.startsWith("board") }
         .onEach { it.join(20_000) }.filter { it.isAlive }
 
@@ -173,10 +174,12 @@ class StrangeTestsSpec : FunSpec({
         threads().shouldBeEmpty()
     }
 
-    test("two hundred agents leave no thread and no handler behind, and neither does one whose set-up fails") {
+    test("two hundred agents leave no thread and no handler behind, and neither does one whose set-up fails").config(tags = thorough) {
         repeat(200) { agent("robot.asl").use { it.perceives("dist(front,90)").shouldSend("front") } }
         shouldThrow<IllegalStateException> { agent("robot.asl") { error("no such board here") } }.message shouldNotContain "closed"
         threads().shouldBeEmpty()
         handlers() shouldBe 0
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -25,7 +25,7 @@ fun main(args: Array<String>) {
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 
-/** Runs the tool that [arguments] name with its results written to [target], and returns its exit status. */
+/** Runs the tool that [arguments] name, writes its results to [target], and returns its exit status. */
 internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandLine): Int {
     val output = WatchedOutput(target)
     tools.setOut(PrintWriter(output.bufferedWriter(standardCharset()), true))
@@ -42,7 +42,7 @@ private fun standardCharset(): Charset {
     return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
 }
 
-/** The tools, to be run in this program or in a test. */
+/** Returns the tools, to be run in this program or in a test. */
 internal fun tools(): CommandLine = allTools()
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
@@ -52,7 +52,7 @@ internal fun tools(): CommandLine = allTools()
         ExitStatus.FAILED
     }
 
-/** The commands, with those of other modules. */
+/** Returns the commands, with those of other modules. */
 internal fun allTools(): CommandLine = CommandLine(Tools()).apply {
     val others = Services.providers(ToolProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
     others.forEach { addSubcommand(it.command()) }

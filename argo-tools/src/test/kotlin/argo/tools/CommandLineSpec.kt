@@ -25,7 +25,7 @@ class CommandLineSpec : FunSpec({
     fun all(command: CommandLine): List<CommandLine> = listOf(command) + command.subcommands.values.flatMap(::all)
 
     test("every command has help, says what it does, and has an exit status of 0 for that") {
-        val own = all(tools()).filterNot { it.commandSpec.userObject() is SampleProgramCommand } // their help is the samples'
+        val own = all(tools()).filterNot { it.commandSpec.userObject() is SampleProgramCommand } // the samples print their help
         own.map { it.commandSpec.qualifiedName(" ").split(' ').drop(1) }.forEach { words ->
             val said = argo(*words.toTypedArray(), "--help")
             withClue("argo $words\n$said") {

@@ -2,15 +2,15 @@ package argo.view
 
 import java.util.ServiceLoader
 
-/** Responds for the timeline of one agent that runs. Safe for use by several threads. */
+/** Responds to requests for the timeline of one running agent. Safe for use by several threads. */
 internal interface AgentLanes {
-    /** The response to a GET of [path], such as `/timeline`; null: it is no part of the timeline. */
+    /** Returns the response to a GET of [path], such as `/timeline`; null if [path] is no part of the timeline. */
     fun respond(path: String, query: String?): HttpResponse?
 }
 
 /** Makes [AgentLanes]: a service, since recordings need not be on the class path. */
 internal interface AgentLanesProvider {
-    /** Those of the agent called [agent]. */
+    /** Opens the lanes of the agent called [agent]. */
     fun open(agent: String): AgentLanes
 
     companion object {

@@ -6,15 +6,15 @@ import java.net.URLEncoder
 /**
  * The page of one agent.
  *
- * @property routes respond to what it asks
+ * @property routes respond to its requests
  * @property states are streamed to it
  */
 internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val states: Broadcast) {
     constructor(agent: ObservedAgent) : this(agent, Routes(agent), Broadcast())
 
-    /** Where it is on its server, such as `/bob/`. */
+    /** Its path on its server, such as `/bob/`. */
     val path: String = "/${URLEncoder.encode(agent.name, Charsets.UTF_8).replace("+", "%20")}/"
 
-    /** What pages of other agents show of it. */
+    /** Returns the tab with which pages of other agents show it. */
     fun tab() = AgentTab(agent.name, agent.isPerceiving && agent.ports().any { it.isPerceived && (it.isStale || it.status != "on") })
 }

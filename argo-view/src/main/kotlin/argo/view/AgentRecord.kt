@@ -13,12 +13,12 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * Records what has happened to [agent] lately, for its view. What is kept is bounded, however much happens.
+ * Records the latest events of [agent] for its view. Its memory is bounded, however much happens.
  *
  * Safe for use by several threads; the lock is held for no longer than a note takes.
  */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
-    /** What the agent believes and intends. */
+    /** The agent's beliefs and intentions. */
     val mind = MindWatch({ MindState.of(agent) }, log, agent::nanos)
 
     private val lock = ReentrantLock()
@@ -39,7 +39,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     /** Reads the agent's log from now on, until [close]. */
     fun begin() = agent.printed.addHandler(printed)
 
-    /** All that is recorded at [now]. [Recorded.unseen] are the messages since the last call. */
+    /** Returns everything recorded at [now]. [Recorded.unseen] are the messages since the last call. */
     fun take(now: Long): Recorded = lock.withLock {
         val counted = counts.copy(commands = commands.count)
         Recorded(
@@ -48,7 +48,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
         ).also { unseen.clear() }
     }
 
-    /** The messages since the last call or [take]. */
+    /** Returns the messages since the last call or [take]. */
     fun takeUnseen(): List<PerceivedMessage> = lock.withLock { unseen.toList().also { unseen.clear() } }
 
     override fun messageFiltered(message: PerceivedMessage) = changing {
@@ -87,7 +87,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
         mind.cycleFinished()
     }
 
-    /** Reads the agent's log no more. */
+    /** Stops reading the agent's log. */
     override fun close() = agent.printed.removeHandler(printed)
 
     private inline fun changing(event: () -> Unit) = lock.withLock {
@@ -106,9 +106,9 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
 }
 
 /**
- * What a record holds.
+ * The content of a record at one moment.
  *
- * @property ports how the ports came into their states, by their names
+ * @property ports the last change of each port's state, by the port's name
  * @property reflexes the last outcome of the reflexes of the active filter
  */
 internal class Recorded(
@@ -128,5 +128,5 @@ internal class PortChange(val status: String, val reason: String?, val nanos: Lo
 /** A message was perceived at [nanos], [delayNanos] after its last byte. */
 internal class PerceptionTime(val nanos: Long, val delayNanos: Long)
 
-/** How many messages came and were perceived, how many commands were done or failed, and how many cycles there were. */
+/** The numbers of messages that came and that were perceived, of commands that were done or failed, and of cycles. */
 internal data class Counts(val frames: Long, val handOvers: Long, val commands: Long, val cycles: Long)

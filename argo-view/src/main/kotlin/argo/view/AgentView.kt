@@ -30,7 +30,7 @@ class AgentView private constructor(
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
 
-    /** Or pages would not be sent the agent's end where the program ends with it. */
+    /** Sends pages the agent's end if the program ends with it. */
     private val farewell = Farewell(MAX_FAREWELL_MS) {
         close()
         publisher.join()
@@ -44,12 +44,12 @@ class AgentView private constructor(
         publisher.start()
     }
 
-    /** Where it is, such as `http://127.0.0.1:8080/bob/`. */
+    /** Its address, such as `http://127.0.0.1:8080/bob/`. */
     val address: URI get() = server.address.resolve(page.path)
 
     /**
      * Shows a picture above all else. [picture] is called by the view's thread: ten times a second at most while a page is open, and
-     * once when the agent has ended. It must return soon, with null when there is nothing to show. If it throws, that is logged and
+     * once when the agent has ended. It must return soon, with null if there is nothing to show. If it throws, the exception is logged and
      * it is not called again.
      */
     fun show(picture: () -> Picture?) {
@@ -67,7 +67,7 @@ class AgentView private constructor(
             server.start()
             while (!closing.await(INTERVAL_MS, TimeUnit.MILLISECONDS)) publishIfNew()
             publish(isLast = true)
-            pages.awaitNoPage(MAX_FAREWELL_MS) // one that does not read is not waited for
+            pages.awaitNoPage(MAX_FAREWELL_MS) // does not wait for a page that does not read
         } finally {
             ViewServers.leave(port, server, page)
             farewell.close()

@@ -2,8 +2,10 @@ package argo.view
 
 import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
+import jason.architecture.MindInspectorWeb
 import java.io.IOException
 import java.net.BindException
+import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger
 
 /** Opens the live views of agents that have the option `argo_view`. */
@@ -16,17 +18,25 @@ class AgentViewProvider : AgentObserverProvider {
         val port = value.trim().toIntOrNull()?.takeIf { it in 0..MAX_PORT }
             ?: return refuse("a view has the number of a port from 0 to $MAX_PORT, 0 being any that is free, as in $option=8080")
         return try {
-            AgentView(agent, port, log).also { log.info("the live view of ${agent.name} is at ${it.address}") }
+            AgentView(agent, port, log).also {
+                log.info("the live view of ${agent.name} is at ${it.address}")
+                if (MindInspectorWeb.isRunning() && !hasToldOfInspector.getAndSet(true)) log.info(besideInspector())
+            }
         } catch (taken: BindException) {
             refuse("port $port cannot be had, it is in use or not allowed (${taken.message}); choose another, or 0 for any that is free")
         } catch (trouble: IOException) {
             refuse("the view cannot be opened ($trouble)")
-        } catch (missing: LinkageError) { // a Java that was put together without it
+        } catch (missing: LinkageError) { // a Java runtime that was linked without the HTTP server
             refuse("this Java has no HTTP server, which is in its module jdk.httpserver ($missing)")
         }
     }
 
     private companion object {
         const val MAX_PORT = 65535
+        val hasToldOfInspector = AtomicBoolean() // there is one inspector for all agents of the program
+
+        fun besideInspector() =
+            "the live view is for this computer only, but Jason's mind inspector beside it, at ${MindInspectorWeb.getURL()}, listens on " +
+                "all network addresses and shows everybody what the agents believe and intend; the argument --no-net starts none"
     }
 }

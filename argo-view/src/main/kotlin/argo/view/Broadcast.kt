@@ -15,13 +15,13 @@ internal class Broadcast {
     private var hasNewPage = false
     private var newest = Published(0, "", isLast = false)
 
-    /** Whether there is a page. */
+    /** True if there is a page. */
     val isWatched: Boolean get() = lock.withLock { pages > 0 }
 
-    /** Whether a page has come since the last call. */
+    /** Returns true if a page has come since the last call. */
     fun takeNewPage(): Boolean = lock.withLock { hasNewPage.also { hasNewPage = false } }
 
-    /** Replaces the newest state by [json]; nothing follows one that [isLast]. */
+    /** Replaces the newest state by [json]; no state follows one that [isLast]. */
     fun publish(json: String, isLast: Boolean) = lock.withLock {
         newest = Published(newest.number + 1, json, isLast)
         changed.signalAll()
@@ -30,13 +30,13 @@ internal class Broadcast {
     /**
      * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, until the last
      * one, and [end] behind that. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed
-     * connection is noticed. The page counts as open until [end] has returned: who waits for it may close the port then.
+     * connection is noticed. The page counts as open until [end] has returned; after that the port may be closed.
      */
     fun serve(begin: () -> Unit, send: (String?) -> Unit, end: () -> Unit) {
         var number = lock.withLock {
             pages++
             hasNewPage = true
-            newest.number // this state is of another time
+            newest.number // this state is older than the page
         }
         try {
             begin()

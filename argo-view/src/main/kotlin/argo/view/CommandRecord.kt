@@ -5,15 +5,15 @@ import argo.observing.IssuedCommand
 import java.util.concurrent.TimeUnit
 
 /**
- * The commands of an agent: those that have not gone out, and the last ones that have. Equal ones with the same end, one after the other,
- * are one with a count. Not safe for use by several threads.
+ * The commands of an agent: those that have not gone out, and the last ones that have. Equal commands in a row with the same end are one
+ * with a count. Not safe for use by several threads.
  */
 internal class CommandRecord {
     private val unfinished = LinkedHashMap<Long, IssuedCommand>()
     private val finished = ArrayDeque<Ended>()
     private var issued = 0L
 
-    /** How many have gone out or failed. */
+    /** The number of commands that have gone out or failed. */
     var count = 0L
         private set
 
@@ -23,7 +23,7 @@ internal class CommandRecord {
         if (unfinished.size < MAX_UNFINISHED) unfinished[command.number] = command
     }
 
-    /** Notes how [command] has ended, at [nanos]. */
+    /** Notes the end of [command], at [nanos]. */
     fun ended(command: IssuedCommand, failure: CommandFailure?, nanos: Long) {
         count++
         unfinished -= command.number
@@ -36,14 +36,14 @@ internal class CommandRecord {
         finished.addFirst(Ended(command, nanos, failure))
     }
 
-    /** All that is known at [now]. The oldest of each port is taken to be on the line, since only urgent commands overtake others. */
+    /** Returns the commands at [now]. The oldest of each port counts as on the line, since only urgent commands overtake others. */
     fun state(now: Long): CommandsState {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }
         return CommandsState((issued - count).toInt(), folded(waiting), finished.map { it.state(now) })
     }
 
-    /** Of equal commands one after the other the first, with their count. */
+    /** Replaces equal commands in a row by the first, with their count. */
     private fun folded(commands: List<CommandState>): List<CommandState> = commands.fold(emptyList()) { folded, next ->
         val last = folded.lastOrNull()
         if (last == null || last.text != next.text || last.port != next.port || last.state != next.state) folded + next
@@ -78,5 +78,5 @@ internal class CommandRecord {
     }
 }
 
-/** [nanos] ns in whole ms, never below 0. */
+/** Returns [nanos] ns in whole ms, never below 0. */
 internal fun ms(nanos: Long): Long = maxOf(0, TimeUnit.NANOSECONDS.toMillis(nanos))

@@ -8,20 +8,20 @@ import kotlinx.serialization.json.Json
  * The response to a request.
  *
  * @property allow the methods of the resource, if another one was used
- * @property location where it is instead, if it is elsewhere
+ * @property location the address of the resource, if it is elsewhere
  */
 internal class HttpResponse(
     val status: Int, val type: String, val body: ByteArray, val allow: String? = null, val location: String? = null,
 ) {
     companion object {
-        /** [message] for a person, as `{"message": …}`. */
+        /** Makes a response with [message] for a person, as `{"message": …}`. */
         fun message(status: Int, message: String, allow: String? = null) =
             HttpResponse(status, JSON, Json.encodeToString(Message.serializer(), Message(message)).toByteArray(), allow)
 
-        /** The resource has the method [allowed] only. */
+        /** Refuses a request to a resource that has the method [allowed] only. */
         fun wrongMethod(allowed: String) = message(405, "use $allowed here", allowed)
 
-        /** What is asked for is at [location] now. */
+        /** Leads the client to [location]. */
         fun seeOther(location: String) = HttpResponse(303, "text/plain", ByteArray(0), location = location)
 
         /** The content type of requests and responses. */

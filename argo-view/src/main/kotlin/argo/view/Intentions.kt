@@ -8,12 +8,12 @@ import jason.stdlib.suspend
 import kotlinx.serialization.Serializable
 
 /**
- * An intention, and the plans that it consists of.
+ * An intention and its plans.
  *
  * @property state `running`, `waiting` or `suspended`, by the internal action `.suspend`
- * @property waitsFor the step that it waits in; null: it does not wait
+ * @property waitsFor the step in which it waits; null: it does not wait
  * @property plans the latest first
- * @property more how many plans are left out of [plans]
+ * @property more the number of plans left out of [plans]
  */
 @Serializable
 internal data class IntentionState(
@@ -27,8 +27,8 @@ internal data class IntentionState(
 /**
  * A plan of an intention.
  *
- * @property trigger the event that it is for, such as `+!start`
- * @property file where it stands; null: in no file
+ * @property trigger its triggering event, such as `+!start`
+ * @property file its file; null: it is in no file
  * @property line the line of its beginning in [file]
  */
 @Serializable
@@ -38,9 +38,9 @@ private const val MAX_PLANS = 10
 private val WAITING = setOf(IntentionPlace.PendingActions, IntentionPlace.PendingIntentions)
 
 /**
- * [intention] as it is now. For the agent's thread only.
+ * Returns the present state of [intention]. For the agent's thread only.
  *
- * @param key what Jason keeps it by while it is pending; null: it is not pending
+ * @param key Jason's key for it while it is pending; null: it is not pending
  */
 internal fun intentionState(intention: Intention, key: String?): IntentionState {
     val means = intention.toList()
@@ -55,14 +55,14 @@ internal fun intentionState(intention: Intention, key: String?): IntentionState 
     )
 }
 
-/** The step that [means] has come to. */
+/** Returns the current step of [means]. */
 private fun step(means: IntendedMeans): String? = means.currentStep?.bodyTerm?.capply(means.unif)?.let { shown("$it") }
 
 private fun planState(means: IntendedMeans): PlanState {
     val plan = means.plan
     val trigger = means.trigger ?: plan.trigger
     val goal = (trigger.literal.capply(means.unif) as Literal).copy().apply { clearAnnots() }
-    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // a plan's own may begin at its body
+    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // a plan may have the position of its body
     return PlanState(shown("${trigger.operator}${trigger.type}$goal"), source?.let { fileName(it.srcFile) }, source?.srcLine)
 }
 

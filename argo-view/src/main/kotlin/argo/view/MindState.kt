@@ -6,10 +6,10 @@ import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 
 /**
- * What an agent believes and intends at one moment.
+ * The beliefs and intentions of an agent at one moment.
  *
- * @property believed how many beliefs there are in all, without those that Jason hides itself
- * @property intended how many intentions there are in all
+ * @property believed the number of all beliefs, without those that Jason hides itself
+ * @property intended the number of all intentions
  */
 internal class MindState(
     val believed: Int,
@@ -22,7 +22,7 @@ internal class MindState(
         private const val MAX_LOOKED_AT = 5000
         private const val MAX_INTENTIONS = 30
 
-        /** The mind of [agent]. For the agent's thread only. */
+        /** Returns the mind of [agent]. For the agent's thread only. */
         fun of(agent: ObservedAgent): MindState {
             val believed = of(agent.beliefs)
             val circumstance = agent.circumstance
@@ -32,7 +32,7 @@ internal class MindState(
             return MindState(believed.believed, believed.beliefs, intentions.size, shown)
         }
 
-        /** What is in [base] alone. */
+        /** Returns a mind with the beliefs in [base] and no intentions. */
         fun of(base: BeliefBase): MindState {
             val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }

@@ -7,11 +7,11 @@ import java.util.logging.Logger
  * Looks into an agent's mind by the agent's own thread, between two reasoning cycles, while somebody watches, and ten times a second at
  * most.
  *
- * @param look what is seen; called by the agent's thread only
+ * @param look returns the mind; called by the agent's thread only
  * @param nanos a clock in ns that never goes back
  */
 internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
-    /** Whether somebody watches. */
+    /** True if somebody watches. */
     @Volatile
     var isWatched = false
         set(value) {
@@ -19,7 +19,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
             field = value
         }
 
-    /** What was seen last; null: nothing yet. */
+    /** The last look; null: there was none. */
     @Volatile
     var newest: Seen? = null
         private set
@@ -31,7 +31,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
     private var lookedNanos: Long? = null
     private var hasFailed = false
 
-    /** Looks if that is wanted. Called by the agent's thread. */
+    /** Looks if somebody watches and it is time. Called by the agent's thread. */
     fun cycleFinished() {
         if (!isWatched) return
         if (isTooEarly()) {
@@ -43,20 +43,20 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
         }
     }
 
-    /** Whether a cycle has come to its end after which the watch should have looked by now: the agent may be sleeping. */
+    /** Returns true if the watch should have looked since a cycle ended, but has not: the agent may be sleeping. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true
 
     private fun seen(): Seen? = try {
         Seen(nanos(), look())
-    } catch (changed: RuntimeException) { // a belief base of the project's own, or one that another thread changes: its agent must go on
+    } catch (changed: RuntimeException) { // by the project's own belief base, or a change of it by another thread
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true
         null
     }
 
-    /** What was seen of an agent's mind at [nanos]. */
+    /** An agent's mind as it was seen at [nanos]. */
     class Seen(val nanos: Long, val mind: MindState)
 
     companion object {

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The last percept of each sensor. Percepts of a board that differ in numbers only are one sensor's, and a sensor without a percept for
- * [FORGOTTEN_NANOS] ns is forgotten, unless nothing comes from its board. Not safe for use by several threads.
+ * [FORGOTTEN_NANOS] ns is forgotten, unless its whole board is silent. Not safe for use by several threads.
  */
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
@@ -13,11 +13,11 @@ internal class PerceptRows {
     private val more = HashMap<String, Int>() // by the port
     private val newest = HashMap<String, Long>() // message of each port
 
-    /** When the last byte of the newest message came, by the agent's clock; null: there was none. */
+    /** The time of the last byte of the newest message, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null
         private set
 
-    /** Takes in the next message. @param isAlone whether the agent perceives its board alone: then the rows of others go */
+    /** Takes in the next message. @param isAlone whether the agent perceives no other board: then the rows of others go */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()
@@ -52,7 +52,7 @@ internal class PerceptRows {
     }
 
     /**
-     * All rows at [now], in the order of the sensors' first percepts, and how many are left out.
+     * Returns all rows at [now], in the order of the sensors' first percepts, and the number of those left out.
      *
      * @param isSilent whether nothing comes from the board on a port
      */
@@ -65,7 +65,7 @@ internal class PerceptRows {
         return shown to more.values.sum()
     }
 
-    /** What the numbers of the first [MAX_COURSES] sensors with numbers were until [now]: [RecentNumbers.values] by their keys. */
+    /** Returns the courses of the first [MAX_COURSES] sensors with numbers until [now]: [RecentNumbers.values] by their keys. */
     fun courses(now: Long): Map<String, List<List<Double?>>> =
         rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }.entries.take(MAX_COURSES).associate { it.toPair() }
 
@@ -76,7 +76,7 @@ internal class PerceptRows {
     }
 
     companion object {
-        /** For how long a sensor without a new percept is shown, in ns. */
+        /** The time for which a sensor without a new percept is shown, in ns. */
         val FORGOTTEN_NANOS: Long = TimeUnit.SECONDS.toNanos(10)
         private const val MAX_ROWS = 200
         private const val MAX_COURSES = 60

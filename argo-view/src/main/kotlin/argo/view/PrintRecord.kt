@@ -8,7 +8,7 @@ import java.util.logging.LogRecord
 import java.util.logging.SimpleFormatter
 
 /**
- * The last lines of an agent's log. Safe for use by several threads; who prints waits for no more than a note takes.
+ * The last lines of an agent's log. Safe for use by several threads; a thread that prints waits no longer than a note takes.
  *
  * @param nanos a clock in ns that never goes back
  * @param changed is called after each line
@@ -36,7 +36,7 @@ internal class PrintRecord(private val nanos: () -> Long, private val changed: (
         lines += Line(++count, text, level, nanos())
     }
 
-    /** The lines as they are at [now], the latest first. */
+    /** Returns the lines at [now], the latest first. */
     fun state(now: Long): List<LineState> = synchronized(lines) {
         lines.asReversed().map { LineState(it.number, it.text, it.times, it.isWarning, ms(now - it.nanos)) }
     }
@@ -56,9 +56,9 @@ internal class PrintRecord(private val nanos: () -> Long, private val changed: (
 }
 
 /**
- * A line that an agent has printed, or Jason's report of it.
+ * A line that an agent has printed, or that Jason has logged about it.
  *
- * @property times how often it has come, one after the other
+ * @property times how often it has come in a row
  * @property warning whether it is a warning or worse
  * @property ageMs how long ago it came last
  */

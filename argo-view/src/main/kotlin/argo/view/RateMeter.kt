@@ -2,11 +2,11 @@ package argo.view
 
 import java.util.concurrent.TimeUnit
 
-/** How often things happen, measured over the last [WINDOW_NANOS] ns. Not safe for use by several threads. */
+/** Measures rates of events over the last [WINDOW_NANOS] ns. Not safe for use by several threads. */
 internal class RateMeter {
     private val samples = ArrayDeque<Pair<Long, Counts>>()
 
-    /** The rates when what has happened by [now] is counted by [counts]; null as long as there is too little to measure. */
+    /** Returns the rates at [now], when [counts] have been reached; null as long as there is too little to measure. */
     fun rates(now: Long, counts: Counts): Rates? {
         samples += now to counts
         while (samples.size > 2 && now - samples[1].first >= WINDOW_NANOS) samples.removeFirst()

@@ -3,7 +3,7 @@ package argo.view
 import java.util.concurrent.TimeUnit
 
 /**
- * What the numbers of one sensor were during the last minute, twice a second: the last ones of each half second. Not safe for use by
+ * The numbers of one sensor during the last minute, twice a second: the last ones of each half second. Not safe for use by
  * several threads.
  */
 internal class RecentNumbers {
@@ -17,7 +17,7 @@ internal class RecentNumbers {
         while (points.size > STEPS) points.removeFirst()
     }
 
-    /** The values of each number until [now], oldest first, as many as there are half seconds in a minute; null where there was none. */
+    /** Returns the values of each number until [now], oldest first, [STEPS] of them; null for a half second without one. */
     fun values(now: Long): List<List<Double?>> {
         val last = Math.floorDiv(now, STEP_NANOS)
         val numbers = points.lastOrNull()?.numbers?.size ?: 0
@@ -28,7 +28,7 @@ internal class RecentNumbers {
     private class Point(val step: Long, val numbers: List<Double>)
 
     companion object {
-        /** How many values there are of each number. */
+        /** The number of values of each number: the half seconds of a minute. */
         const val STEPS = 120
         private val STEP_NANOS = TimeUnit.MILLISECONDS.toNanos(500)
     }

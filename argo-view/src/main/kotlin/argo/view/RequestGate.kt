@@ -8,9 +8,9 @@ internal object RequestGate {
     private val LOOPBACK = Regex("""(127\.0\.0\.1|localhost|\[::1])(:\d{1,5})?""", RegexOption.IGNORE_CASE)
 
     /**
-     * Why a request is refused, in words; null: it is not.
+     * Returns the reason for refusing a request, in words; null: it is accepted.
      *
-     * Any port will do in [host], since the view may be reached through a tunnel.
+     * [host] may name any port, since the view may be reached through a tunnel.
      *
      * @param host the header `Host`
      * @param origin the header `Origin`, which browsers put into each request that is not a plain GET of their own

@@ -36,9 +36,9 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         }
     }
 
-    /** The calling thread waits for its client no longer. */
+    /** Ends the calling thread's wait for its client. */
     fun stopWaiting() = lock.withLock {
-        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // meant for the wait that is over
+        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // this interruption was for the wait that is over
     }
 
     /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of it while requests are queued, and with them their connections. */
@@ -54,10 +54,10 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
     }
 
     companion object {
-        /** How long a client may take to send its request or to read what it is sent, over a slow tunnel too. */
+        /** The time that a client has to send its request or to read its response, over a slow tunnel too. */
         val MAX_WAIT_NANOS = TimeUnit.SECONDS.toNanos(10)
 
-        /** Twice as many as there are pages at most, each of which holds one. */
+        /** Twice the largest number of pages, each of which holds one thread. */
         private const val MAX_THREADS = 24
         private const val MAX_QUEUED = 200
         private const val IDLE_S = 5L

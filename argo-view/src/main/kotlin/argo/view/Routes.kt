@@ -16,8 +16,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Responds to the requests of [agent]'s page, but for its stream of states: the page itself, and what its buttons ask for. Filters are
- * looked for and read by the thread of the request; the agent's own thread changes the agent. Safe for use by several threads.
+ * Responds to the requests of [agent]'s page and its buttons, but for the stream of states. The thread of a request finds and reads
+ * filters; the agent's own thread changes the agent. Safe for use by several threads.
  */
 internal class Routes(private val agent: ObservedAgent) {
     private val routes: Map<String, Route> = mapOf(
@@ -31,7 +31,7 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
 
-    /** The response to [request]. */
+    /** Returns the response to [request]. */
     fun respond(request: Request): HttpResponse {
         if (request.method == "GET") lanes?.respond(request.path, request.query)?.let { return it }
         val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
@@ -40,7 +40,7 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
         if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
-            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // no other page's form can send it
+            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // no form sends it
         }
         if (body.size > MAX_BYTES) return HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
         val content = try {
@@ -70,11 +70,11 @@ internal class Routes(private val agent: ObservedAgent) {
         HttpResponse.message(422, files.map { (source, problems) -> listed(source, problems) }.joinToString("\n"))
     } catch (broken: ServiceConfigurationError) {
         HttpResponse.message(500, "a filter provider on the class path cannot be used: ${broken.message}")
-    } catch (broken: Exception) { // a file that cannot be read, or a provider, which is a project's own code
+    } catch (broken: Exception) { // a file that cannot be read, or a failure of a provider, which is a project's own code
         HttpResponse.message(500, "looking for $what ended in $broken")
     }
 
-    /** The problems of one file, with its name once. */
+    /** Lists the problems of one file, with its name once. */
     private fun listed(source: String, problems: List<Problem>) =
         problems.joinToString("\n", "$source is refused:\n") { "line ${it.line}, column ${it.column}: ${it.message}" }
 
@@ -105,7 +105,7 @@ internal class Routes(private val agent: ObservedAgent) {
         }
     }
 
-    /** Has the agent do something and waits a while for its thread, which may have no time or not run yet. */
+    /** Has the agent do something and waits a while for its thread, which may be busy or not have started. */
     private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
         val done = CountDownLatch(1)
         ask(done::countDown)
@@ -128,7 +128,7 @@ internal class Routes(private val agent: ObservedAgent) {
     private class PerceivingRequest(val open: Boolean)
 
     companion object {
-        /** The longest body of a request that is read. */
+        /** The length of the longest request body that is read. */
         const val MAX_BYTES = 10_000
         private const val PERCEPT = "percept="
         private const val MAX_WAIT_S = 3L
@@ -138,7 +138,7 @@ internal class Routes(private val agent: ObservedAgent) {
 /**
  * A request of a page.
  *
- * @property query what stands behind `?`, still encoded
+ * @property query the text behind `?`, still encoded
  * @property type the content type of [body]
  */
 internal class Request(val method: String, val path: String, val query: String?, val type: String?, val body: ByteArray)

@@ -3,11 +3,11 @@ package argo.view
 import java.net.URLDecoder
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** The pages of all agents on one server, and where everything is. Safe for use by several threads. */
+/** The pages of all agents on one server, and the resources that they share. Safe for use by several threads. */
 internal class Site {
     private val pages = CopyOnWriteArrayList<AgentPage>()
 
-    /** Whether no agent has a page. */
+    /** True if no agent has a page. */
     val isEmpty: Boolean get() = pages.isEmpty()
 
     /** Adds [page], in front of those of agents of the same name that are about to end. */
@@ -16,18 +16,18 @@ internal class Site {
     /** Removes [page]. */
     fun remove(page: AgentPage) = pages.remove(page)
 
-    /** All agents in the order of their names, [MAX_TABS] at most. */
+    /** Returns the tabs of all agents in the order of their names, [MAX_TABS] at most. */
     fun tabs(): List<AgentTab> = pages.distinctBy { it.path }.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() }
 
-    /** Who responds to a request for [path], still encoded: a page's resource, or one that all pages share. */
+    /** Finds the page to which [path], still encoded, belongs, if any, and the path within it. */
     fun find(path: String): Found {
-        val parts = path.split('/').drop(1) // of the nothing before the first slash
+        val parts = path.split('/').drop(1) // the empty text before the first slash
         val name = parts.takeIf { it.size == 2 }?.let { decoded(it[0]) }
         val page = pages.find { it.agent.name == name } ?: return Found(null, path)
         return Found(page, "/${parts[1]}")
     }
 
-    /** The response to [request] for what belongs to no agent. */
+    /** Returns the response to [request] for a resource that belongs to no agent. */
     fun respond(request: Request): HttpResponse {
         val respond = when (request.path) {
             "/" -> ::toFirst
@@ -49,7 +49,7 @@ internal class Site {
     }
 
     /**
-     * @property page the agent's; null: [path] is of no agent
+     * @property page the agent's page; null: [path] belongs to no agent
      * @property path within the page, such as `/events`, or else within the site
      */
     class Found(val page: AgentPage?, val path: String)
@@ -57,7 +57,7 @@ internal class Site {
     companion object {
         private const val MAX_TABS = 200
 
-        /** The resource [name] of this module. */
+        /** Responds with the resource [name] of this module. */
         fun file(name: String, type: String) =
             HttpResponse(200, type, checkNotNull(Site::class.java.getResource(name)) { "the resource $name is missing" }.readBytes())
     }

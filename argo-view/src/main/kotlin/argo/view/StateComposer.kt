@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 import java.util.logging.Logger
 
-/** Composes what the page shows. Belongs to the view's thread, but for [picture]. */
+/** Composes the states that the page shows. Belongs to the view's thread, but for [picture]. */
 internal class StateComposer(
     private val agent: ObservedAgent,
     private val record: AgentRecord,
@@ -34,11 +34,14 @@ internal class StateComposer(
 
     private var shownFilter: Pair<PerceptionFilter, FilterState>? = null
 
-    /** Whether something has happened since the last [state]; the project's picture may change at any time. */
+    /**
+     * Returns true if the page would show something else than the last [state]; asks for the project's picture, which may change at any
+     * time.
+     */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
         agent.criticalRules() != shownRules || tabs() != shownTabs
 
-    /** Takes in what the board has sent while nobody watches, so that courses have no gap: the last message of each board. */
+    /** Takes in the last message of each board while nobody watches, so that courses have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
 
     private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {
@@ -46,7 +49,7 @@ internal class StateComposer(
         messages.forEach { rows.add(it, isAlone) }
     }
 
-    /** The filter in words, with its parts that have no effect; they are looked for once. */
+    /** Returns the filter in words, with its parts that have no effect, which are found once. */
     private fun filterState(filter: PerceptionFilter): FilterState {
         if (shownFilter?.first !== filter) {
             val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")
@@ -55,7 +58,7 @@ internal class StateComposer(
         return checkNotNull(shownFilter).second
     }
 
-    /** All there is to show now; [isLast] when the agent has ended. Courses are shown once a second, and if [isFull]. */
+    /** Returns the state to show now; [isLast] if the agent has ended. It has courses once a second, and if [isFull]. */
     fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()
         shownVersion = record.version
@@ -97,7 +100,7 @@ internal class StateComposer(
 
     private fun currentPicture(): Picture? = try {
         picture()
-    } catch (broken: Exception) { // a project's own code
+    } catch (broken: Exception) { // the picture is made by a project's own code
         log.log(Level.WARNING, "the live view shows no picture any more, since asking for it failed", broken)
         picture = { null }
         null

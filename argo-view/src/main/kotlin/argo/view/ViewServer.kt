@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicBoolean
 /**
  * Serves the views of agents to browsers on this computer.
  *
- * The port is taken when this is made. [start] is to be called by a daemon thread, since the server's own takes after it.
+ * The port is taken when this is made. Call [start] on a daemon thread: the server's own thread inherits that.
  *
  * @param name for the threads' names
  * @param port 0 to 65535; 0: any that is free
@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  * @throws IOException if the port cannot be had
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
-    /** What it serves. */
+    /** The pages that it serves. */
     val site = Site()
     private val seats = Semaphore(MAX_PAGES)
     private val isStarted = AtomicBoolean()
@@ -32,7 +32,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
         server.createContext("/") { exchange -> exchange.use(::handle) }
     }
 
-    /** Where browsers find it. */
+    /** Its address for browsers. */
     val address: URI = URI("http://127.0.0.1:${server.address.port}/")
 
     /** Begins to serve, unless it has begun. */
@@ -40,7 +40,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
         if (!isStarted.getAndSet(true)) server.start()
     }
 
-    /** Gives the port back and ends all connections. Waits for nothing. Called once. */
+    /** Frees the port and ends all connections. Returns at once. Called once. */
     fun closePort() = server.stop(0)
 
     /** Ends all threads, after [closePort]. */
@@ -91,7 +91,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
         response.location?.let { responseHeaders.add("Location", it) }
         response.allow?.let { responseHeaders.add("Allow", it) }
         begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-        responseBody.use { it.write(response.body) } // before what is left of a long request is read
+        responseBody.use { it.write(response.body) } // before the rest of a long request is read
     }
 
     /** Serves the exchange with [handle], and drops the connection of a browser that has gone or was waited for too long. */
@@ -110,10 +110,10 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     private companion object {
         const val EVENTS = "/events"
 
-        /** How many pages can watch at once, of all agents together. */
+        /** The largest number of pages that can watch at once, of all agents together. */
         const val MAX_PAGES = 12
 
-        /** How long a browser whose connection is lost waits before it tries again. */
+        /** The time after which a browser whose connection is lost tries again, in ms. */
         const val RETRY_MS = 1000
     }
 }

@@ -3,12 +3,12 @@ package argo.view
 import kotlinx.serialization.Serializable
 
 /**
- * All that a page shows, at one moment. Times are ages in ms at that moment; long lists are cut off, and what is left out is counted.
+ * The content of a page at one moment. Times are ages in ms at that moment; long lists are cut off, and say how many entries are left out.
  *
  * @property intervalMs the sensing interval of boards without one of their own
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
- * @property printed what the agent has printed, the latest first
- * @property courses what the numbers of sensors were during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as before
+ * @property printed the lines that the agent has printed, the latest first
+ * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as before
  * @property agents all agents whose views this server has
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
@@ -45,9 +45,9 @@ internal data class FilterState(val name: String, val words: String)
  * @property rule the rule and its reflex in words
  * @property watcher `board` or `computer`
  * @property reflex the last outcome of its reflex, `done` or `failed`; null: there was none
- * @property by who had that reflex carried out, as [watcher]
- * @property ageMs when that was known
- * @property error why it failed
+ * @property by the side that had that reflex carried out, as [watcher]
+ * @property ageMs the age of that outcome
+ * @property error the reason of its failure
  */
 @Serializable
 internal data class CriticalState(
@@ -64,11 +64,11 @@ internal data class CriticalState(
  *
  * @property stale whether nothing comes from it although the agent perceives
  * @property perceived whether the agent perceives its board
- * @property namespace where what its board says is believed; null: in the default namespace
+ * @property namespace the namespace of its board's percepts; null: the default namespace
  * @property intervalMs the sensing interval of its board; null: it is not perceived
  * @property filter the name of the filter of its board; null: there is none
- * @property reason why it is not on, if that is known
- * @property ageMs for how long it has been in this state
+ * @property reason the reason why it is not on, if known
+ * @property ageMs the time for which it has been in this state
  */
 @Serializable
 internal data class PortState(
@@ -85,12 +85,12 @@ internal data class PortState(
 )
 
 /**
- * What the board sent, and when the agent last perceived it.
+ * The percepts of the boards, and the times of the newest message and perception.
  *
- * @property frameAgeMs how old the newest message is; null: there was none
- * @property handedOverAgeMs when the agent last perceived a message; null: it has not
- * @property delayMs how old that message was then
- * @property more how many percepts are left out of [percepts]
+ * @property frameAgeMs the age of the newest message; null: there was none
+ * @property handedOverAgeMs the time since the agent last perceived a message; null: it has not
+ * @property delayMs the age of that message then
+ * @property more the number of percepts left out of [percepts]
  */
 @Serializable
 internal data class SensorState(
@@ -108,8 +108,8 @@ internal data class SensorState(
  * @property board the namespace of the board that it came from; null: it has none
  * @property fate `kept`, `dropped`, `held` back, or `unreadable` when the filter keeps it and it is no percept
  * @property silent whether nothing comes from its board
- * @property ageMs how long ago it came last
- * @property sameMs for how long it has been the same
+ * @property ageMs the time since it came last
+ * @property sameMs the time for which it has been the same
  */
 @Serializable
 internal data class PerceptState(
@@ -123,10 +123,10 @@ internal data class PerceptState(
 )
 
 /**
- * What the agent believes.
+ * The agent's beliefs.
  *
- * @property ageMs how old this picture of the belief base is; null: there is none yet
- * @property total how many beliefs there are, those left out of [beliefs] too
+ * @property ageMs the age of this picture of the belief base; null: there is none yet
+ * @property total the number of beliefs, those left out of [beliefs] too
  */
 @Serializable
 internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: List<Belief>)
@@ -134,15 +134,15 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
 /**
  * A belief, or a rule.
  *
- * @property sources where it comes from: `percept`, `self` or agents
+ * @property sources its sources: `percept`, `self` or agents
  */
 @Serializable
 internal data class Belief(val text: String, val sources: List<String>)
 
 /**
- * What the agent does.
+ * The agent's intentions.
  *
- * @property total how many intentions there are, those left out of [intentions] too
+ * @property total the number of intentions, those left out of [intentions] too
  */
 @Serializable
 internal data class IntentionsState(val total: Int, val intentions: List<IntentionState>)
@@ -150,7 +150,7 @@ internal data class IntentionsState(val total: Int, val intentions: List<Intenti
 /**
  * An agent on this server.
  *
- * @property name what it is called, and where its page is: at `/NAME/`
+ * @property name its name; its page is at `/NAME/`
  * @property silent whether nothing comes from a board that it perceives
  */
 @Serializable
@@ -159,7 +159,7 @@ internal data class AgentTab(val name: String, val silent: Boolean)
 /**
  * The agent's commands, those that have not gone out first, oldest first; then the others, newest first.
  *
- * @property waiting how many have not gone out, those left out of [unfinished] too
+ * @property waiting the number of commands that have not gone out, those left out of [unfinished] too
  */
 @Serializable
 internal data class CommandsState(val waiting: Int, val unfinished: List<CommandState>, val finished: List<CommandState>)
@@ -167,12 +167,12 @@ internal data class CommandsState(val waiting: Int, val unfinished: List<Command
 /**
  * A command.
  *
- * @property number the same as long as it is shown
- * @property times how many there were that are alike, one after the other; the rest is about the last of them
+ * @property number its number, which stays the same as long as it is shown
+ * @property times the number of equal commands in a row; the other properties are about the last of them
  * @property state `line`, if it is the next of its port, `waiting`, `done` or `failed`
- * @property ageMs how long ago it was issued
- * @property tookMs how long it took from then until it was done or had failed
- * @property error why it failed
+ * @property ageMs the time since it was issued
+ * @property tookMs the time from then until it was done or had failed
+ * @property error the reason of its failure
  * @property last the agent's number of the last of them
  */
 @Serializable
@@ -188,7 +188,7 @@ internal data class CommandState(
     val last: Long,
 )
 
-/** How often things happen, by the second. */
+/** Rates of events, per second. */
 @Serializable
 internal data class Rates(val frames: Double, val handOvers: Double, val commands: Double, val cycles: Double)
 
@@ -196,7 +196,7 @@ internal data class Rates(val frames: Double, val handOvers: Double, val command
 @Serializable
 internal data class PictureState(val svg: String, val words: String)
 
-/** [text] as it is shown, at most [MAX_CHARACTERS] of it. */
+/** Cuts [text] down to [MAX_CHARACTERS] to be shown. */
 internal fun shown(text: String): String = if (text.length <= MAX_CHARACTERS) text else text.take(MAX_CHARACTERS) + "…"
 
 private const val MAX_CHARACTERS = 300

@@ -1,5 +1,5 @@
 'use strict';
-// Draws what the numbers of a sensor were during the last minute: one small line for each number, with a gap where none came.
+// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where none came.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 20;
@@ -10,7 +10,7 @@ function drawn(tag, attributes, into) {
   return made;
 }
 
-/** The path through [values], scaled to the drawing's height; a single value is a short line. */
+/** Returns the path through [values], scaled to the drawing's height; a single value is a short line. */
 function coursePath(values, low, high) {
   const y = value => (high === low ? HEIGHT / 2 : 2 + (HEIGHT - 4) * (1 - (value - low) / (high - low))).toFixed(1);
   let path = '';
@@ -22,7 +22,7 @@ function coursePath(values, low, high) {
   return path;
 }
 
-/** Shows [numbers], the values of each number, in [box]; nothing when there are none. */
+/** Shows [numbers], the values of each number, in [box]; nothing if there are none. */
 function showCourse(box, numbers) {
   const key = JSON.stringify(numbers || []);
   if (box.dataset.shown === key) return;

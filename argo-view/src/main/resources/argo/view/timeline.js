@@ -1,6 +1,6 @@
 'use strict';
-// The timeline of a recording, or of the last minutes of an agent that runs. The server sends what
-// is seen; of lanes with too many items for the screen it sends heaps.
+// The timeline of a recording, or of the last minutes of an agent that runs. The server sends the part in view, and heaps for lanes with
+// too many items for the screen.
 
 const $ = id => document.getElementById(id);
 const LANES = ['LINE', 'PERCEPTS', 'EVENTS', 'INTENTIONS', 'COMMANDS', 'PRINTED'];
@@ -11,13 +11,13 @@ const AXIS = 24;
 const PIXELS_EACH = 3;     // an item takes at least so many of the width, or it is in a heap
 const NEAR = 14;           // pixels from an item at which a click still chooses it
 const LEAST_SPAN = 0.002;  // seconds
-const NEAR_COMMAND = 1;    // seconds that are seen on both sides of a command that is asked about
+const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that is asked about
 
 const canvas = $('lanes');
 let recording = null;
-let from = 0, until = 1;   // what is seen, in seconds
+let from = 0, until = 1;   // the part in view, in seconds
 let parts = [];            // of the lanes, as they were sent
-let chosen = null;         // an item with what it is linked with
+let chosen = null;         // an item with its links
 let lit = new Set();       // the ids of these
 let asked = 0;             // counts requests for parts, since an answer may be overtaken
 
@@ -33,7 +33,7 @@ async function get(path) {
 function shownProblem(words) { $('problem').textContent = words; $('problem').hidden = !words; }
 
 let waiting = false;
-/** Asks for what is seen, one request at a time; the last one counts. */
+/** Asks for the part in view, one request at a time; the last one counts. */
 async function load() {
   asked++;
   if (waiting) return;
@@ -53,7 +53,7 @@ async function load() {
   }
 }
 
-/** Which timeline is meant, since that of an agent that runs is taken anew. */
+/** Names the timeline in a request, since that of a running agent is taken anew. */
 const ofNumber = () => `&of=${recording.number}`;
 
 const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
@@ -90,7 +90,7 @@ function link(item) {
   return made;
 }
 
-/** Shows the chosen item and what it is linked with. */
+/** Shows the chosen item and its links. */
 function tell() {
   const { item, causes, effects } = chosen;
   $('item-title').textContent = item.text;
@@ -105,9 +105,9 @@ function tell() {
 
 // --- why, in sentences ---
 
-let whyAsked = 0; // counts what was asked, since an answer may be overtaken
+let whyAsked = 0; // counts questions, since an answer may be overtaken
 
-/** A sentence of the tool why: two blanks at its beginning for each cause that it stands behind. */
+/** Shows a sentence of the tool why, indented by two blanks for each cause that it is behind. */
 function sentence(words) {
   const depth = (words.length - words.trimStart().length) / 2;
   const made = line(words.trimStart());
@@ -177,7 +177,7 @@ function draw() {
     `${clock(Math.max(0, from))} to ${clock(Math.min(until, recording.seconds))} of ${clock(recording.seconds)}`;
 }
 
-/** A distance between marks of the axis: 1, 2 or 5 times a power of ten, at least [pixels] wide. */
+/** Returns a distance between marks of the axis: 1, 2 or 5 times a power of ten, at least [pixels] wide. */
 function step(pixels) {
   const least = pixels / canvas.clientWidth * (until - from);
   const power = 10 ** Math.floor(Math.log10(least));
@@ -211,7 +211,7 @@ function drawFrame(pen, colour, agent, place, width) {
   }
 }
 
-/** Dimmed while something else is chosen. */
+/** Sets the colour of an item, dimmed while another one is chosen. */
 function paint(pen, colour, id, isBad) {
   const isLit = lit.has(id);
   pen.globalAlpha = lit.size && !isLit ? 0.25 : 1;
@@ -242,7 +242,7 @@ function drawPart(pen, colour, part, width) {
   pen.globalAlpha = 1;
 }
 
-/** Writes what an item is behind it, where there is room before the next one. */
+/** Writes the text of an item behind it if there is room before the next one. */
 function drawTexts(pen, colour, items, top, tall, width) {
   pen.font = '12px system-ui, sans-serif';
   items.forEach((item, place) => {
@@ -261,7 +261,7 @@ function drawTexts(pen, colour, items, top, tall, width) {
   });
 }
 
-/** Lines from causes to what came of them. */
+/** Draws lines from causes to their effects. */
 function drawLinks(pen, colour) {
   if (!chosen) return;
   const all = new Map([chosen.item, ...chosen.causes, ...chosen.effects].map(item => [item.id, item]));
@@ -296,7 +296,7 @@ function zoom(factor, at = (from + until) / 2) { see(at - (at - from) * factor, 
 function move(share) { see(from + (until - from) * share, until + (until - from) * share); }
 const seeAll = () => see(-recording.seconds * 0.01, recording.seconds * 1.01);
 
-/** The id of what is nearest to a place on the canvas; null: nothing is near. */
+/** Returns the id of the item nearest to a place on the canvas; null: none is near. */
 function nearest(px, py) {
   const part = parts.find(one => py >= laneTop(one.agent, one.lane) && py < laneTop(one.agent, one.lane) + LANE_HEIGHT);
   if (!part) return null;
@@ -351,7 +351,7 @@ function forget() {
   draw();
 }
 
-/** Chooses the first item that is seen. */
+/** Chooses the first item in view. */
 function chooseFirst() {
   const seen = parts.flatMap(part => part.items || part.heaps || []).filter(item => item.from >= from && item.from <= until);
   if (seen.length) choose(seen.reduce((a, b) => b.from < a.from ? b : a).id);
@@ -381,7 +381,7 @@ $('after').addEventListener('click', () => beside('after'));
 new ResizeObserver(() => { if (recording) { draw(); load(); } }).observe(canvas.parentElement);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
-/** The number of the command that the address asks about, of an agent that runs; null: none. */
+/** Returns the number of the command that the address asks about, of a running agent; null: none. */
 const askedCommand = () => /^#command=(\d+)$/.exec(location.hash)?.[1];
 
 /** Chooses the command that is asked about, so that its causes are listed. */
@@ -395,7 +395,7 @@ async function chooseAsked() {
   await askWhy();
 }
 
-/** Takes the recording, or what there is of it by now. */
+/** Loads the recording, or its present state for a running agent. */
 async function open() {
   $('now').disabled = true;
   try {

@@ -1,5 +1,5 @@
 'use strict';
-// Shows one agent. Whatever a board or an agent sends is put in as text, never as markup.
+// Shows one agent. Texts of boards and agents are put in as text, never as markup.
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
@@ -7,9 +7,9 @@ let state = null;          // the newest
 let receivedAt = 0;        // when it came
 let source = null;
 let connection = 'connecting';
-let frozen = null;         // what is shown instead while the page is frozen
+let frozen = null;         // shown instead while the page is frozen
 let courses = {};          // of the sensors' numbers, by the sensors' keys
-let filters = null;        // the names of the filters there are
+let filters = null;        // the names of all filters
 let waits = false;         // for the answer to a button
 const explained = new Map(); // a percept's key: its text and filter when it was asked about, and why it was kept or dropped
 
@@ -55,7 +55,7 @@ function showProblem(words) { text($('problem'), words); $('trouble').hidden = !
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
-/** Makes the rows of a list those of [items], keeping the elements of rows that stay, so that focus and reading position stay too. */
+/** Shows [items] as the rows of a list. Keeps the elements of rows that stay, so that focus and reading position stay too. */
 function rows(list, items, keyOf, make, fill, none) {
   const before = new Map([...list.children].map(row => [row.dataset.key, row]));
   let next = list.firstElementChild;
@@ -157,7 +157,7 @@ function showCritical(shown, since) {
   ));
 }
 
-/** What the agent does with a port, and where its board differs from the others. */
+/** Says how the agent uses a port, and in what its board differs from the others. */
 function use(port, shown) {
   return joined(
     port.inUse ? 'in use' : port.perceived ? 'perceived' : 'not in use',
@@ -174,7 +174,7 @@ function showPorts(shown, since) {
   ), 'The agent has no port.');
 }
 
-/** Why sensors show the past although the agent perceives, a line for each board; empty if they do not. */
+/** Explains why sensors show the past although the agent perceives, a line for each board; empty if they do not. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
@@ -221,7 +221,7 @@ function showSensors(shown, since) {
 
 const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
 
-/** Those of [beliefs] that have each word of the search in their text or source. */
+/** Returns those of [beliefs] that have each word of the search in their text or source. */
 function found(beliefs) {
   const words = $('find').value.toLowerCase().split(/\s+/).filter(Boolean);
   return beliefs.filter(belief => words.every(word => `${belief.text} ${sourcesOf(belief)}`.toLowerCase().includes(word)));
@@ -239,7 +239,7 @@ function showBeliefs(shown) {
   ), shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
-/** A row that leads to what the command came of. */
+/** Makes a row that leads to the causes of the command. */
 function commandRow() {
   const made = row();
   const why = element('a', 'why');
@@ -351,7 +351,7 @@ function show() {
   showAgents(shown);
 }
 
-// --- what the agent is asked ---
+// --- requests to the agent ---
 
 async function ask(path, body) {
   const options = body === undefined ? {} : { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) };
@@ -375,7 +375,7 @@ async function order(path, body) {
   }
 }
 
-/** Has the agent send what stands in the field, and shows the outcome under it. */
+/** Has the agent send the command in the field, and shows the outcome under it. */
 async function send() {
   const command = $('command').value.trim();
   if (!command) return;
@@ -407,7 +407,7 @@ async function explain(key, percept) {
 
 const filterWords = () => JSON.stringify(state.filter);
 
-/** Asks again why, where a percept or the filter has changed since. */
+/** Asks again for explanations of percepts that, or whose filter, have changed since. */
 function renewExplanations(shown) {
   for (const { key, text: percept } of shown.sensors.percepts) {
     const entry = explained.get(key);
@@ -469,7 +469,7 @@ $('send').addEventListener('submit', event => {
   if (!$('send-button').disabled) send();
 });
 
-// A page that nobody sees does not keep the agent busy, nor one of the few connections that a browser has for one address.
+// A hidden page gives up its connection: it keeps neither the agent busy nor one of the few connections that a browser has for one address.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

@@ -35,7 +35,7 @@ internal class Chromium : AutoCloseable {
         private val browser = program("chromium", "chromium-browser", "google-chrome")
         private val chromeDriver = program("chromedriver")
 
-        /** Whether there is one here. */
+        /** Enabled if there is a Chromium here. */
         val available: Enabled = when {
             browser == null -> Enabled.disabled("needs a browser, and there is no chromium: install it with your package manager")
             chromeDriver == null ->
@@ -62,14 +62,14 @@ internal class Chromium : AutoCloseable {
 
 /** The page in [driver]'s window. */
 internal class Page(private val driver: ChromeDriver) {
-    /** What the first element that [selector] finds says. */
+    /** Returns the text of the first element that [selector] finds. */
     fun text(selector: String): String = driver.findElement(By.cssSelector(selector)).text
 
-    /** What the elements say that [selector] finds. */
+    /** Returns the texts of the elements that [selector] finds. */
     fun texts(selector: String): List<String> = run("return [...document.querySelectorAll(arguments[0])].map(e => e.textContent)", selector)
 
-    /** What [script] returns. */
-    @Suppress("UNCHECKED_CAST") // the script's own business
+    /** Returns the result of [script]. */
+    @Suppress("UNCHECKED_CAST") // the caller knows the type of its script's result
     fun <T> run(script: String, vararg arguments: Any): T = driver.executeScript(script, *arguments) as T
 
     /** Presses the button that says [words]. */
@@ -87,7 +87,7 @@ internal class Page(private val driver: ChromeDriver) {
     /** Presses keys. */
     fun type(keys: CharSequence) = driver.switchTo().activeElement().sendKeys(keys)
 
-    /** Sets the size of what is seen, in CSS pixels, which a window has a least width for. */
+    /** Sets the size of the view in CSS pixels; a window itself has a least width. */
     fun size(width: Int, height: Int) {
         val metrics = mapOf("width" to width, "height" to height, "deviceScaleFactor" to 1, "mobile" to false)
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride", metrics)
@@ -108,13 +108,13 @@ internal class Page(private val driver: ChromeDriver) {
         }
     }
 
-    /** Writes what is seen to a file of the build, or in [folder], for a person to look at. */
+    /** Writes a picture of the page to a file of the build, or in [folder], for a person to look at. */
     fun picture(name: String, folder: Path = Path.of("target", "view")) {
         Files.createDirectories(folder)
         Files.write(folder.resolve("$name.png"), driver.getScreenshotAs(OutputType.BYTES))
     }
 
-    /** What the browser complains of, such as a script that failed or a resource that was refused. */
+    /** Returns the browser's complaints, such as a script that failed or a resource that was refused. */
     fun complaints(): String = driver.manage().logs().get("browser").all.joinToString("\n")
 
     private companion object {

@@ -288,7 +288,7 @@ class PageSpec : FunSpec({
 
 private infix fun List<String>.shouldContainText(part: String) = joinToString("\n") shouldContain part
 
-/** Sends the command `stop` to an address in all ways that a page of another origin has, and then puts it into its title. */
+/** Sends the command `stop` to an address in every way that a page of another origin has, and then sets its title. */
 private const val ATTACK = """
     (async address => {
         const body = JSON.stringify({ command: 'stop' });
@@ -314,7 +314,7 @@ private const val ATTACK = """
         document.title = 'all tried';
     })"""
 
-/** Words whose contrast with what is behind them is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */
+/** Finds words whose contrast with their background is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */
 private const val FAINT = """
     const channel = c => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
     const numbers = colour => colour.match(/[\d.]+/g).map(Number);

@@ -53,7 +53,7 @@ class SystemPageSpec : FunSpec({
         picture(name, pictures ?: Path.of("target", "view"))
     }
 
-    /** A robot on its way to a wall, and a scout with two boards. */
+    /** Runs [test] with a robot on its way to a wall, and a scout with two boards. */
     suspend fun system(test: suspend Page.(ViewedMas, List<FakeBoard>) -> Unit) {
         val boards = listOf("robot", "left", "right").map { FakeBoard.plugIn(it).lenient() }
         val begin = System.nanoTime()
@@ -121,7 +121,7 @@ class SystemPageSpec : FunSpec({
     }
 })
 
-/** The robot on its way, [cm] from the wall. */
+/** Draws the robot on its way, [cm] from the wall. */
 private fun track(cm: Double): String {
     val x = (86 - cm / 200 * 86).coerceIn(0.0, 86.0)
     return """

@@ -13,6 +13,7 @@ import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
+import jason.architecture.MindInspectorWeb
 import javino.sim.FakeBoard
 import java.net.Inet4Address
 import java.net.InetAddress
@@ -353,6 +354,21 @@ class ViewSpec : FunSpec({
             val own = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }
             own.filter { !it.isLoopbackAddress && it is Inet4Address }.forEach { other ->
                 runCatching { Socket(other, address.port).close() }.isFailure shouldBe true
+            }
+        }
+    }
+
+    test("Jason's mind inspector beside views, which listens on all addresses, is told of once, with its address") {
+        ViewedMas().use { mas ->
+            mas.agent("alice", "a.")
+            ("mind inspector" in mas.log) shouldBe false
+            MindInspectorWeb.get()
+            try {
+                listOf("bob", "carol").forEach { mas.agent(it, "a.") }
+                val told = mas.log.lines().filter { "mind inspector" in it }
+                told.single() shouldContain "at ${MindInspectorWeb.getURL()}, listens on all network addresses"
+            } finally {
+                MindInspectorWeb.stop()
             }
         }
     }

@@ -44,7 +44,7 @@ internal class ViewedMas : AutoCloseable {
         mas.start()
     }
 
-    /** What has been logged so far, one message a line. */
+    /** The log so far, one message a line. */
     val log: String get() = records.joinToString("\n") { it.message.orEmpty() }
 
     /** Starts an agent with [program] whose option `argo_view` is [view], with other [options]. */
@@ -71,19 +71,19 @@ internal class ViewedMas : AutoCloseable {
         RuntimeServicesFactory.get().killAgent(name, "test", 0)
     }
 
-    /** The agent's beliefs, as text without their sources. */
+    /** Returns the agent's beliefs, as text without their sources. */
     fun beliefs(name: String): Set<String> =
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 
     /** Returns when agent [name] believes [belief]. */
     suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) { beliefs(name) shouldContain belief }
 
-    /** The view of agent [name], as a project gets at it. */
+    /** Returns the view of agent [name], as a project gets it. */
     fun agentView(name: String): AgentView =
         generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>()
             .flatMap { it.observers }.filterIsInstance<AgentView>().single()
 
-    /** Where the view of agent [name] is, by the log. */
+    /** Reads the address of the view of agent [name] from the log. */
     fun viewOf(name: String): URI {
         val line = Regex("the live view of $name is at (http://127\\.0\\.0\\.1:\\d+/\\S+/)").find(log)
         return URI(checkNotNull(line) { log }.groupValues[1])

@@ -9,12 +9,12 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A browser without a window: reads what the page at [address] is told, in a thread of its own. */
+/** A browser without a window: reads the states that the page at [address] is sent, in a thread of its own. */
 internal class Watcher(address: URI) : AutoCloseable {
     private val unread = LinkedBlockingQueue<ViewState>()
     private val stream = java.net.Socket(address.host, address.port)
 
-    /** All that was sent, as it was sent. */
+    /** Everything that was sent, unchanged. */
     val sent = StringBuffer()
 
     private val reader = thread(isDaemon = true, name = "watcher") {
@@ -60,11 +60,11 @@ private fun Thread.join(limit: java.time.Duration): Boolean {
 
 private val client: HttpClient = HttpClient.newHttpClient() // follows no redirects
 
-/** The answer to GET [path], which is that of a page if it begins without a slash. */
+/** Returns the answer to GET [path], which is a page's if it begins without a slash. */
 internal fun URI.get(path: String): HttpResponse<String> =
     client.send(HttpRequest.newBuilder(resolve(path)).build(), HttpResponse.BodyHandlers.ofString())
 
-/** The answer to POST [path] with [json], and with [headers] beside those of the page. */
+/** Returns the answer to POST [path] with [json], and with [headers] beside those of the page. */
 internal fun URI.post(path: String, json: String, vararg headers: Pair<String, String>): HttpResponse<String> {
     val request = HttpRequest.newBuilder(resolve(path)).header("Content-Type", "application/json")
         .POST(HttpRequest.BodyPublishers.ofString(json))
@@ -72,7 +72,7 @@ internal fun URI.post(path: String, json: String, vararg headers: Pair<String, S
     return client.send(request.build(), HttpResponse.BodyHandlers.ofString())
 }
 
-/** The first line of the answer to a request that is sent as it stands in [head]. */
+/** Returns the first line of the answer to a request with exactly the lines of [head]. */
 internal fun URI.raw(vararg head: String): String = java.net.Socket(host, port).use { socket ->
     socket.getOutputStream().write((head.joinToString("\r\n") + "\r\n\r\n").toByteArray())
     socket.getInputStream().bufferedReader().readLine()

@@ -20,7 +20,7 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-/** Boards in a process of their own: what they do is no part of what is measured of the agent's process. */
+/** Boards in a process of their own, so that their work does not count for the agent's process. */
 internal class BoardHost private constructor(private val process: Process) : AutoCloseable {
     private val commands = process.outputWriter()
     private val answers = process.inputReader()
@@ -28,10 +28,10 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     /** The ports of its boards, as an agent names them; for boards on devices those of their own ends. */
     val ports: List<String> = words()
 
-    /** How many requests each board has answered, in the order of [ports]. */
+    /** Returns the number of requests that each board has answered, in the order of [ports]. */
     fun answered(): List<Long> = ask("answered").map(String::toLong)
 
-    /** How many boards have an open line. */
+    /** Returns the number of boards with an open line. */
     fun openLines(): Int = ask("open").single().toInt()
 
     private fun ask(question: String): List<String> {
@@ -51,11 +51,11 @@ internal class BoardHost private constructor(private val process: Process) : Aut
         /** The name of the program in that process. */
         const val NAME = "board-host"
 
-        /** Boards on the [devices], each with so many [percepts], all of which change with each answer. */
+        /** Starts boards on the [devices], each with so many [percepts], all of which change with each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
             BoardHost(programApart(NAME, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
-        /** As many [boards] on TCP ports of this machine. */
+        /** Starts so many [boards] on TCP ports of this machine. */
         fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *Array(boards) { NETWORK }))
     }
 }
@@ -63,7 +63,7 @@ internal class BoardHost private constructor(private val process: Process) : Aut
 private const val NETWORK = "tcp"
 private const val BAUD = 115_200
 
-/** The program of [BoardHost]: the number of percepts, then a device or `tcp` for each board. */
+/** The program of [BoardHost]. The arguments are the number of percepts, then a device or `tcp` for each board. */
 internal fun hostBoards(arguments: List<String>) {
     val percepts = arguments.first().toInt()
     val boards = arguments.drop(1).map { if (it == NETWORK) NetworkBoard(percepts) else DeviceBoard(it, percepts) }

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts what an agent has of its [boards], and notes the skew after each reasoning cycle in which it has perceived something, once it
- * has perceived all of them. Safe on any thread.
+ * Counts an agent's messages and snapshots of its [boards], and notes the skew after each reasoning cycle in which it has perceived
+ * something, once it has perceived all of them. Safe on any thread.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
@@ -37,13 +37,13 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
         if (newest.size == boards) synchronized(skews) { skews += newest.values.max() - newest.values.min() }
     }
 
-    /** How many messages have come from each board, by its port. */
+    /** Returns the number of messages from each board, by its port. */
     fun sensed(): Map<String, Long> = sensedOf.mapValues { (_, count) -> count.get() }
 
-    /** How many snapshots of each board the agent has perceived, by its port. */
+    /** Returns the number of snapshots of each board that the agent has perceived, by its port. */
     fun perceived(): Map<String, Long> = perceivedOf.mapValues { (_, count) -> count.get() }
 
-    /** The skews since this was called last, in ns. */
+    /** Returns the skews since the last call, in ns. */
     fun takeSkews(): LongArray = synchronized(skews) { skews.toLongArray().also { skews.clear() } }
 
     override fun close() = Unit
@@ -54,7 +54,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
 
         private val watches = ConcurrentHashMap<String, BoardWatch>()
 
-        /** That of agent [name], which has been started. */
+        /** Returns the watch of agent [name], which has been started. */
         fun of(name: String): BoardWatch = watches.getValue(name)
 
         /** Watches agent [name] from now on. */

@@ -11,8 +11,8 @@ private const val SEED = 1L
 private val BAUDS = listOf(9_600, 57_600, 115_200)
 
 /**
- * Measures one agent on several boards, and prints the figures; what happened in the worst reactions is in [timelines]. Returns false if the
- * firmware has not been built.
+ * Measures one agent on several boards, and prints the figures; writes the timelines of the worst reactions to [timelines]. Returns false
+ * if the firmware has not been built.
  */
 fun boards(timelines: File): Boolean {
     if (!Bench.isBuilt(BAUDS.map { StopCourse(it) })) {
@@ -58,10 +58,12 @@ private fun senseMany() = with(ManyBoards().measure()) {
     )
 }
 
-/** What measures the reactions alone, as the program calls it. */
+/** The name of the program that measures only the reactions. */
 internal const val REACTIONS = "boards-reactions"
 
-/** Measures how soon an agent on three boards reacts, and prints the figures; what happened in the worst reactions is in [timelines]. */
+/**
+ * Measures how soon an agent on three boards reacts, and prints the figures; writes the timelines of the worst reactions to [timelines].
+ */
 internal fun stopThree(timelines: File) {
     println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")
     println("%-36s %s".format("", BAUDS.joinToString("   ") { "%26s".format("$it baud") }))

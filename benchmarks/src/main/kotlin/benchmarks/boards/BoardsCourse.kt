@@ -12,10 +12,10 @@ import javino.sim.PseudoTerminals
  */
 internal data class BoardsCourse(val boards: Int, val percepts: Int) {
     /**
-     * What was measured.
+     * The figures of a course.
      *
-     * @property leastSensed the share of its rate, 0 to 1, at which the board was sensed that was sensed least
-     * @property leastPerceived the same of the snapshots that the agent has perceived
+     * @property leastSensed the sensing rate of the board that was sensed least, as a share of the nominal rate, 0 to 1
+     * @property leastPerceived the same for the snapshots that the agent has perceived
      * @property skewMs the median of the skew after each cycle that has perceived something, its 99th percentile and the longest
      * @property processor the share of one processor that the agent's process took
      * @property processorOf that share by groups of threads

@@ -11,16 +11,16 @@ import kotlin.math.abs
 /** An agent of 127 boards on the network, each sensed five times a second; the boards run in another process. */
 internal class ManyBoards {
     /**
-     * What was measured.
+     * The figures of a run.
      *
-     * @property leastSensed the share of its rate, 0 to 1, at which the board was sensed that was sensed least
-     * @property lost answers of boards that the agent did not get, or got twice
-     * @property messages answers of all boards
-     * @property heapMb MB of heap that the boards take; without garbage
-     * @property residentMb MB of memory of the process
-     * @property threads how many the boards take
-     * @property openingMs from `argo.ports` until all boards have been perceived
-     * @property closingMs from the agent's end until all lines are closed as the boards see it
+     * @property leastSensed the sensing rate of the board that was sensed least, as a share of the nominal rate, 0 to 1
+     * @property lost the answers of boards that the agent did not get, or got twice
+     * @property messages the answers of all boards
+     * @property heapMb the heap that the boards take, without garbage, in MB
+     * @property residentMb the resident memory of the process, in MB
+     * @property threads the number of threads that the boards take
+     * @property openingMs the time from `argo.ports` until all boards have been perceived
+     * @property closingMs the time from the agent's end until the boards see all lines closed
      */
     class Result(
         val leastSensed: Double, val lost: Int, val messages: Int, val heapMb: Double, val residentMb: Double, val threads: Int,

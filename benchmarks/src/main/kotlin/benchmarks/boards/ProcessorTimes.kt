@@ -20,19 +20,19 @@ internal enum class ThreadGroup(val title: String) {
 
 /** Processor times in ns since the process began. */
 internal class ProcessorTimes private constructor(val process: Long, private val threads: Map<Long, Pair<ThreadGroup, Long>>) {
-    /** What was used after [earlier]; threads that have ended since then count for the Java machine. */
+    /** Returns the times used since [earlier]; threads that have ended since then count for the Java machine. */
     operator fun minus(earlier: ProcessorTimes) = ProcessorTimes(
         process - earlier.process,
         threads.mapValues { (id, thread) -> thread.first to thread.second - (earlier.threads[id]?.second ?: 0) },
     )
 
-    /** That of a [group]. */
+    /** Returns the time of a [group]. */
     fun of(group: ThreadGroup): Long =
         if (group == ThreadGroup.MACHINE) process - threads.values.sumOf { it.second }
         else threads.values.filter { it.first == group }.sumOf { it.second }
 
     companion object {
-        /** Those of this process. */
+        /** Returns the times of this process. */
         fun now(): ProcessorTimes {
             val threads = ManagementFactory.getThreadMXBean()
             val times = threads.getThreadInfo(threads.allThreadIds).filterNotNull()

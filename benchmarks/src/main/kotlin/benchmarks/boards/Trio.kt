@@ -12,7 +12,7 @@ import kotlin.time.Duration.Companion.microseconds
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** What becomes of a board while the others are measured. */
+/** The trouble of one board while the others are measured. */
 internal enum class Trouble(val title: String) {
     KILLED("is killed"),
     HANGS("hangs"),
@@ -34,7 +34,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** From now on the board of [baud] has [trouble] and its robot is not measured. */
+    /** Gives the board of [baud] this [trouble]; its robot is not measured any more. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)
@@ -50,9 +50,9 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Has the agent stop each robot so many times; returns how long after the limit they stopped, by baud rate, and what the worst was. The
-     * robots cross the limit at times that are spread evenly over the sensing interval: with random ones the median would vary by more than
-     * the boards differ.
+     * Has the agent stop each robot so many times; returns the reactions by baud rate: how long after the limit the robots stopped, and the
+     * worst. The robots cross the limit at times that are spread evenly over the sensing interval: with random ones the median would vary
+     * by more than the boards differ.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -63,7 +63,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
-        for (baud in bauds) { // also those of the others, so that the phases are the same in all runs
+        for (baud in bauds) { // draws those of the others, too, so that the phases are the same in all runs
             val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
             if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
@@ -127,13 +127,13 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 }
 
-/** How long after the limit robots stopped. */
+/** The times after the limit at which robots stopped. */
 internal class Reactions(private val ones: List<One>) {
-    /** One of them, in ns, and what happened on its line from the limit on. */
+    /** One of these times, in ns, with the timeline of its line from the limit on. */
     class One(val nanos: Long, val timeline: String)
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })
 
-    /** What happened on the line in the longest. */
+    /** The timeline of the longest one. */
     val worst: String get() = ones.maxBy { it.nanos }.timeline
 }

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit
  *
  * @param number its TCP port; 0: a free one
  * @param first the first number
- * @param hz how many numbers a second
+ * @param hz the numbers per second
  * @param published is called with each number before it is published
  */
 internal class CountingBridge(number: Int, first: Int, hz: Int, private val published: (Int) -> Unit) : AutoCloseable {
@@ -58,7 +58,7 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
     /** The TCP port that it listens at. */
     val number: Int get() = server.port
 
-    /** How many clients there are. */
+    /** The number of clients. */
     val clients: Int get() = server.connections.size
 
     private fun hear(client: WebSocket, message: String) {

@@ -15,11 +15,11 @@ private const val OFF_MS = 300L
 private const val WORK_MS = 100L
 
 /**
- * How old what an agent acts on is that takes 100 ms for each message of a bridge, after a minute at three rates; and how long an agent
- * takes to act again behind a bridge that is restarted. Prints the figures.
+ * Measures the age of the messages on which an agent acts that takes 100 ms for each message of a bridge, after a minute at three rates;
+ * and the time until an agent acts again after its bridge has restarted. Prints the figures.
  *
- * @param seconds how long each rate is
- * @return whether nothing was lost, carried out twice or left behind
+ * @param seconds the time of each rate
+ * @return true if no message was lost, no command carried out twice and none left behind
  */
 fun ros(seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
     println("robots behind ros://, ${machine()}:")
@@ -36,7 +36,7 @@ private fun program(number: Int) = """
 
 private fun ages(hz: Int, seconds: Int): String {
     val published = ConcurrentHashMap<Int, Long>()
-    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // when, and how old
+    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // the time, and the age then
     acts.heard = { number, now ->
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)

@@ -6,7 +6,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.isExecutable
 import kotlin.io.path.toPath
 
-/** What the bench of stops runs, as `make bench` in `javino-arduino` and the sources have it. */
+/** The files of the bench of stops: the output of `make bench` in `javino-arduino`, and sources. */
 internal object Bench {
     private val home: Path = generateSequence(Bench::class.java.protectionDomain.codeSource.location.toURI().toPath()) { it.parent }
         .firstOrNull { it.resolve("javino-arduino").isDirectory() } ?: Path.of("")
@@ -14,12 +14,12 @@ internal object Bench {
     /** The simulator. */
     val simulator: Path = home.resolve("javino-arduino/build/simulator")
 
-    /** Where the published agent is. */
+    /** The folder of the published agent. */
     val agents: Path = home.resolve("experiment/agent")
 
-    /** The compiled sketch, which need not exist. */
+    /** Returns the compiled sketch, which need not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
-    /** Whether the simulator and what [courses] need have been built. */
+    /** Returns true if the simulator and the sketches for [courses] have been built. */
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }
 }

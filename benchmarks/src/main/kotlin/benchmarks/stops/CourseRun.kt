@@ -7,10 +7,10 @@ import argo.testkit.agentOf
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     private val uno = UnoOnLine(course)
 
-    /** What happens on the line and on the board. */
+    /** The events on the line and on the board. */
     val timeline get() = uno.timeline
 
-    /** How many commands the agent has sent in version 1. */
+    /** The number of commands that the agent has sent in version 1. */
     val sent get() = uno.sent
 
     /** The robot, once the port has been opened. */

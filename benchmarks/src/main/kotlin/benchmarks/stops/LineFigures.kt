@@ -5,14 +5,14 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * What the line of a course is in use for.
+ * The use of a course's line.
  *
- * @property snapshotsPerSecond of an agent that senses without interval and does not act
+ * @property snapshotsPerSecond the snapshots per second of an agent that senses without interval and does not act
  * @property snapshot the bytes of a snapshot, request and answer
  * @property command the bytes of the command `stop`
  */
 internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
-    /** From the limit to the stop, if the line alone took time and the sensors were read at the limit, in ms. */
+    /** The time from the limit to the stop, in ms, if only the line took time and the sensors were read at the limit. */
     val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
 
     /** The same if they were read just before. */
@@ -37,7 +37,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     )
 }
 
-/** The bytes on the line while [command] is given [COMMANDS] times. */
+/** Returns the bytes on the line while [command] is given [COMMANDS] times. */
 private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
     val before = traffic
     repeat(COMMANDS) {

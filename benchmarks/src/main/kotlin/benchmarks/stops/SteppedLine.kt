@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions: the board
- * is run to the present at least once in the time of a byte, before each byte that is sent to it, and gives out its own a byte's time before
- * they arrive.
+ * is run to the present at least once in the time of a byte, before each byte that is sent to it, and hands its own bytes over a byte's
+ * time before they arrive.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,
@@ -25,7 +25,7 @@ internal class SteppedLine(
     private var freeAt = clock.nanos()
     private var isClosed = false
     private var hangs = false
-    private var isArrivalNew = false // the board is also run by others, who place its robot
+    private var isArrivalNew = false // callers that place its robot run the board, too
 
     /** The bytes that have been handed to it and read from it. */
     var traffic = Traffic(0, 0)
@@ -60,7 +60,7 @@ internal class SteppedLine(
         }
     }
 
-    /** The board is not run any more, and takes no bytes; from now on [flood] comes over the line again and again, null: nothing. */
+    /** Stops running the board, which then takes no bytes; from now on [flood] comes over the line again and again; null: no bytes come. */
     fun hang(flood: ByteArray?) {
         lock.lock()
         try {

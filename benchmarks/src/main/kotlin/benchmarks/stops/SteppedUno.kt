@@ -19,7 +19,7 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
     /** Called with each byte that the board sends and the time at which its last bit arrives, at most a byte's time before that. */
     var sent: (Byte, Long) -> Unit = { _, _ -> }
 
-    /** Called with each change of a watched pin, whether it is high now, and the time. */
+    /** Called with each change of a watched pin: the pin, true if it is high now, and the time. */
     var changed: (Int, Boolean, Long) -> Unit = { _, _, _ -> }
 
     /** Runs until [nanos], unless it has done so. */
@@ -29,7 +29,7 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         command("run ${cycle(nanos)}")
     }
 
-    /** Puts [bytes] on the line, of which the first begins at [atNanos], which is no earlier than what it has run to, each in [byteNanos]. */
+    /** Puts [bytes] on the line, each in [byteNanos]; the first begins at [atNanos], which must not be before the time it has run to. */
     fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
         command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
 
@@ -73,7 +73,7 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         const val HEXADECIMAL = 16
         const val NANOS_PER_MS = 1e6
 
-        /** At 16 MHz. */
+        /** Returns the board's cycle at [nanos], at 16 MHz. */
         fun cycle(nanos: Long) = nanos * 16 / 1000
 
         fun nanos(cycle: Long) = cycle * 1000 / 16

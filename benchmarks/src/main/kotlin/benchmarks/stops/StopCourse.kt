@@ -13,10 +13,10 @@ internal enum class Firmware(val sketch: String) {
 /**
  * A robot, a line and an agent.
  *
- * @property version of the protocol
- * @property loopMs how long each `loop()` of the sketch takes besides what the library does
- * @property filter the agent's
- * @property cycleTime how long a reasoning cycle of the agent takes
+ * @property version the version of the protocol
+ * @property loopMs the time of each `loop()` of the sketch, besides the library's work
+ * @property filter the agent's filter
+ * @property cycleTime the time of a reasoning cycle of the agent
  */
 internal data class StopCourse(
     val baud: Int,

@@ -9,12 +9,13 @@ import kotlin.time.Duration.Companion.seconds
 /**
  * The stops of a course.
  *
- * @property responses from the limit to the stop, in ns, in their order
- * @property rests from the limit until the robot stood for good, in ns: later where a command `front`, given before, drove it on after a reflex
- * @property worst what happened on the line and on the board in the longest response, in ms from the limit on
- * @property commands that the sketch has carried out
- * @property sent commands in version 1; in version 2 they are not counted
- * @property starts of the sketch
+ * @property responses the times from the limit to the stop, in ns, in their order
+ * @property rests the times from the limit until the robot stood for good, in ns: later if an earlier command `front` drove it on after a
+ * reflex
+ * @property worst the timeline of line and board in the longest response, in ms from the limit on
+ * @property commands the number of commands that the sketch has carried out
+ * @property sent the number of commands sent in version 1; in version 2 they are not counted
+ * @property starts the number of the sketch's starts
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,
@@ -58,7 +59,7 @@ private fun CourseRun.stop(way: Int, random: Random): Stop {
     return Stop(checkNotNull(robot.stoppedAt) - crossedAt, checkNotNull(robot.restsSince) - crossedAt, events)
 }
 
-/** Waits until the agent has stopped the robot, also where a reflex has done so before. */
+/** Waits until the agent has stopped the robot, even if a reflex has done so before. */
 private fun CourseRun.rest(way: Int) {
     agent.shouldBelieve("status(stopped)", within = PATIENCE)
     agent.after(timeFor(way))
@@ -74,7 +75,7 @@ private fun CourseRun.awaitStop() {
     } while (robot.stoppedAt == null)
 }
 
-/** The mm that the robot drives at least before the limit: the slower the line, the longer until it is in step. */
+/** The shortest way of the robot before the limit, in mm: the slower the line, the longer until it is in step. */
 private val StopCourse.shortWay get() = 10 + 400_000 / baud
 
 private fun timeFor(way: Int) = (way * WatchedRobot.MILLIMETRE_NANOS).nanoseconds

@@ -2,21 +2,21 @@ package benchmarks.stops
 
 import java.util.Locale
 
-/** What happens on a line and on its board, as a text for people. Bytes that follow each other without a gap are one entry. */
+/** The events on a line and on its board, as a text for people. Bytes that follow each other without a gap are one entry. */
 internal class Timeline(private val byteNanos: Long) {
     private class Entry(val what: String, val fromNanos: Long, var toNanos: Long, var bytes: Int)
 
     private val entries = ArrayList<Entry>()
 
-    /** Forgets what has happened. */
+    /** Forgets all events. */
     fun clear() = entries.clear()
 
-    /** At [nanos] the board did [what]. */
+    /** Notes that the board did [what] at [nanos]. */
     fun add(what: String, nanos: Long) {
         entries += Entry(what, nanos, nanos, 0)
     }
 
-    /** [sender] has sent a byte whose last bit arrives at [nanos]. */
+    /** Notes that [sender] has sent a byte whose last bit arrives at [nanos]. */
     fun addByte(sender: String, nanos: Long) {
         val last = entries.lastOrNull { it.what == sender }
         if (last == null || nanos - last.toNanos > byteNanos * 3 / 2) {
@@ -27,7 +27,7 @@ internal class Timeline(private val byteNanos: Long) {
         }
     }
 
-    /** All of it, with times in ms from [nanos] on. */
+    /** Returns all events, with times in ms from [nanos] on. */
     fun since(nanos: Long): String = entries.sortedBy { it.fromNanos }.joinToString("") { entry ->
         val from = (entry.fromNanos - nanos) / NANOS_PER_MS
         val to = (entry.toNanos - nanos) / NANOS_PER_MS

@@ -11,21 +11,21 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     private val uno = SteppedUno(Bench.simulator, course.elf)
     private var line: SteppedLine? = null
 
-    /** What happens on the line and on the board. */
+    /** The events on the line and on the board. */
     val timeline = Timeline(LineSettings(course.baud).byteNanos())
 
     /** The robot; null: the port has never been opened. */
     var robotOrNull: WatchedRobot? = null
         private set
 
-    /** How many commands have been sent to it in version 1. */
+    /** The number of commands sent to it in version 1. */
     var sent = 0
         private set
 
     /** The bytes on the line so far. */
     val traffic: Traffic get() = line?.traffic ?: Traffic(0, 0)
 
-    /** Opens its line, for which the board is reset unless this is the first time. */
+    /** Opens its line; resets the board unless this is the first time. */
     fun open(port: String, settings: LineSettings, clock: LineClock): SteppedLine {
         if (robotOrNull == null) robotOrNull = WatchedRobot(uno, clock, timeline) else uno.reset()
         val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(settings)) { if (!PerceptsRequest.isIn(it.text())) sent++ }
@@ -35,13 +35,13 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
         }
     }
 
-    /** Its cable is pulled. */
+    /** Pulls its cable. */
     fun disconnects() = requireLine().close()
 
-    /** It does nothing any more. */
+    /** Stops the board. */
     fun hangs() = requireLine().hang(null)
 
-    /** It does nothing any more but send [message] without a pause. */
+    /** Stops the board, and sends [message] in its place without a pause. */
     fun floods(message: ByteArray) = requireLine().hang(message)
 
     private fun requireLine() = checkNotNull(line) { "its port has not been opened" }
@@ -49,7 +49,10 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     override fun close() = uno.close()
 
     private companion object {
-        /** Each line has a name of its own: links remember the numbers that they have used by it, and the next run is to be like the first. */
+        /**
+         * Numbers the lines, so that each has a name of its own: links remember used numbers by that name, and each run must be like the
+         * first.
+         */
         val lines = AtomicInteger()
     }
 }

@@ -3,8 +3,8 @@ package benchmarks.stops
 import javino.LineClock
 
 /**
- * The robot around the sketches `Stops` and `FieldStops` on [uno]: it drives at 10 cm/s towards a wall while the sketch's pin says so, and
- * its front sensor gives 1 mV for each of its mm from the wall. Goes by [clock].
+ * The robot around the sketches `Stops` and `FieldStops` on [uno]: it drives at 10 cm/s towards a wall while the sketch's pin is on, and
+ * its front sensor gives 1 mV for each mm from the wall. Goes by [clock].
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
@@ -12,25 +12,25 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
-    /** When the sensor first gave the limit or less, in ns; null: it has not yet since it was [placed][place]. */
+    /** The time at which the sensor first gave the limit or less, in ns; null: it has not yet since it was [placed][place]. */
     var crossedAt: Long? = null
         private set
 
-    /** When it has stopped after that, in ns; null: it has not yet. */
+    /** The time at which it stopped after that, in ns; null: it has not yet. */
     var stoppedAt: Long? = null
         private set
 
-    /** Since when it stands, in ns; null: it has not stopped since it was [placed][place]. */
+    /** The time since which it stands, in ns; null: it has not stopped since it was [placed][place]. */
     var restsSince: Long? = null
         private set
 
-    /** How many actions the sketch has carried out. */
+    /** The number of actions that the sketch has carried out. */
     val acted: Int get() = edges.getOrDefault(ACTED, 0)
 
-    /** How often the sketch has read its sensors. */
+    /** The number of times that the sketch has read its sensors. */
     val looked: Int get() = edges.getOrDefault(LOOKED, 0)
 
-    /** How often the sketch has started. */
+    /** The number of times that the sketch has started. */
     val started: Int get() = edges.getOrDefault(STARTED, 0)
 
     init {
@@ -40,9 +40,9 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places it so far from the wall.
+     * Places it [millimetres] from the wall.
      *
-     * @param departure when it begins with its first millimetre, in ns, if it has driven off at its argument
+     * @param departure returns the time at which its first millimetre begins, in ns, if it has driven off at the time of the argument
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres
@@ -95,7 +95,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         /** The distance at which the agent stops it, in mm. */
         const val LIMIT_MM = 800
 
-        /** How long it drives for a millimetre. */
+        /** The time in which it drives a millimetre, in ns. */
         const val MILLIMETRE_NANOS = 10_000_000L
 
         private const val FIRST_MM = 1000
@@ -104,7 +104,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         private const val LOOKED = 10
         private const val STARTED = 11
 
-        /** What the sketch makes of its analogue input: ten bits of 5 V. */
+        /** Returns the voltage that the sketch reads at its analogue input: ten bits of 5 V. */
         private fun seen(millivolts: Int) = millivolts * 1023 / 5000 * 5000 / 1023
     }
 }

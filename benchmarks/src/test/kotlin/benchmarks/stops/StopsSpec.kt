@@ -1,5 +1,6 @@
 package benchmarks.stops
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -23,7 +24,7 @@ class StopsSpec : FunSpec({
         }
     }
 
-    test("a run gives the same figures again, and others from another seed").config(enabledOrReasonIf = built) {
+    test("a run gives the same figures again, and others from another seed").config(tags = thorough, enabledOrReasonIf = built) {
         measureStops(FAST, STOPS, SEED).responses shouldBe measured.getValue(FAST).value.responses
         measureStops(FAST, 1, SEED + 1).responses.first() shouldNotBe measured.getValue(FAST).value.responses.first()
     }
@@ -33,10 +34,12 @@ private const val STOPS = 5
 private const val SEED = 1L
 private val FAST = StopCourse(115_200)
 
-/** The longest stop of each course may take so many ms, up to a third more than measured. */
+/** The bounds of the longest stop of each course, in ms: up to a third more than measured. */
 private val LIMITS = mapOf(
     StopCourse(9_600) to 150.0,
     FAST to 40.0,
     StopCourse(9_600, version = 1) to 750.0,
     StopCourse(9_600, version = 1, Firmware.FIELD, loopMs = 5) to 1_200.0,
 )
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -5,28 +5,28 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Which of three factors a sum of squares or an effect belongs to: [SIZE] of them, the main ones, the interactions of two, that of all
- * three. The first factor is A.
+ * The source of a sum of squares or an effect among three factors: a main factor, an interaction of two, or that of all three. The first
+ * factor is A.
  */
 internal enum class Source(val factors: Set<Int>) {
     A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2));
 
     companion object {
-        /** How many factors there are. */
+        /** The number of factors. */
         const val SIZE = 3
     }
 }
 
 /**
- * The effect of one combination of the levels of a [source]'s factors: how far it moves the response from what the mean and the lower
- * effects make it.
+ * The effect of one combination of the levels of a [source]'s factors: the distance by which it moves the response from the sum of the mean
+ * and the lower effects.
  *
  * @property levels the level of each of the source's factors, from 0, in the order of the factors
  * @property low the lower end of the confidence interval
  * @property high its upper end
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val low: Double, val high: Double) {
-    /** Whether the interval leaves out 0. */
+    /** True if the interval leaves out 0. */
     val isSignificant: Boolean get() = low > 0 || high < 0
 }
 
@@ -36,12 +36,12 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
  * over the levels of each factor; the share of a source in the variation is its sum of squares over the total one.
  *
  * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r; all cells have equally many,
- * at least one. With one there is no error to speak of: its share is 0 and the confidence intervals are without end
+ * at least one. With one the error cannot be estimated: its share is 0 and the confidence intervals are infinite
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
 
-    /** Replications of each combination. */
+    /** The number of replications of each combination. */
     val replications = responses.first().first().first().size
 
     init {
@@ -58,10 +58,10 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
 
-    /** Responses in all. */
+    /** The number of all responses. */
     val count = cells.size * replications
 
-    /** Less than this is nothing but the rounding of sums of so large numbers. */
+    /** Smaller values come only from rounding in sums of such large numbers. */
     private val rounding = ROUNDING * cells.maxOf { cell -> at(cell).maxOf(::abs) }
 
     private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
@@ -75,7 +75,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     /** The sum of squares within the cells. */
     val error: Double = squares(cells.sumOf { cell -> at(cell).average().let { mean -> at(cell).sumOf { (it - mean) * (it - mean) } } })
 
-    /** Degrees of freedom of [error]. */
+    /** The degrees of freedom of [error]. */
     val errorFreedom = cells.size * (replications - 1)
 
     private val effects: Map<Source, Map<List<Int>, Double>> = buildMap {
@@ -92,32 +92,32 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun List<Int>.of(source: Source) = source.factors.map { this[it] }
 
-    /** The sum of squares of [source]. */
+    /** Returns the sum of squares of [source]. */
     fun squares(source: Source): Double =
         effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
-    /** The degrees of freedom of [source]. */
+    /** Returns the degrees of freedom of [source]. */
     fun freedom(source: Source): Int = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
 
-    /** The share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
+    /** Returns the share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
     fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0
 
     /** The share of the error. */
     val errorShare: Double get() = if (total > 0) error / total else 0.0
 
-    /** The effects of [source] with their intervals at [confidence], such as 0.95. */
+    /** Returns the effects of [source] with their intervals at [confidence], such as 0.95. */
     fun effects(source: Source, confidence: Double): List<Effect> {
         val margin = margin(source, confidence)
         return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, value - margin, value + margin) }
     }
 
-    /** The interval of [mean] at [confidence]. */
+    /** Returns the interval of [mean] at [confidence]. */
     fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
 
-    /** Half the width of the confidence interval of an effect of [source]. */
+    /** Returns half the width of the confidence interval of an effect of [source]. */
     private fun margin(source: Source, confidence: Double): Double = margin(freedom(source), confidence)
 
-    /** The same of a sum of [freedom] contrasts of equal variance. */
+    /** Returns the same for a sum of [freedom] contrasts of equal variance. */
     private fun margin(freedom: Int, confidence: Double): Double {
         if (errorFreedom == 0) return Double.POSITIVE_INFINITY
         val deviation = sqrt(error / errorFreedom * freedom / count)
@@ -125,7 +125,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     }
 
     private companion object {
-        /** Of the largest response; a double holds sixteen digits. */
+        /** A share of the largest response; a double holds sixteen digits. */
         const val ROUNDING = 1e-12
     }
 }

@@ -9,21 +9,21 @@ import experiment.View
 import samples.collision.Course
 
 /**
- * What is analysed: a number for each run.
+ * The number of each run that is analysed.
  *
- * Of a robot that ran into the wall no time is known: its agent needed longer than there was. Its entry is a choice.
+ * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for it is a choice.
  *
- * @property title what it is called
- * @property unit what it is measured in
- * @property collisions how a robot that ran into the wall enters
+ * @property title its name
+ * @property unit its unit
+ * @property collisions the number that a robot that ran into the wall gets, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published one. All collisions are equally bad, so that the limit, which is a factor, does not also decide how bad they are. */
+    /** The published one. All collisions are equally bad, so that the limit, which is a factor, does not also weigh them. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** What is certain: the agent needed no less. */
+    /** The least time that is certain: the agent needed no less. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",
@@ -31,7 +31,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** That of the robot, in which the readings' time on their way has part. */
+    /** The robot's time, which includes the readings' time on their way. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },
@@ -41,27 +41,27 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = result.distance
     }, ;
 
-    /** Whether it is a time, in seconds. */
+    /** True if it is a time, in seconds. */
     val isTime: Boolean get() = unit == "s"
 
-    /** Whether it is what was published, but for collisions. */
+    /** True if the paper has it, but for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
-    /** Its value in a run with [result] of [plan]. */
+    /** Returns its value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }
 
-/** In seconds [ms], or the longest time that any limit leaves for a robot that ran into the wall. */
+/** Returns [ms] in seconds, or the longest time that any limit leaves for a robot that ran into the wall. */
 private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
     if (outcome == Outcome.COLLIDED) plan.limits.max() / Course.SPEED_CM_S else ms() / 1000
 
 /** The factors in the order of the analysis: L, I, F as A, B, C. */
 internal val FACTORS = listOf("L", "I", "F")
 
-/** What [source] is called: `L×F`. */
+/** Names [source]: `L×F`. */
 internal fun words(source: Source): String = source.factors.joinToString("×") { FACTORS[it] }
 
-/** The analysis of [response] in the runs of [plan] under [condition], or null if some of them are missing or have failed. */
+/** Analyses [response] in the runs of [plan] under [condition]; null if some of them are missing or have failed. */
 internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {
     val results = finished.filter { it.isMeasured }.associate { it.trial to it.result }
     val trials = plan.trials(condition)
@@ -80,8 +80,8 @@ internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition
 }
 
 /**
- * The published shares of the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2, in percent. The
- * filter is called F, the distance limit L, the perception interval I.
+ * The published shares of the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2, in percent. F is
+ * the filter, L the distance limit, I the perception interval.
  */
 internal object Published {
     val percent: Map<Source, Double> = mapOf(
@@ -89,9 +89,9 @@ internal object Published {
         Source.AB to 0.525, Source.AC to 3.715, Source.BC to 0.265, Source.ABC to 1.725,
     )
 
-    /** Of the error. */
+    /** The share of the error, in percent. */
     const val ERROR_PERCENT = 3.285
 
-    /** All of them together, which is not 100. */
+    /** The sum of all shares, which is not 100. */
     val sumPercent: Double get() = percent.values.sum() + ERROR_PERCENT
 }

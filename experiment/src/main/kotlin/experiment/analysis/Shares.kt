@@ -11,18 +11,18 @@ internal data class Squares(val sum: Double, val freedom: Int) {
 }
 
 /**
- * The intervals at [CONFIDENCE] of the shares of an experiment: of what they would be if each combination were run without end.
+ * The intervals at [CONFIDENCE] of the shares of an experiment with infinitely many runs of each combination.
  *
- * The errors are taken for normal, independent and of one variance v. The share of a source is then s / (t + v), where s is the mean square
- * of its effects and t that of all effects. A share in the sample is larger, since errors have part in the means of which the effects are
- * made, and that of the error is smaller by it; so one that is small can lie outside its interval.
+ * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), where s is the mean
+ * square of its effects and t that of all effects. A share in the sample is larger, since the means from which effects are computed contain
+ * errors, and that of the error is smaller by the same amount; so a small share can lie outside its interval.
  *
- * @property sources those of factors and interactions
- * @property error that of the error
+ * @property sources the intervals of factors and interactions
+ * @property error the interval of the error
  */
 internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
 
-/** The intervals of the shares in [analysis], or null: with one replication there is no error to tell them from. */
+/** Returns the intervals of the shares in [analysis]; null with one replication, which has no error to compare them with. */
 internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS): ShareIntervals? {
     if (analysis.errorFreedom == 0) return null
     val pivots = SharePivots(Squares(analysis.error, analysis.errorFreedom), analysis.count, Well19937c(seed), draws)
@@ -41,17 +41,17 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  *
  * A sum of squares over the variance is noncentral chi-squared. Its noncentrality is the variance's share in the responses, times their
  * [count], so a share is `own / (own + others + count)` in noncentralities. In place of each stands a random number whose distribution
- * function is one minus that of the sum of squares that was seen, as a function of the noncentrality; in place of the variance, [error] over
- * a chi-squared number. The interval is between the percentiles of the share. Without other effects that is the interval which the
+ * function is one minus that of the sum of squares that was seen, as a function of the noncentrality; in place of the variance, [error]
+ * over a chi-squared number. The interval is between the percentiles of the share. Without other effects that is the interval which the
  * noncentral F distribution gives (J. H. Steiger, Beyond the F Test, Psychological Methods 9, 2004), which has none for several effects.
  *
- * @param error has freedom
- * @param draws how many random shares there are
+ * @param error has at least one degree of freedom
+ * @param draws the number of random shares
  */
 internal class SharePivots(
     private val error: Squares, private val count: Int, private val random: RandomGenerator, private val draws: Int,
 ) {
-    /** The interval at [confidence] of the share of [own], where there are also the effects in [others]. */
+    /** Returns the interval at [confidence] of the share of [own] beside the effects in [others]. */
     fun interval(own: Squares, others: Squares, confidence: Double): Interval {
         if (error.sum == 0.0) return (own.sum / (own.sum + others.sum)).let { if (it.isNaN()) Interval(0.0, 0.0) else Interval(it, it) }
         val errors = chiSquared(error.freedom)
@@ -95,5 +95,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** An end of an interval is then at the percentile that is asked for, give or take 0.2. */
+/** With so many draws an end of an interval is at the wanted percentile, give or take 0.2. */
 private const val DRAWS = 10_000

@@ -15,7 +15,7 @@ import experiment.analysis.shareIntervals
 import experiment.analysis.words
 import kotlin.math.sqrt
 
-/** What the tables of shares show, and what their intervals suppose. */
+/** Explains the tables of shares and the assumptions of their intervals. */
 internal val ALLOCATION_METHOD = """<p>By the method of R. Jain, <em>The Art of Computer Systems Performance Analysis</em>: the share of
 each factor and interaction in the variation of a response, as sums of squares of the effects over the total one.</p>
 <p>Estimated effects contain some random error. So a factor without any effect has a share in the sample, too, and the error's
@@ -27,20 +27,20 @@ combinations; the interval of an effect that varies less than errors make likely
 condition have as many digits as the widest of their intervals allows.</p>
 """
 
-/** The tables of the shares in the variation of [response], of whose analyses there is one for each condition in [columns]. */
+/** The tables of the shares in the variation of [response]; [columns] has an analysis for each condition. */
 internal class Allocation(private val response: Response, private val columns: Map<Condition, Factorial>, seed: Long) {
     private val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, seed) }
     private val decimals = intervals.mapValues { (_, all) ->
         minOf(all?.widest()?.let(::percent)?.decimals ?: UNSURE_DECIMALS, MOST_DECIMALS)
     }
 
-    /** What the tables are about. */
+    /** Returns the heading of the tables. */
     fun heading(): String = "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall " +
         "enters ${escaped(response.collisions)}. The last row is the variance that is divided up." +
         (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
             "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 
-    /** The shares in the sample as the table that is called [number], beside those that were published. */
+    /** Returns the table [number] of the shares in the sample, beside the published ones. */
     fun shares(number: String): String {
         val rows = Source.entries.map { source -> row(words(source), Published.percent.getValue(source)) { it.share(source) } } +
             listOf(row("error", Published.ERROR_PERCENT) { it.errorShare }, variances())
@@ -53,7 +53,7 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun row(name: String, published: Double, share: (Factorial) -> Double) = listOf(name) + published("$published") +
         columns.map { (condition, analysis) -> rounded(100 * share(analysis), decimals.getValue(condition)) }
 
-    /** Their intervals, as the table that is called [number]. */
+    /** Returns the table [number] of their intervals. */
     fun intervals(number: String): String {
         val rows = Source.entries.map { source -> intervalsRow(words(source)) { it.sources.getValue(source) } } +
             listOf(intervalsRow("error") { it.error })
@@ -82,15 +82,15 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun percent(interval: Interval) = Interval(100 * interval.low, 100 * interval.high)
 
     private companion object {
-        /** Of shares that are sure. The published ones have three. */
+        /** The most decimals of shares with intervals. The published ones have three. */
         const val MOST_DECIMALS = 2
 
-        /** Of shares without intervals. */
+        /** The decimals of shares without intervals. */
         const val UNSURE_DECIMALS = 1
     }
 }
 
-/** The effects of the factors of [plan] on the time from perceiving the wall in [condition], as the table that is called [number]. */
+/** Returns the table [number] of the effects of the factors of [plan] on the time from perceiving the wall in [condition]. */
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)

@@ -5,7 +5,7 @@ import experiment.Condition
 import experiment.Finished
 import experiment.maxLateMs
 
-/** The warning that the machine was too late in some of [runs], with their names; nothing if it was not. */
+/** Writes the warning that the machine was too late in some of [runs], with their names; an empty text if it was not. */
 internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +
@@ -16,7 +16,7 @@ internal fun busyMachine(runs: List<Finished>): String {
         late.joinToString { "${it.trial.id} (${whole(it.result.lateMs)} ms)" } + "</p></details>\n"
 }
 
-/** How late the machine was in [runs], and which of them were repeated for it. */
+/** Describes the lateness of the machine in [runs], and the runs that were repeated for it. */
 internal fun lateness(runs: List<Finished>): String {
     val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
     return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +

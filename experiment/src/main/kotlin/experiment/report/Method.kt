@@ -9,11 +9,11 @@ import samples.collision.Sensors
 import java.time.temporal.ChronoUnit
 
 /**
- * How the experiment with [settings] was made, as items of a list in HTML.
+ * Describes the method of the experiment with [settings], as items of a list in HTML.
  *
- * @param runs those that are counted
- * @param failed those that are not
- * @param made what they were made by and on
+ * @param runs the runs that count
+ * @param failed the runs that do not count
+ * @param made the program and the machine that made them
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))

@@ -1,10 +1,10 @@
 package experiment.report
 
-/** [text] as it is written in HTML; a percent sign stays with its number. */
+/** Escapes [text] for HTML; a percent sign stays with its number. */
 internal fun escaped(text: String): String =
     text.replace(" %", "\u00a0%").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 
-/** A page that needs nothing but itself: light or dark as the reader has it, and as narrow as a phone. */
+/** Makes a page that loads no other file: light or dark by the reader's preference, and as narrow as a phone. */
 internal fun page(title: String, body: String): String = """<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -44,7 +44,7 @@ $body
 </html>
 """
 
-/** A table with [heads], and a [caption] above it; cells of all columns but the first [words] are numbers. */
+/** Makes a table with [heads], and a [caption] above it; cells of all columns but the first [words] are numbers. */
 internal fun table(caption: String, heads: List<String>, rows: List<List<String>>, words: Int = 1): String {
     fun cell(tag: String, scope: String, index: Int, text: String) =
         "<$tag$scope${if (index >= words) " class=\"n\"" else ""}>${escaped(text)}</$tag>"

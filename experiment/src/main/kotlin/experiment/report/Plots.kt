@@ -48,8 +48,8 @@ import java.math.BigDecimal
 /**
  * The colours of a figure.
  *
- * @property filters those of no filter, front side, front distance
- * @property sources those of the published figures and of the conditions
+ * @property filters the colours of no filter, front side, front distance
+ * @property sources the colours of the published figures and of the conditions
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {
     /** For a light page. */
@@ -65,10 +65,10 @@ internal enum class Shades(val ink: String, val faint: String, val paper: String
     ),
 }
 
-/** A figure as text in SVG. */
+/** Returns a figure as text in SVG. */
 internal fun svg(plot: Plot): String = PlotSvgExport.buildSvgImageFromRawSpecs(plot.toSpec().toMutableMap())
 
-/** [svg] as the bytes of a PNG, [scale] pixels to a unit. */
+/** Returns [svg] as the bytes of a PNG, [scale] pixels to a unit. */
 internal fun png(svg: String, scale: Float = 2f): ByteArray {
     val width = checkNotNull(Regex("""width="([0-9.]+)"""").find(svg)) { "the figure has no width" }.groupValues[1].toFloat()
     val out = ByteArrayOutputStream()
@@ -93,7 +93,7 @@ private fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this +
 
 private fun title(condition: Condition) = "(${condition.letter}) ${condition.title}"
 
-/** [view] in words. */
+/** Names [view] in words. */
 internal fun words(view: View) = when (view) {
     View.NONE -> "no filter"
     View.FRONT_SIDE -> "front side"
@@ -111,19 +111,19 @@ private fun endShapes(runs: List<Finished>) = ENDS.take(if (runs.any { it.isLate
     scaleShapeManual(values = ends.map { it.second }, limits = ends.map { it.first }, name = "")
 }
 
-/** What the axis of response times shows, in s. */
+/** The range of the axis of response times, in s. */
 private const val MIN_S = 0.002
 private const val MAX_S = 20.0
 private val TIMES_S = listOf(0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 
 private val HUES_S = listOf(0.01, 0.1, 1.0, 10.0)
 
-/** A tick at [seconds], as short as it gets. */
+/** Labels a tick at [seconds], as briefly as possible. */
 private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(BigDecimal(perSecond)).stripTrailingZeros().toPlainString()
 
 private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
-/** Where the robots stood in the end, in all combinations: as the published figure, a row for each condition. */
+/** Plots the final places of the robots in all combinations, as the published figure does, a row for each condition. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
     val data = mapOf(
         "x" to
@@ -152,7 +152,7 @@ internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): 
 
 private fun filterColours(shades: Shades) = scaleColorManual(values = shades.filters, limits = FILTERS, name = "")
 
-/** How long it took from crossing the limit to stopping, or to the wall, in units of [scale]. */
+/** Plots the times from crossing the limit to stopping, or to the wall, in units of [scale]. */
 internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "filter" to runs.map { words(it.trial.view) },
@@ -172,7 +172,7 @@ internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades)
         ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
-/** The allocation of variation, published and here. */
+/** Plots the allocation of variation, published and here. */
 internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): Plot {
     val names = listOf("published") + analyses.keys.map(::title)
     val sources = Source.entries.map(::words) + "error"
@@ -190,7 +190,7 @@ internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): 
         ).dressed(shades, 960, 380)
 }
 
-/** What becomes of the time from crossing the limit with more sensors and faster lines, in units of [scale]. */
+/** Plots the time from crossing the limit with more sensors and faster lines, in units of [scale]. */
 internal fun scalingFigure(runs: List<Finished>, scale: TimeScale, shades: Shades): Plot {
     val data = mapOf(
         "baud" to runs.map { "${it.trial.baud}" },

@@ -4,11 +4,11 @@ import java.time.Instant
 import java.time.temporal.ChronoUnit
 
 /**
- * What a report was made by, and when.
+ * The origin of a report.
  *
  * @property build the version and the commit of ARGO, in words
- * @property at when the report was made
- * @property machine what the runs were made on, in words
+ * @property at the time at which the report was made
+ * @property machine the machine of the runs, in words
  */
 internal class Provenance(val build: String, val at: Instant, val machine: String) {
     /** The first two as a sentence. */

@@ -20,7 +20,7 @@ import java.util.Base64
  * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as
  * `runs.csv`.
  *
- * @return where the page is
+ * @return the file of the page
  */
 internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
     Files.createDirectories(directory.resolve("figures"))
@@ -77,7 +77,7 @@ ${busyMachine(runs + scaled)}${leftOut()}$counts"""
         "${stopped(runs)} of ${runs.size} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
     }
 
-    /** What a shorter plan than the published one leaves out. */
+    /** Says what a plan shorter than the published one leaves out. */
     private fun leftOut(): String {
         val limits = (Plan.FULL.limits - plan.limits.toSet()).map { "the limit of $it cm" }
         val intervals = (Plan.FULL.intervals - plan.intervals.toSet()).map { "the interval of $it ms" }
@@ -137,7 +137,7 @@ the wall.</p>
         )
     }
 
-    /** All figures of a row end at the same place. */
+    /** Makes a row of times, all with the same number of decimals. */
     private fun timesRow(cell: List<Finished>, response: Response, scale: TimeScale): List<String> {
         val seconds = cell.filter { it.result.outcome == Outcome.STOPPED }.map { response.of(it.result, plan) }.sorted()
         val interval = medianInterval(seconds)

@@ -4,9 +4,9 @@ import experiment.Finished
 import experiment.maxLateMs
 
 /**
- * All of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first.
+ * Writes all of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first.
  *
- * @param seed of the order of the runs
+ * @param seed the seed of the order of the runs
  * @param build the version and the commit of ARGO, in words
  */
 internal fun csv(runs: List<Finished>, seed: Long, build: String): String {

@@ -7,11 +7,11 @@ import experiment.leavesTime
 
 /** The results of [runs] beyond the paper, in words and in a table, with their figure between the two. */
 internal class Scaling(private val runs: List<Finished>) {
-    /** The unit of what it shows. */
+    /** The unit of its times. */
     val scale: TimeScale = TimeScale.of(runs.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 })
     private val bauds = runs.map { it.trial.baud }.distinct().sorted()
 
-    /** What was tried, and what bounds each condition. */
+    /** Introduces the variations, and the bound of each condition. */
     fun introduction(): String {
         val trial = runs.first().trial
         return """<p>A limit of ${trial.limit} cm, an interval of ${trial.interval} ms, one run for each field (n = ${runs.size}):
@@ -27,7 +27,7 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
 """
     }
 
-    /** The outcomes as text in the table that is called [number], and where each condition begins to fail. */
+    /** Returns the table [number] of the outcomes as text, with the point at which each condition begins to fail. */
     fun table(number: String): String = table(
         "$number. ${word()} from the limit to the stop, for each number of sensors and each line.",
         listOf("condition", "filter", "sensors") + bauds.map { "$it baud" } + listOf("stops on all lines from", "exchange there, ms"),
@@ -47,7 +47,7 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
             listOf(stopsFrom?.let { "$it baud" } ?: "none", stopsFrom?.let { "${exchangeNanos(trial.copy(baud = it)) / 1_000_000}" } ?: "–")
     }
 
-    /** What the words of [fate] mean. */
+    /** Explains the words of [fate]. */
     fun explained(): String = "${word()} from the limit to the stop. wall: it ran into the wall. too slow: so it did, and the line alone " +
         "takes longer than the limit leaves, whatever the program does. idle: no command to drive took effect. failed: the agent gave up " +
         "or ended in nothing else. *: the machine was busy."
@@ -55,7 +55,7 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
     private fun word() = scale.word.replaceFirstChar(Char::uppercase)
 }
 
-/** What became of [run], in a word or in units of [scale]. */
+/** Returns the outcome of [run], in a word or in units of [scale]. */
 internal fun fate(run: Finished, scale: TimeScale): String = when (run.result.outcome) {
     Outcome.STOPPED -> scale.text(run.result.sinceLimitMs / 1000)
     Outcome.COLLIDED -> if (leavesTime(run.trial)) "wall" else "too slow"

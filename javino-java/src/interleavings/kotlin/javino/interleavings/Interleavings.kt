@@ -21,7 +21,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     checked = block
     val options = ModelCheckingOptions()
         .iterations(0) // no scenarios but the one below
-        .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 60) / divisor))
+        .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 20) / divisor))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
         .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself

@@ -426,6 +426,12 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
+    /** Bytes of the longest text that the board takes of a command, or of one that changes its rules. */
+    public int longestText(boolean isRule) {
+        int payload = welcome.longestPayload();
+        return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
+    }
+
     /** Commands of one frame. */
     private final class Row {
         private final boolean isFirst; // of what is out, so it may be longer than the credit

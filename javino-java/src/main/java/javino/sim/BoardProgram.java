@@ -22,7 +22,10 @@ public interface BoardProgram {
         LATER
     }
 
-    /** The actions that it tells computers about; none: it does not say. Those without arguments may be called by their place here. */
+    /**
+     * The actions that it tells computers about; none: it does not say. Those without arguments may be called by their place here. At most
+     * 126 count: a computer is told how many others there are, and sends none of them.
+     */
     default List<BoardAction> vocabulary() {
         return List.of();
     }

@@ -124,7 +124,16 @@ public final class BoardSession {
     private void sendWelcome() throws PortException, InterruptedException {
         send(
                 FrameKind.WELCOME,
-                new Welcome(nonce(), capacity.credit(), capacity.longestPayload(), capacity.rules()).payload());
+                new Welcome(
+                                nonce(),
+                                capacity.credit(),
+                                capacity.longestPayload(),
+                                capacity.rules(),
+                                Welcome.REVISION,
+                                Math.min(
+                                        0xFF,
+                                        program.vocabulary().size() - actions().size()))
+                        .payload());
     }
 
     private void send(FrameKind kind, String payload) throws PortException, InterruptedException {
@@ -163,7 +172,7 @@ public final class BoardSession {
 
     private Outcome carryOut(CommandItem command) throws PortException, InterruptedException {
         if (command instanceof CommandItem.Action action) {
-            List<BoardAction> actions = program.vocabulary();
+            List<BoardAction> actions = actions();
             return action.number() < actions.size() && takesNone(actions.get(action.number()))
                     ? program.carryOut(actions.get(action.number()).name())
                     : Outcome.REFUSED;
@@ -241,11 +250,16 @@ public final class BoardSession {
     }
 
     private void describe(WireFrame describe) throws PortException, InterruptedException {
-        List<BoardAction> actions = program.vocabulary();
         send(
                 FrameKind.VOCABULARY,
-                VocabularyPage.of(describe.number(), firstByte(describe), actions, WireFrame.MAX_PAYLOAD)
+                VocabularyPage.of(describe.number(), firstByte(describe), actions(), WireFrame.MAX_PAYLOAD)
                         .payload());
+    }
+
+    /** The actions of the program that have a number; the computer is told how many others there are. */
+    private List<BoardAction> actions() {
+        List<BoardAction> all = program.vocabulary();
+        return all.subList(0, Math.min(all.size(), CommandItem.MAX_ACTION + 1));
     }
 
     private static int firstByte(WireFrame frame) {

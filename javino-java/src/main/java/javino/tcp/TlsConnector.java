@@ -26,15 +26,17 @@ final class TlsConnector {
     private final String port;
     private final TcpAddress address;
     private final TlsFolder folder;
+    private final int limitMillis;
     private final PinnedBoard board;
     private final OwnCertificate own;
     private final SSLContext context;
 
-    private TlsConnector(String port, TcpAddress address, TlsFolder folder)
+    private TlsConnector(String port, TcpAddress address, TlsFolder folder, int limitMillis)
             throws IOException, GeneralSecurityException {
         this.port = port;
         this.address = address;
         this.folder = folder;
+        this.limitMillis = limitMillis;
         board = new PinnedBoard(folder.boardAt(address), folder.fileOf(address).toString(), new Date());
         own = new OwnCertificate(folder.computer());
         context = SSLContext.getInstance("TLS");
@@ -44,12 +46,13 @@ final class TlsConnector {
     /**
      * @param port as it was given, for messages
      * @param folder with the certificates; that of a board not known before is added
+     * @param limitMillis milliseconds that each answer of the board takes at most while TLS is begun
      * @throws PortException of the kind that says why there is no connection, or why the other end is not trusted
      */
-    static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line)
+    static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder); // before a board is bothered
+            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before a board is bothered
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);
@@ -68,7 +71,7 @@ final class TlsConnector {
 
     private TlsTransport secure(Socket plain, LineSettings line)
             throws IOException, GeneralSecurityException, InterruptedException {
-        plain.setSoTimeout(TcpConnector.LIMIT_MILLIS);
+        plain.setSoTimeout(limitMillis);
         SSLSocket socket =
                 (SSLSocket) context.getSocketFactory().createSocket(plain, address.host(), address.number(), true);
         try {
@@ -119,9 +122,7 @@ final class TlsConnector {
         }
         if (cause instanceof SocketTimeoutException) {
             return new IOException(
-                    address + " did not begin TLS within " + TcpConnector.LIMIT_MILLIS + " ms; is " + plainPort()
-                            + " meant?",
-                    cause);
+                    address + " did not begin TLS within " + limitMillis + " ms; is " + plainPort() + " meant?", cause);
         }
         if (own.isAskedFor()) {
             return new IOException(refusedByBoard(String.valueOf(cause.getMessage())), cause);

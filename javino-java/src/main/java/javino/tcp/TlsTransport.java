@@ -47,23 +47,36 @@ final class TlsTransport extends TcpTransport {
         return broken.apply(e);
     }
 
-    /** A write that waits holds a lock of the TLS socket, which closing needs; closing the socket beneath ends it. */
     @Override
     protected void closeDriver() {
         try (plain) {
             if (!isLost()) {
-                BlockingCall.start("close " + name(), () -> {
-                            socket.shutdownOutput();
-                            return null;
-                        })
-                        .get(FAREWELL_MILLIS, TimeUnit.MILLISECONDS);
-                drain(plain, plain.getInputStream());
+                sayFarewell();
+                drain(plain, plain.getInputStream()); // also if there was no time for it: what was written before is to
+                // arrive
             }
+        } catch (IOException e) {
+            noteHaste(e);
+        }
+    }
+
+    /** A write that waits holds a lock of the TLS socket, which this needs; closing the socket beneath ends it. */
+    private void sayFarewell() {
+        try {
+            BlockingCall.start("close " + name(), () -> {
+                        socket.shutdownOutput();
+                        return null;
+                    })
+                    .get(FAREWELL_MILLIS, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        } catch (IOException | ExecutionException | TimeoutException e) {
-            System.getLogger(TlsTransport.class.getName())
-                    .log(System.Logger.Level.DEBUG, "port " + name() + " was closed without a farewell", e);
+        } catch (ExecutionException | TimeoutException e) {
+            noteHaste(e);
         }
+    }
+
+    private void noteHaste(Exception reason) {
+        System.getLogger(TlsTransport.class.getName())
+                .log(System.Logger.Level.DEBUG, "port " + name() + " was closed without a farewell", reason);
     }
 }

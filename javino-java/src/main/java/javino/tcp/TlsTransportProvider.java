@@ -20,7 +20,8 @@ public final class TlsTransportProvider implements TransportProvider {
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
         String port = port(address);
-        return TlsConnector.connect(port, TcpAddress.of(port, address), TlsFolder.ofUser(), line);
+        return TlsConnector.connect(
+                port, TcpAddress.of(port, address), TlsFolder.ofUser(), line, TcpConnector.LIMIT_MILLIS);
     }
 
     @Override

@@ -15,7 +15,7 @@ import javino.serial.Terminals
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds
 
-private const val TIMES = 1_000
+private const val TIMES = 300
 private const val LIMIT_MILLIS = 20_000
 private val FAST = LineSettings(1_000_000)
 

@@ -1,6 +1,7 @@
 package javino.sim
 
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
@@ -255,7 +256,7 @@ private class RuleGenerator(private val random: Random) {
 
 /** The board in Java and the board's library in C, in the same conversations. */
 class LibraryDifferentialSpec : FunSpec({
-    test("both send the same frames and carry out the same commands, whatever arrives")
+    test("both send the same frames and carry out the same commands, whatever arrives").config(tags = thorough)
         .config(enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
             val played = mutableListOf<Pair<String, List<String>>>()
             repeat(CONVERSATIONS) { number ->
@@ -303,3 +304,5 @@ class LibraryDifferentialSpec : FunSpec({
 })
 
 private const val LIMIT = 65_536
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -13,14 +13,14 @@ import kotlin.time.Duration.Companion.nanoseconds
 /**
  * A board with the field's library: version 1 of the Javino protocol, one message at a time.
  *
- * Between two rounds of its `loop()` it reads all that has arrived, with room for one message. The first byte of the next frame empties the
- * message, so that the sketch calls a null pointer and the board restarts; from the fifth byte on the message is forgotten. While the board
- * sends an answer it does not read. How long an answer takes is the line's business: every byte takes ten bit times at the rate that the
- * port was opened with. Percepts that do not fit into one message are sent in several.
+ * Between two rounds of its `loop()` it reads all bytes that have arrived, with room for one message. The first byte of the next frame
+ * empties the message, so that the sketch calls a null pointer and the board restarts; from the fifth byte on the message is forgotten.
+ * While the board sends an answer it does not read. The line decides how long an answer takes: every byte takes ten bit times at the rate
+ * with which the port was opened. Percepts that do not fit into one message are sent in several.
  *
- * @param clock what bytes are timed by; the line's own
- * @param loopMs what a round of `loop()` takes, in ms; 0: every byte is looked at when it arrives
- * @param startMs what a restart takes, in ms
+ * @param clock the clock that times bytes; the line's own
+ * @param loopMs the time of a round of `loop()`, in ms; 0: every byte is looked at when it arrives
+ * @param startMs the time of a restart, in ms
  */
 class FieldBoard(
     private val sketch: Sketch,
@@ -31,7 +31,7 @@ class FieldBoard(
     private var message: String? = null
     private var bytesBehind = 0 // read behind the message
 
-    /** How often the board has restarted because frames followed each other too closely. */
+    /** The number of restarts because frames followed each other too closely. */
     @Volatile
     var restarts = 0
         private set
@@ -79,13 +79,13 @@ class FieldBoard(
     }
 
     private companion object {
-        /** Bytes of the next frame behind which an emptied message is still taken for one. */
+        /** Up to so many bytes of the next frame, an emptied message still counts as one. */
         const val CLEARING = 4
     }
 }
 
 /**
- * The unread bytes of a board: byte by byte, but at once those that arrived while it was busy.
+ * The unread bytes of a board: byte by byte, but together those that arrived while it was busy.
  *
  * A busy machine wakes the board too late. Bytes that arrived after its time are not part of the burst, or commands would be lost
  * that no real board loses.
@@ -114,7 +114,7 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
         return waiting.copyOf(count).also { waiting = waiting.copyOfRange(count, waiting.size) }
     }
 
-    /** What has arrived is lost. */
+    /** Drops all bytes that have arrived. */
     fun forget() {
         waiting = ByteArray(0)
         burst = 0

@@ -14,13 +14,14 @@ import javino.wire.BoardAction
  * A board as the library in `javino-arduino/` makes it: it speaks version 2 of the Javino protocol with computers that do, and
  * version 1 with others.
  *
- * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges commands when it has carried
- * them out, carries out once a command that is sent twice, answers `getPercepts(dist)` with percepts of that functor alone, and
- * sends an answer of any length, in parts. It tells the actions of its sketch. While it sends it does not act, but for the reflexes of
- * critical rules that it watches.
+ * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges commands when it has carried them
+ * out, carries out once a command that is sent twice, answers `getPercepts(dist)` only with percepts of that functor, and sends an answer
+ * of any length, in parts. It tells the actions of its sketch. While it sends it does not act, but for the reflexes of critical rules that
+ * it watches.
  *
- * @param clock what bytes are timed by; the line's own
- * @param rules how many critical rules it watches, 0 to 255: it then looks at the sensors every 5 ms, and between two frames that it sends
+ * @param clock the clock that times bytes; the line's own
+ * @param rules the number of critical rules that it watches, 0 to 255: it then looks at the sensors every 5 ms, and between two frames that
+ * it sends
  */
 class LibraryBoard(private val sketch: Sketch, private val clock: LineClock = LineClock.system(), private val rules: Int = 0) {
     /**

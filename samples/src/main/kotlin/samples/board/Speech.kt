@@ -6,10 +6,10 @@ import javino.Transport
 private const val WRITE_LIMIT_MS = 30_000
 
 /**
- * Begins to say [answer].
+ * Begins to send [answer].
  *
- * @param clock what bytes are timed by; the line's own
- * @return when its last byte will have left the line, by [clock]
+ * @param clock the clock that times bytes; the line's own
+ * @return the time by [clock] at which its last byte will have left the line
  * @throws javino.PortGoneException when the line is gone
  */
 internal fun Transport.beginToSay(answer: ByteArray, clock: LineClock): Long {

@@ -5,32 +5,33 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
 /**
- * A robot on a straight way with a can at its end, which it can drive to, grip and bring back. Its three boards share it. Any thread.
+ * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
+ * thread.
  *
- * @param clock the time that it lives in
+ * @param clock its time
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
     private var since = clock.nanos()
     private var wayBefore = 0.0
     private var hand = Hand.OPEN
-    private var can: Double? = CAN_CM // where it lies, in cm from the start; null: in the hand
+    private var can: Double? = CAN_CM // the place of the can, in cm from the start; null: in the hand
 
-    /** How it moves. */
+    /** The direction in which it moves. */
     @get:Synchronized
     val direction: Direction get() = moving
 
-    /** How far it is from its start, in cm, at least 0. */
+    /** Its distance from its start, in cm, at least 0. */
     @get:Synchronized
     val way: Double
         get() = (wayBefore + moving.sign * SPEED_CM_S * (clock.nanos() - since).nanoseconds.toDouble(DurationUnit.SECONDS))
             .coerceIn(0.0, can ?: CAN_CM)
 
-    /** What its hand does. */
+    /** The state of its hand. */
     @get:Synchronized
     val grasp: Hand get() = hand
 
-    /** How far the can is before it, in cm; [FAR_CM] if there is nothing before it. */
+    /** The distance to the can before it, in cm; [FAR_CM] if there is nothing before it. */
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
@@ -63,14 +64,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** How it moves; the [word] is that of its percept. */
+    /** A direction; its percept has the [word]. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** What its hand does; the [word] is that of its percept. */
+    /** A state of its hand; its percept has the [word]. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),
@@ -78,16 +79,16 @@ internal class Carrier(private val clock: LineClock) {
     }
 
     companion object {
-        /** How far the can is from the robot's start, in cm. */
+        /** The distance of the can from the robot's start, in cm. */
         const val CAN_CM = 60.0
 
-        /** How far its hand reaches, in cm. */
+        /** The reach of its hand, in cm. */
         const val REACH_CM = 12.0
 
-        /** What its sensor gives where nothing is before it, in cm. */
+        /** The reading of its sensor if nothing is before it, in cm. */
         const val FAR_CM = 200.0
 
-        /** How fast it drives, in cm/s. */
+        /** Its speed, in cm/s. */
         const val SPEED_CM_S = 20.0
     }
 }

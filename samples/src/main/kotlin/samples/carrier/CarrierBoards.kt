@@ -11,7 +11,7 @@ import kotlin.math.roundToInt
 /** The robot of this program, which its three boards share. */
 private val carrier by lazy { Carrier(LineClock.system()) }
 
-/** A simulated board of the robot with a [sketch], which logs what it does. */
+/** A simulated board of the robot with a [sketch], which logs its actions. */
 abstract class CarrierBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
     private val logged = object : Sketch by sketch {
         override fun act(command: String) {

@@ -10,10 +10,10 @@ import java.util.concurrent.TimeUnit
 /**
  * The spectators of a run in a browser. The run waits for the first of them, because it is too short to open a browser meanwhile.
  *
- * @property port where the agent's view is to be, 0 being any port that is free
- * @param waitS for how long the run waits, in s
- * @param out where the view's address is printed
- * @param keyboard where Enter ends the waiting; one that has nothing to read, or has ended, does not
+ * @property port the port of the agent's view; 0: any free port
+ * @param waitS the time for which the run waits, in s
+ * @param out takes the view's address
+ * @param keyboard ends the waiting with Enter; not if it has nothing to read, or has ended
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)
@@ -21,7 +21,9 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     @Volatile
     private var conclusion: String? = null
 
-    /** Prints where [view] is, shows [picture] there and waits for the first browser. Null: it could not be opened, which is printed. */
+    /**
+     * Prints the address of [view], shows [picture] there and waits for the first browser. Null: it could not be opened, which is printed.
+     */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {
             out.println("there is no live view, since port $port is taken or not allowed; --view without a number takes one that is free")
@@ -41,7 +43,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
         while (System.nanoTime() < deadline) if (firstBrowser.await(LOOK_MS, TimeUnit.MILLISECONDS) || isEntered()) return
     }
 
-    /** Puts under the picture how the run ended. */
+    /** Shows the end of the run, in [words], under the picture. */
     fun conclude(words: String) {
         conclusion = words
     }

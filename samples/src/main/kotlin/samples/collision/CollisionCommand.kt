@@ -108,7 +108,7 @@ internal class CollisionCommand : Callable<Int> {
         return verdict.exitStatus
     }
 
-    /** Has [action] done on Ctrl-C. Not a shutdown hook, since jSerialComm's closes the ports while others run. */
+    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's closes the ports while others run. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {

@@ -15,16 +15,16 @@ import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
 /**
- * What is varied in the experiment.
+ * The variables of the experiment.
  *
  * @property filter the agent's filter, `none` for none
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval in ms
  * @property baud the line's rate
- * @property sensing when snapshots are handed to the agent: `fresh`, `every` or `in_cycle`
+ * @property sensing the policy by which snapshots are handed to the agent: `fresh`, `every` or `in_cycle`
  * @property port the robot's port, null for the simulated robot
- * @property boards how many boards the simulated robot has: 1, or 2, the second with its sensors
- * @property seed where the noise of the simulated robot's sensors starts from
+ * @property boards the number of boards of the simulated robot: 1, or 2, the second with its sensors
+ * @property seed the seed of the noise of the simulated robot's sensors
  */
 internal data class Levels(
     val filter: String,
@@ -40,7 +40,7 @@ internal data class Levels(
 /**
  * One run of the collision experiment.
  *
- * @param audience whom it is shown to in a browser; null: nobody
+ * @param audience the spectators in a browser; null: none
  */
 internal class CollisionRun(
     private val levels: Levels,
@@ -73,7 +73,7 @@ internal class CollisionRun(
         return createLiteral("boards", createList(ports))
     }
 
-    /** Runs it and returns how it ended; always ends by itself. Called once. */
+    /** Runs it and returns its verdict; always ends by itself. Called once. */
     fun run(): Verdict {
         val scene = scene()
         try {
@@ -87,8 +87,8 @@ internal class CollisionRun(
     }
 
     /**
-     * Leaves the robot alone: a real one is stopped unless it has been, because a board's motors keep their last command.
-     * Takes [HALT_LIMIT_S] s at most; any thread may call it.
+     * Gives the run up: stops a real robot unless it has been stopped, because a board's motors keep their last command. Takes
+     * [HALT_LIMIT_S] s at most; any thread may call it.
      */
     fun abandon() {
         progress.end()
@@ -125,7 +125,7 @@ internal class CollisionRun(
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
-        /** How long the board may take to answer, in ms: three times what it takes at 9600 baud while a command waits. */
+        /** The time that the board may take to answer, in ms: three times that at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
         const val MAX_S = 60L

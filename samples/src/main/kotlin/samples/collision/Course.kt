@@ -5,10 +5,10 @@ import kotlin.time.Duration.Companion.seconds
 import kotlin.time.DurationUnit
 
 /**
- * The way of a robot towards a wall: where it is at any instant, as a function of time and of the commands it has been given.
+ * The way of a robot towards a wall: its place at any instant, as a function of time and of its commands.
  *
- * The robot keeps a constant speed while it drives, and starts and stops at once: at 10 cm/s a wheeled robot coasts for less
- * than the millimetre that results are given in. When its distance reaches 0 it has collided and stays where it is.
+ * The robot keeps a constant speed while it drives, and starts and stops at once: at 10 cm/s a wheeled robot coasts for less than a
+ * millimetre, the unit of the results. When its distance reaches 0 it has collided and stays where it is.
  *
  * Immutable: a command gives a new course. Instants are nanoseconds of any one steady clock, distances are cm from the wall to
  * the robot's front.
@@ -16,21 +16,21 @@ import kotlin.time.DurationUnit
 class Course private constructor(private val speed: Double, private val legs: List<Leg>) {
     private class Leg(val start: Long, val distance: Double, val drives: Boolean)
 
-    /** The course after the command to drive at [now]; the same if the robot drives already or has collided. */
+    /** Returns the course after the command to drive at [now]; the same if the robot drives already or has collided. */
     fun drive(now: Long): Course = if (stateAt(now).let { it == State.STANDING || it == State.STOPPED }) then(now, true) else this
 
-    /** The course after the command to stop at [now]; the same if the robot does not drive. */
+    /** Returns the course after the command to stop at [now]; the same if the robot does not drive. */
     fun stop(now: Long): Course = if (stateAt(now) == State.DRIVING) then(now, false) else this
 
     private fun then(now: Long, drives: Boolean) = Course(speed, legs + Leg(now, distanceAt(now), drives))
 
-    /** The distance at [now], which is not before the last command; never below 0. */
+    /** Returns the distance at [now], which is not before the last command; never below 0. */
     fun distanceAt(now: Long): Double = legs.last().distanceAt(now)
 
     private fun Leg.distanceAt(instant: Long): Double =
         if (drives) (distance - speed * (instant - start).nanoseconds.toDouble(DurationUnit.SECONDS)).coerceAtLeast(0.0) else distance
 
-    /** What the robot does at [now], which is not before the last command. */
+    /** Returns the state of the robot at [now], which is not before the last command. */
     fun stateAt(now: Long): State = when {
         distanceAt(now) <= 0.0 -> State.COLLIDED
         legs.last().drives -> State.DRIVING
@@ -44,7 +44,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
     /** The instant of the last command to stop that had an effect, or null without one or if the robot drives again. */
     val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
 
-    /** The instant at which the robot, as far as it has driven by [now], was first [cm] from the wall; null if it has not been. */
+    /** Returns the instant at which the robot, as far as it has driven by [now], was first [cm] from the wall; null if it has not been. */
     fun reached(cm: Double, now: Long): Long? {
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
@@ -55,7 +55,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         return null
     }
 
-    /** What the robot does. */
+    /** The state of the robot. */
     enum class State {
         /** It has not driven yet. */
         STANDING,
@@ -71,13 +71,13 @@ class Course private constructor(private val speed: Double, private val legs: Li
     }
 
     companion object {
-        /** How far from the wall the robot of the experiment stands at first, in cm. */
+        /** The distance from the wall at which the robot of the experiment starts, in cm. */
         const val START_CM = 200.0
 
-        /** How fast it drives, in cm/s. */
+        /** Its speed, in cm/s. */
         const val SPEED_CM_S = 10.0
 
-        /** A robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */
+        /** Returns the course of a robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */
         fun standing(now: Long, distance: Double = START_CM, speed: Double = SPEED_CM_S): Course {
             require(distance > 0 && speed > 0) { "distance $distance cm and speed $speed cm/s must be above 0" }
             return Course(speed, listOf(Leg(now, distance, drives = false)))

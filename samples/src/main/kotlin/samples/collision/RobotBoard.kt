@@ -13,7 +13,7 @@ import kotlin.random.Random
  * it stood.
  */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    /** The board that a Jason project finds as a service; it logs what the robot does. */
+    /** The board that a Jason project finds as a service; it logs the robot's actions. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
     override fun name() = name
@@ -27,7 +27,7 @@ class RobotBoard internal constructor(private val name: String, private val sket
         /** The name of the board with the sensors, if they have one of their own. */
         const val SENSORS = "robot-sensors"
 
-        /** The boards of [robot]: one, or two of which the first has wheels and lamps and the second the sensors. */
+        /** Returns the boards of [robot]: one, or two, the first with wheels and lamps and the second with the sensors. */
         fun of(robot: Robot, boards: Int): List<RobotBoard> =
             if (boards == 1) listOf(RobotBoard(NAME, robot))
             else listOf(RobotBoard(NAME, Motion(robot)), RobotBoard(SENSORS, Senses(robot)))

@@ -6,22 +6,22 @@ import samples.seconds
 
 /** A running experiment as spectators see it. */
 internal interface Scene {
-    /** The run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
+    /** Returns the run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
 
-    /** The same as a picture. Any thread may call it. */
+    /** Returns the same as a picture. Any thread may call it. */
     fun picture(): TrackPicture
 
-    /** The result, or null while the run lasts. */
+    /** Returns the result, or null while the run lasts. */
     fun verdict(): Verdict?
 
-    /** The verdict when it has lasted [seconds] s, which is too long. */
+    /** Returns the verdict on a run that has lasted [seconds] s, which is too long. */
     fun overdue(seconds: Long): Verdict
 }
 
 /**
- * The simulated [robot], whose place is known whatever its agent believes. A robot that stands has ended its run when its agent believes
- * so: one that waits for its board to answer will go on.
+ * The simulated [robot], whose place is known whatever its agent believes. A standing robot has ended its run only if its agent believes
+ * so: an agent that waits for its board to answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -62,7 +62,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** A robot on a [port], of which no more is known than its agent believes. */
+/** A robot on a [port], known only by its agent's beliefs. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

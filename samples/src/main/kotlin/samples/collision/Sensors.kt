@@ -8,13 +8,13 @@ import kotlin.random.Random
  * front, back, right and left. More sensors are further sets of twelve at the same places, the sides of the second set are
  * called `f2`, `b2` and so on.
  *
- * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from
- * frame to frame: the worst case for an agent, and what real sensors come near to. A distance sensor never reads short: it
- * gives the next whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
+ * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from frame to frame:
+ * the worst case for an agent, to which real sensors come close. A distance sensor never reads short: it gives the next whole cm, or up to
+ * [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
  *
  * For one thread.
  *
- * @param sets how often the robot has the twelve, at least 1
+ * @param sets the number of the robot's sets of twelve, at least 1
  */
 class Sensors(private val random: Random, private val sets: Int = 1) {
     private val last = HashMap<Pair<String, String>, Int>()
@@ -23,7 +23,9 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         require(sets >= 1) { "a robot has at least one set of sensors, not $sets" }
     }
 
-    /** The readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123);…temp(l,25);`. */
+    /**
+     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123);…temp(l,25);`.
+     */
     fun frame(distance: Double): String = buildString {
         for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
             val place = if (set == 1) "$side" else "$side$set"
@@ -40,10 +42,10 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
     private class Kind(val functor: String, val noise: IntRange, val level: (side: Char, distance: Double) -> Int)
 
     companion object {
-        /** How many sensors a set has: three kinds on four sides. */
+        /** The number of sensors in a set: three kinds on four sides. */
         const val PER_SET = 12
 
-        /** The most that a distance reading is above the true distance, rounded up, in cm. */
+        /** The largest excess of a distance reading over the true distance, rounded up, in cm. */
         const val DISTANCE_NOISE = 1
 
         /** The length of the room between the wall in front and the one behind, with the robot's own taken off, in cm. */

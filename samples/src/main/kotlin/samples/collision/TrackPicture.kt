@@ -7,16 +7,16 @@ import kotlin.math.roundToInt
 /**
  * The robot on its track, to scale.
  *
- * @property distance of the robot's front from the wall in cm; null: not known
- * @property limit where it is to stop, in cm from the wall
- * @property range how many cm the picture has room for, above 0
- * @property doing what the robot does, such as `driving`
+ * @property distance the distance of the robot's front from the wall in cm; null: not known
+ * @property limit the distance at which it is to stop, in cm from the wall
+ * @property range the length for which the picture has room, in cm, above 0
+ * @property doing the robot's state, such as `driving`
  */
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
-    /** The same for the live view, under [caption]: the distance and what the robot does, unless another is given. */
+    /** Draws the same for the live view, under [caption]; null: the distance and the robot's state. */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
-    /** The same in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
+    /** Draws the same in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
     fun line(): String {
         val floor = CharArray(CELLS) { '_' }
         floor[cell(limit.toDouble())] = ':'
@@ -24,13 +24,15 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         return floor.concatToString() + '|'
     }
 
-    /** Which of the characters left of the wall is [distance] cm from it. */
+    /** Returns the index of the character that is [distance] cm left of the wall. */
     private fun cell(distance: Double): Int {
-        val first = ONE_LINE_ROBOT.length - 1 // where the front of a robot is that stands at the left edge
+        val first = ONE_LINE_ROBOT.length - 1 // the front of a robot that stands at the left edge
         return first + ((CELLS - 1 - first) * (1 - share(distance))).roundToInt()
     }
 
-    /** Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size. */
+    /**
+     * Draws the SVG. Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size.
+     */
     private fun svg(stop: Double = place(limit.toDouble())) = """
         <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
           <style>
@@ -57,17 +59,17 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         </svg>
     """.trimIndent()
 
-    /** Where the picture has what is [distance] cm from the wall, in percent of its width. */
+    /** Returns the place in the picture that is [distance] cm from the wall, in percent of the picture's width. */
     private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - share(distance))
 
-    /** [distance] cm as a share of what the picture has room for, from 0 to 1. */
+    /** Returns [distance] cm as a share of [range], from 0 to 1. */
     private fun share(distance: Double) = (distance / range).coerceIn(0.0, 1.0)
 
     private companion object {
-        /** Where the wall begins, in percent of the width. */
+        /** The place at which the wall begins, in percent of the width. */
         const val WALL = 98.0
 
-        /** How much of the width the robot may take, in percent. */
+        /** The part of the width for the robot, in percent. */
         const val ROBOT = 20.0
         const val ONE_LINE_ROBOT = "o=o>"
         const val CELLS = 36

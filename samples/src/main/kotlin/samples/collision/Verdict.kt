@@ -4,10 +4,10 @@ import samples.cm
 import samples.seconds
 
 /**
- * How a run of the collision experiment ended.
+ * The end of a run of the collision experiment.
  *
- * @property sentence what is printed
- * @property exitStatus the program's: 0 if the robot was stopped
+ * @property sentence the sentence that is printed
+ * @property exitStatus the program's exit status: 0 if the robot was stopped
  */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     /** The robot stands [distance] cm from the wall, [nanosAfter] ns after it crossed the limit; null: it did not cross it. */

@@ -9,8 +9,8 @@ import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.StringTerm
 
 /**
- * What the agent `robot` believes, seen from outside. Jason's belief base belongs to the agent's thread, so it is read there,
- * at the end of each reasoning cycle.
+ * Reads the beliefs of the agent `robot` for other threads. Jason's belief base belongs to the agent's thread, so that thread reads it, at
+ * the end of each reasoning cycle.
  */
 internal class Witness : AgArch() {
     /** The beliefs at the end of the last reasoning cycle; any thread may ask. */
@@ -31,7 +31,7 @@ internal class Witness : AgArch() {
     private fun all(functor: String, arity: Int): Sequence<Literal> =
         ts.ag.bb.getCandidateBeliefs(PredicateIndicator(functor, arity))?.asSequence().orEmpty()
 
-    /** Has the agent stop its robot, whatever it is doing; returns at once. */
+    /** Makes the agent stop its robot, whatever it is doing; returns at once. */
     fun haltRobot() {
         ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
         firstAgArch.wakeUpSense()
@@ -40,7 +40,7 @@ internal class Witness : AgArch() {
     /**
      * @property distance the front distance in cm, null if it has perceived none
      * @property status `front` while it has its robot drive, `stopped` when it has stopped it, null before
-     * @property trouble why it cannot go on, null if it can
+     * @property trouble the reason why it cannot go on, null if it can
      * @property port the state of its port: `on`, `off`, `timeout`, or null when it has not asked for one
      */
     data class Beliefs(
@@ -51,7 +51,7 @@ internal class Witness : AgArch() {
     )
 
     companion object {
-        /** What it believes of its status when it has stopped its robot. */
+        /** The belief about its status when it has stopped its robot. */
         const val STOPPED = "stopped"
     }
 }

@@ -8,8 +8,8 @@ import kotlin.concurrent.thread
 /**
  * A JADE container with Jason's agents, in a process of its own: `jason.infra.jade.RunJadeMAS` in the directory of the project.
  *
- * @property name what it is called in the `.mas2j`, behind `at`
- * @property port where it listens
+ * @property name its name in the `.mas2j`, behind `at`
+ * @property port the port at which it listens
  * @param printed receives each line that it prints, from a thread of its own
  */
 internal class Container private constructor(
@@ -19,11 +19,11 @@ internal class Container private constructor(
         try {
             process.inputStream.bufferedReader().forEachLine(printed)
         } catch (_: IOException) {
-            // a process that is destroyed takes with it what it has printed and nobody has read
+            // a destroyed process loses its unread output
         }
     }
 
-    /** Whether its process runs. */
+    /** True if its process runs. */
     val isAlive: Boolean get() = process.isAlive
 
     /** Ends its process at once, as a power failure does. */
@@ -43,10 +43,10 @@ internal class Container private constructor(
         private const val PATIENCE_S = 5L
 
         /**
-         * Starts a container of [project], a `.mas2j` file. It listens on [HOST] alone.
+         * Starts a container of [project], a `.mas2j` file. It listens only on [HOST].
          *
-         * @param port where it listens
-         * @param mainPort where the main container listens; the same for that one
+         * @param port the port at which it listens
+         * @param mainPort the port of the main container; the same for that one
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
@@ -56,7 +56,10 @@ internal class Container private constructor(
             return Container(name, port, process, printed)
         }
 
-        /** What Java is to run for the container [name] of [project] that listens at [own], while the main container listens at [main]. */
+        /**
+         * Returns the arguments of Java for the container [name] of [project] that listens at [own], while the main container listens at
+         * [main].
+         */
         fun program(project: String, name: String, own: Address, main: Address): List<String> {
             val role = if (own == main) emptyList() else listOf("-container")
             return listOf("jason.infra.jade.RunJadeMAS", project) + role +
@@ -71,6 +74,6 @@ internal class Container private constructor(
         const val HOST = "127.0.0.1"
     }
 
-    /** Where a container listens. */
+    /** The address at which a container listens. */
     data class Address(val host: String, val port: Int)
 }

@@ -9,13 +9,13 @@ import java.util.concurrent.TimeUnit
 
 /** The containers of the sample `fleet`, each a process on this computer: `main` with the coordinator, and two scouts. */
 internal class Fleet private constructor(private val containers: List<Container>) : AutoCloseable {
-    /** Where the containers listen. */
+    /** The ports at which the containers listen. */
     val ports: List<Int> = containers.map { it.port }
 
     /** Ends the process of [container] as a power failure does. */
     fun kill(container: String) = containers.first { it.name == container }.kill()
 
-    /** Whether [container]'s process runs. */
+    /** Returns true if [container]'s process runs. */
     fun isAlive(container: String) = containers.first { it.name == container }.isAlive
 
     /** Ends all processes. */
@@ -52,7 +52,7 @@ internal class Fleet private constructor(private val containers: List<Container>
             return Path.of(source.toURI())
         }
 
-        /** Ports of this computer that nobody listens on now. */
+        /** Returns ports of this computer on which nobody listens now. */
         private fun freePorts(count: Int): List<Int> {
             val sockets = List(count) { ServerSocket(0, 1, InetAddress.getByName(Container.HOST)) }
             return sockets.map { it.localPort }.also { sockets.forEach(ServerSocket::close) }

@@ -7,10 +7,10 @@ import samples.board.FieldBoard
 import samples.board.Sketch
 
 /**
- * The firmware of a robot that drives to ordered places: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later there,
- * `at(P)`. It starts `at(home)`.
+ * The firmware of a robot that drives to ordered places: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later it is
+ * there, `at(P)`. It starts `at(home)`.
  *
- * @param clock what its journeys take their time by
+ * @param clock the clock of its journeys
  */
 class Rover(private val clock: LineClock) : Sketch {
     private var place = "home"
@@ -26,7 +26,7 @@ class Rover(private val clock: LineClock) : Sketch {
     }
 
     companion object {
-        /** How long the robot takes from any place to any other. */
+        /** The time that the robot takes from any place to any other. */
         const val TRAVEL_MS = 400
 
         private val GOTO = Regex("""goto\((\w+)\)""")

@@ -6,7 +6,7 @@ import samples.board.Sketch
  * The firmware of a board with one LED: `ledOn` and `ledOff` switch it, and the board reports it as `led(Name,on)` or
  * `led(Name,off)`.
  *
- * @param name what the board calls itself in its percept, an atom
+ * @param name the board's name in its percept, an atom
  * @param switched receives each change of the LED, from the board's thread
  */
 class Lamp(private val name: String, private val switched: (on: Boolean) -> Unit) : Sketch {

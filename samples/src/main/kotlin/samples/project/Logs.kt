@@ -40,7 +40,7 @@ object Logs {
  * A file that receives the log of Jason, ARGO and the agents, and all other printed text, from its creation until
  * it is closed.
  *
- * @property path where it is
+ * @property path its path
  */
 internal class LogFile private constructor(val path: Path) : AutoCloseable {
     private val out = System.out
@@ -53,7 +53,7 @@ internal class LogFile private constructor(val path: Path) : AutoCloseable {
         stream.close()
     }
 
-    /** Closes and deletes it: nobody needs the log of a run that went well. */
+    /** Closes and deletes it: the log of a successful run is not needed. */
     fun delete() {
         close()
         Files.deleteIfExists(path)

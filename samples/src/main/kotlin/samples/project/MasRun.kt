@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Runs a Jason project inside this program: without a window, without a network service, and without ending the program
- * when an agent ends the system with `.stopMAS`. One at a time, since Jason keeps the running one in a static.
+ * Runs a Jason project inside this program: without a window, without a network service, and without ending the program when an agent ends
+ * the system with `.stopMAS`. Only one runs at a time, since Jason keeps it in a static.
  */
 internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     private val ended = CompletableFuture<Int>()
@@ -24,7 +24,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /**
-     * Creates the agents and sets them going; [witnesses] are put in front of the architectures of the agents they are given for.
+     * Creates the agents and starts them; puts each of [witnesses] in front of the architectures of the agent with its name.
      *
      * @param beforeStart is called when the agents are there and do not run yet
      * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
@@ -39,22 +39,22 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         start()
     }
 
-    /** The live view of [agent], once it is created; null: it has none. */
+    /** Returns the live view of [agent], once it is created; null: it has none. */
     fun viewOf(agent: String): AgentView? =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }
             .filterIsInstance<AgentView>().firstOrNull()
 
-    /** Waits until an agent has ended the system, at most [millis] ms; returns the exit status that it wants, null if none has. */
+    /** Waits until an agent has ended the system, at most [millis] ms; returns the agent's exit status, null if none has. */
     fun awaitEnd(millis: Long): Int? = try {
         ended.get(millis, TimeUnit.MILLISECONDS)
     } catch (_: TimeoutException) {
         null
     }
 
-    /** Stops all agents, which give up their ports. */
+    /** Stops all agents, which close their ports. */
     fun end() = stopAgs(0)
 
-    /** What `.stopMAS` comes to. */
+    /** Notes the end of the system by `.stopMAS`. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
         ended.complete(exitValue)
     }

@@ -10,8 +10,8 @@ import kotlin.concurrent.withLock
  * The progress of a run in one line: rewritten in place on a terminal; elsewhere a plain line now and then.
  * Safe for use by several threads.
  *
- * @param inPlace whether [out] is a terminal
- * @param charset what [out] can print
+ * @param inPlace whether [out] is a terminal, on which the line is rewritten
+ * @param charset the character set of [out]
  */
 class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "
@@ -24,7 +24,7 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
      * Shows [facts] side by side, unless it has ended.
      *
      * @param nanos the time since the run began, never less than before
-     * @param drawing what a terminal shows before the facts, if a line of [MAX_COLUMNS] has room for both
+     * @param drawing a drawing before the facts on a terminal, if a line of [MAX_COLUMNS] has room for both
      */
     fun show(facts: List<String>, nanos: Long, drawing: String? = null) = lock.withLock {
         if (!isOver) show(facts.joinToString(separator), nanos, drawing)
@@ -42,7 +42,7 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
         }
     }
 
-    /** Takes the line away for good, so that what follows stands in its place. May be called twice. */
+    /** Removes the line for good, so that later output takes its place. May be called twice. */
     fun end() = lock.withLock {
         if (width > 0) out.print("\r" + " ".repeat(width) + "\r")
         out.flush()
@@ -53,13 +53,13 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
     companion object {
         private const val PLAIN_INTERVAL_NANOS = 5_000_000_000L
 
-        /** What fits into a line of a terminal of the usual width; a longer one would wrap, and could not be rewritten. */
+        /** The length that fits into a line of a terminal of the usual width; a longer line would wrap, and could not be rewritten. */
         const val MAX_COLUMNS = 79
 
-        /** Progress on this program's standard output. */
+        /** Shows progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
 
-        /** Whether the terminal of a program with [environment] can rewrite a line; a log of CI keeps all that is printed. */
+        /** Returns true if the terminal of a program with [environment] can rewrite a line; a log of CI keeps all that is printed. */
         fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
 
         private fun charset(): Charset =

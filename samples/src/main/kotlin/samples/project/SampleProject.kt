@@ -8,8 +8,8 @@ import java.net.URL
 import kotlin.io.path.toPath
 
 /**
- * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it. What a command line changes
- * in it is changed here, after it has been read.
+ * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it.
+ * Changes of a command line are made here, after the project has been read.
  */
 class SampleProject(name: String) {
     private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
@@ -25,14 +25,14 @@ class SampleProject(name: String) {
 
     private val given = HashMap<String, List<Literal>>()
 
-    /** The initial beliefs that agents were given in place of those in the project, by the agents' names. */
+    /** The initial beliefs in place of those in the project, by the agents' names. */
     val beliefs: Map<String, List<Literal>> get() = given
 
     private fun agent(name: String): AgentParameters = checkNotNull(mas.getAg(name)) { "$source has no agent $name" }
 
     /** Gives [agent] these initial beliefs in place of those in the project. */
     fun believe(agent: String, vararg beliefs: Literal) {
-        agent(agent).addOption("beliefs", "") // an option is text, and not every string survives being written and read
+        agent(agent).addOption("beliefs", "") // not as an option: that is text, and not every string survives being written and read
         given[agent] = beliefs.asList()
     }
 

@@ -7,7 +7,7 @@ internal class SystemRun(project: SampleProject) {
     /** Runs it until its agents end it, and returns their exit status; 1 if they have not ended it within [MAX_S] s. */
     fun toItsEnd(): Int = run(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
-    /** Runs it for [seconds] s, exit status 0, or until its agents end it, with the exit status that they want. */
+    /** Runs it for [seconds] s, with exit status 0, or until its agents end it, with their exit status. */
     fun forAtMost(seconds: Int): Int = run(seconds) ?: 0
 
     private fun run(seconds: Int): Int? {

@@ -12,15 +12,15 @@ internal class Turtle(private val nanos: () -> Long) {
     private var metresPerSecond = 0.0
     private var sinceNanos = nanos()
 
-    /** How far it is from its dock, in m; at the wall it stays. */
+    /** Its distance from its dock, in m; it stays at the wall. */
     @get:Synchronized
     val position: Double
         get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
 
-    /** How far it is from the wall, in m. */
+    /** Its distance from the wall, in m. */
     val range: Double get() = WALL - position
 
-    /** Whether it drives. */
+    /** True if it drives. */
     @get:Synchronized
     val isDriving: Boolean get() = metresPerSecond != 0.0
 
@@ -33,7 +33,7 @@ internal class Turtle(private val nanos: () -> Long) {
     }
 
     companion object {
-        /** Where the wall is, in m from the dock. */
+        /** The place of the wall, in m from the dock. */
         const val WALL = 1.5
     }
 }

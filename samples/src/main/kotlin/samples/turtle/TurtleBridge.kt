@@ -17,10 +17,10 @@ import java.util.concurrent.TimeUnit
 
 /**
  * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address: the topics `/sonar` and `/cmd_vel`, and the
- * action `/dock` of ROS 1. It knows as much of the protocol as that takes.
+ * action `/dock` of ROS 1. It knows only the part of the protocol for these.
  */
 internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
-    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // of those who want the sonar
+    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // of the sonar's subscribers
     private val sentNanos = ConcurrentHashMap<WebSocket, Long>()
     private val goals = ConcurrentHashMap<String, WebSocket>()
     private val started = CompletableFuture<Unit>()

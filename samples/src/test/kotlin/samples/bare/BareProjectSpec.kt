@@ -72,7 +72,7 @@ private fun stopsTheRobot(
     project.toFile().deleteRecursively()
 }
 
-/** Jason with what it needs itself, and `argo.jar`. */
+/** Returns the class path with Jason, its dependencies and `argo.jar`. */
 private fun classPath(jason: Path): String {
     val own = listOf(Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
     return listOf(jason, *own.toTypedArray(), Path.of(System.getProperty("argo.jar"))).joinToString(File.pathSeparator)

@@ -17,7 +17,7 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.isDirectory
 import kotlin.io.path.writeText
 
-/** The project of the page on migrating, run by JaCaMo in a process of its own, where somebody has put JaCaMo. */
+/** The project of the page on migrating, run by JaCaMo in a process of its own, if JaCaMo is installed. */
 @Tags("Thorough")
 class JaCaMoSpec : FunSpec({
     val libraries = System.getenv("JACAMO_LIB")?.let(::Path)

@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A program in a process of its own, on no class path but the one it is given. */
+/** A program in a process of its own, with only the class path that it is given. */
 internal class JarProgram private constructor(private val process: Process) : AutoCloseable {
     private val lines = LinkedBlockingQueue<String>()
     private val all = StringBuffer()
@@ -16,10 +16,10 @@ internal class JarProgram private constructor(private val process: Process) : Au
         }
     }
 
-    /** What a program that has ended has printed, errors included. */
+    /** The exit status and the output of a program that has ended, errors included. */
     class Ended(val status: Int, val printed: String)
 
-    /** The next line that holds [text]. */
+    /** Returns the next line that holds [text]. */
     fun awaitLine(text: String): String {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {
@@ -35,7 +35,7 @@ internal class JarProgram private constructor(private val process: Process) : Au
         return ended()
     }
 
-    /** The programs that it has started and that still run. */
+    /** Returns the programs that it has started and that still run. */
     fun children(): List<ProcessHandle> = process.toHandle().descendants().toList()
 
     /** Waits for its end. */

@@ -10,7 +10,7 @@ data class InstalledJava(val program: String, val feature: Int)
 /** The Java that runs this test. */
 fun thisJava() = InstalledJava(Path.of(System.getProperty("java.home"), "bin", "java").toString(), Runtime.version().feature())
 
-/** The newest Java on this machine, looked for where `JAVA_HOME…` variables, Linux distributions and SDKMAN put them. */
+/** Finds the newest Java on this machine, in the places of `JAVA_HOME…` variables, Linux distributions and SDKMAN. */
 fun newestJava(): InstalledJava {
     val named = System.getenv().filterKeys { it.startsWith("JAVA_HOME") }.values.map(Path::of)
     val installed =

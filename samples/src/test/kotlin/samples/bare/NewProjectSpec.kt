@@ -22,8 +22,7 @@ import kotlin.io.path.name
 import kotlin.io.path.useDirectoryEntries
 
 /**
- * What `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with nothing but what they put on the class
- * path.
+ * The project that `java -jar argo.jar new` makes is compiled, tested and run as its own builds do it, with only their class path.
  */
 @Tags("Thorough")
 class NewProjectSpec : FunSpec({
@@ -90,13 +89,13 @@ class NewProjectSpec : FunSpec({
 
 private val ARDUINO_CORE = Path.of(System.getenv("ARDUINO_AVR") ?: "/usr/share/arduino/hardware/arduino/avr").resolve("cores/arduino")
 
-/** What the project's own build puts on its class path, but for Jason. */
+/** Returns the class path of the project's own build, but for Jason. */
 private fun main(project: Path) = listOf(project.resolve("main"), project.resolve("src/main/resources"), project.resolve("lib/argo.jar"))
 
 private fun jason(): List<Path> =
     listOf(Agent::class.java, Class.forName("javax.json.Json"), Class.forName("org.glassfish.json.JsonProviderImpl")).map(::jarOf)
 
-/** Kotest with what it needs, from this test's own class path, and nothing of ARGO. */
+/** Returns Kotest with its dependencies, from this test's own class path, without ARGO. */
 private fun kotest(): List<Path> =
     (System.getProperty("surefire.test.class.path") ?: System.getProperty("java.class.path")).split(File.pathSeparator)
         .map(Path::of).filter { jar -> KOTEST.any(jar.name::startsWith) }

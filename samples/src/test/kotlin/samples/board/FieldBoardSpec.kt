@@ -15,7 +15,7 @@ import kotlin.time.Duration.Companion.seconds
 
 private const val DEADLINE_S = 120L
 
-/** A board on a line at 9600 baud, whose commands are kept. */
+/** A board on a line at 9600 baud, which notes its commands. */
 private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings.defaults())
     val computer: Transport = line.computer()
@@ -29,7 +29,7 @@ private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseab
         try {
             field.run(line.board())
         } catch (_: PortGoneException) {
-            // the bench is cleared
+            // the bench is closed
         } catch (_: InterruptedException) {
             // while it answers
         }

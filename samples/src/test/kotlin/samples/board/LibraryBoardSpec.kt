@@ -20,7 +20,7 @@ import kotlin.concurrent.thread
 
 private const val DEADLINE_S = 120L
 
-/** A board on a fast line; what it does and says is kept. */
+/** A board on a fast line, which notes its actions and its output. */
 private class FastBench(@Volatile var percepts: String, rules: Int = 0, actions: List<String> = emptyList()) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings(1_000_000))
     val deeds = CopyOnWriteArrayList<String>()
@@ -74,7 +74,7 @@ private fun command(number: Int, text: String) = command(number, CommandItem.Tex
 
 private fun command(number: Int, item: CommandItem) = version2(FrameKind.COMMANDS, number, item.payload())
 
-/** The answer to the request number 1 that nothing is known for. */
+/** Returns the answer to the request number 1 of a computer that knows no texts. */
 private fun answer(vararg percepts: String): String = AnswerPart.split(1, PerceptWriter(126).items(percepts.toList(), 0))
     .joinToString("") { version2(it.kind(), 0, it.payload()) }
 

@@ -1,6 +1,7 @@
 package samples.collision
 
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -41,7 +42,10 @@ class CollisionSpec : FunSpec({
         status shouldBe 0
     }
 
-    test("a terminal shows the robot on its way to the wall, and a dumb one plain lines").config(enabledOrReasonIf = pairs) {
+    test("a terminal shows the robot on its way to the wall, and a dumb one plain lines").config(
+        tags = thorough,
+        enabledOrReasonIf = pairs,
+    ) {
         fun printed(term: String) = Program.inTerminal(term, "collision", "--limit", "190").use { it.awaitEnd().second }
         with(printed("xterm")) {
             Regex("""___?o=o>_*\|  distance 1\d\d\.\d cm""").containsMatchIn(this) shouldBe true
@@ -54,7 +58,7 @@ class CollisionSpec : FunSpec({
         }
     }
 
-    test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter") {
+    test("an agent that waits for the line inside its reasoning cycle runs into the wall without a filter").config(tags = thorough) {
         val (status, printed) = Program.run("collision", "--filter", "none", "--limit", "120", "--sensing", "in_cycle")
         printed.lines().last() shouldContain "ran into the wall: the agent had not stopped the robot"
         val log = logNamedIn(printed)
@@ -63,7 +67,7 @@ class CollisionSpec : FunSpec({
         status shouldBe 1
     }
 
-    test("and with the front distance filter it does not") {
+    test("and with the front distance filter it does not").config(tags = thorough) {
         val (status, printed) = Program.run("collision", "--filter", "frontDistance", "--limit", "170", "--sensing", "in_cycle")
         printed shouldContain stopped
         status shouldBe 0
@@ -114,7 +118,7 @@ class CollisionSpec : FunSpec({
         }
     }
 
-    test("plain Jason runs the project") {
+    test("plain Jason runs the project").config(tags = thorough) {
         Program.jason("collision").use { jason ->
             jason.awaitLine("[robot] drives")
             // a machine that is busy may have it stop before, until its board answers again
@@ -124,3 +128,5 @@ class CollisionSpec : FunSpec({
 })
 
 private fun logNamedIn(printed: String): Path = Path.of(printed.lines().first { it.startsWith("log: ") }.removePrefix("log: "))
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -63,6 +63,6 @@ class LiveViewSpec : FunSpec({
 
 private fun addressOf(line: String) = URI(checkNotNull(Regex("http://127\\.0\\.0\\.1:\\d+/robot/").find(line)) { line }.value)
 
-/** What a page is told, to its end. */
+/** Returns the stream of states that a page is sent, to its end. */
 private fun watch(address: URI): Stream<String> =
     HttpClient.newHttpClient().send(HttpRequest.newBuilder(address.resolve("events")).build(), HttpResponse.BodyHandlers.ofLines()).body()

@@ -9,7 +9,7 @@ import samples.board.FieldBoard
 import kotlin.concurrent.thread
 import kotlin.random.Random
 
-/** The robot at the far end of a pseudo-terminal, which to a program is as real as any. */
+/** The robot at the far end of a pseudo-terminal, which a program cannot tell from a real one. */
 internal class RealRobot : AutoCloseable {
     private val line = PseudoTerminals.open()
     private val clock = LineClock.system()
@@ -23,7 +23,7 @@ internal class RealRobot : AutoCloseable {
         }
     }
 
-    /** The port that a program finds it at. */
+    /** Its port for a program. */
     val port: String = "${line.computer()}"
 
     /** Pulls the plug. */

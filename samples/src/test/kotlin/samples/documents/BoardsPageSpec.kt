@@ -22,7 +22,9 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** The boards that the page on boards shows are compiled, registered as it says, and asked and commanded by the tools. */
+/**
+ * The boards on the page on boards are compiled, registered as the page says, and the tools request their percepts and send them commands.
+ */
 @Tags("Thorough")
 class BoardsPageSpec : FunSpec({
     val root = Path.of("..").toRealPath()

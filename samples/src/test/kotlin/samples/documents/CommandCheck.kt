@@ -10,16 +10,16 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 
 /**
- * Checks, without running a command, whether the repository at [root] has everything that the command names: programs, their options,
- * tasks, modules, files.
+ * Checks, without running a command, that the repository at [root] has everything that the command names: programs, their options, tasks,
+ * modules, files.
  */
 class CommandCheck(private val root: Path) {
     private val usage = ProcessBuilder("$root/argo").start().inputReader().use { it.readText() }
 
-    /** The words behind `./argo` that its usage shows. */
+    /** The commands of `./argo` that its usage shows. */
     val verbs: Set<String> = Regex("""(?m)^  ([a-z]+)[ \[]""").findAll(usage).map { it.groupValues[1] }.toSet()
 
-    /** What is wrong with [words]; null: nothing. */
+    /** Describes the fault of [words]; null: there is none. */
     fun problem(words: List<String>): String? {
         val rest = words.drop(1).filterNot { it in PLACEHOLDERS }
         return when (words.first()) {
@@ -55,6 +55,7 @@ class CommandCheck(private val root: Path) {
             "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
             "board" -> if (rest.isEmpty() || rest.any { it.endsWith(".ino") }) null else "./argo board takes a sketch"
             "test" -> if (rest.isEmpty() || rest == listOf("--all")) null else "./argo test takes --all or nothing"
+            "dist" -> if (rest.isEmpty() || rest == listOf("--bundle")) null else "./argo dist takes --bundle or nothing"
             "format" -> rest.firstOrNull { it !in usage }?.let { "./argo format knows nothing of $it" }
             else -> if (rest.isEmpty()) null else "./argo $verb takes no arguments"
         }
@@ -92,6 +93,7 @@ class CommandCheck(private val root: Path) {
             options.any { it != "--enable-native-access=ALL-UNNAMED" } -> "an option for Java that is none: $options"
             rest.isEmpty() -> null
             rest[0] == "-jar" -> if (Path.of(rest[1]).name == "argo.jar") tool(rest.drop(2)) else "there is no ${rest[1]}"
+            rest[0].endsWith(".java") -> missing(root.resolve(rest[0]).takeIf { it.exists() }, rest[0])
             rest[0] == "-cp" -> missing(runCatching { Class.forName(rest[2], false, javaClass.classLoader) }.getOrNull(), rest[2])
             else -> "Java is not told what to run"
         }
@@ -122,6 +124,9 @@ class CommandCheck(private val root: Path) {
             if (it.isEmpty()) root.resolve("build.gradle.kts") else root.resolve("$it/build.gradle.kts")
         }
         when {
+            word.startsWith("-P") -> word.removePrefix("-P").substringBefore('=').let { property ->
+                missing(property.takeIf { "<$it>" in root.resolve("pom.xml").readText() }, "a property of $word")
+            }
             word.startsWith("--args=") -> sample(word.removePrefix("--args=").split(" "))
             !build.exists() -> "there is no project for $word"
             task == "build" || task == "test" -> null
@@ -142,16 +147,16 @@ class CommandCheck(private val root: Path) {
     private fun missing(found: Any?, what: String): String? = if (found == null) "there is no $what" else null
 
     private companion object {
-        /** What a project that `./argo new` makes is made of. */
+        /** The sources of a project that `./argo new` makes. */
         const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 
-        /** What every Maven does. */
+        /** Goals and phases of every Maven. */
         val GOALS = setOf("clean", "compile", "test", "package", "verify", "install", "dependency:copy-dependencies")
 
         /** Words that stand for any. */
         val PLACEHOLDERS = setOf("COMMAND", "…")
 
-        /** The command line of the tools in argo.jar, which they keep to themselves. */
+        /** The command line of the tools in argo.jar, which is internal to them. */
         val TOOLS: () -> CommandLine = Class.forName("argo.tools.MainKt").getMethod("tools").let { tools ->
             { tools.invoke(null) as CommandLine }
         }

@@ -10,7 +10,7 @@ import samples.fleet.Container
 import samples.fleet.Container.Address
 import java.nio.file.Path
 
-/** Every command that a page tells its reader to type is one that there is, with these options. */
+/** Every command that a page tells its reader to type exists, with these options. */
 class CommandsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
     val commands = Document.all(root).associateWith(ToldCommand::of)
@@ -60,7 +60,7 @@ class CommandsSpec : FunSpec({
     }
 })
 
-/** The beginnings of the commands that nothing tries, and why. */
+/** The beginnings of the commands that no test tries, with the reasons. */
 private val NOT_TRIED = mapOf(
     "sudo usermod" to "changes the machine",
     "lsusb" to "is the system's",
@@ -72,7 +72,7 @@ private val NOT_TRIED = mapOf(
     "./board " to "needs a board; javino-arduino/tests/e2e/posix.py runs it on a pseudo-terminal",
 )
 
-/** A reader is sent into a folder that a command before has made. */
+/** Checks that a reader is sent only into a folder that an earlier command has made. */
 private fun folder(command: ToldCommand, told: List<ToldCommand>) {
     told.takeWhile { it !== command }.map { it.text } shouldContain "./argo new ${command.words[1]}"
 }

@@ -5,7 +5,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
 
-/** A page of the documentation, as it lies at [path] under the repository's [root]. */
+/** A page of the documentation, at [path] under the repository's [root]. */
 class Document(private val root: Path, val path: Path) {
     val name: String = root.relativize(path).joinToString("/")
 
@@ -14,7 +14,7 @@ class Document(private val root: Path, val path: Path) {
     /** The blocks between fences, in their order. */
     val snippets: List<Snippet> by lazy { snippetsOf(path.readLines()) }
 
-    /** What stands between single backquotes outside of the blocks, on one line or over the end of one. */
+    /** The texts between single backquotes outside of the blocks, on one line or over the end of one. */
     val spans: List<Snippet> by lazy {
         val sentences = FENCED.replace(text) { block -> "\n".repeat(block.value.count { it == '\n' }) }
         SPAN.findAll(sentences).map { span ->
@@ -23,7 +23,7 @@ class Document(private val root: Path, val path: Path) {
         }.toList()
     }
 
-    /** Where links lead that stay in the repository, without the part behind `#`. */
+    /** The targets of links that stay in the repository, without the part behind `#`. */
     val links: List<String>
         get() = LINK.findAll(FENCED.replace(text, "")).map { it.groupValues[1] }
             .filterNot { "://" in it || it.startsWith("mailto:") }.toList()
@@ -64,14 +64,14 @@ class Document(private val root: Path, val path: Path) {
         private val HEADING = Regex("""(?m)^#+ +(.+?) *$""")
         private val FENCED = Regex("""(?ms)^ *```.*?^ *```""")
 
-        /** All pages of the repository that lies at [root], without those of projects that `./argo new` has made in it. */
+        /** Returns all pages of the repository at [root], without those of projects that `./argo new` has made in it. */
         fun all(root: Path): List<Document> = root.toFile().walk()
             .onEnter { it == root.toFile() || it.name !in NOT_OURS && !it.resolve("lib/argo.jar").exists() }
             .filter { it.isFile && it.extension == "md" }.map { Document(root, it.toPath()) }.sortedBy { it.name }.toList()
 
         private val NOT_OURS = setOf("target", "build", "dist", ".argo", ".git", ".gradle")
 
-        /** The anchor that forges give a heading. */
+        /** Returns the anchor that forges give a heading. */
         private fun anchor(heading: String) = heading.lowercase().replace(Regex("""[^\p{L}\p{N} _-]"""), "").replace(' ', '-')
     }
 }

@@ -11,7 +11,7 @@ import io.kotest.matchers.ints.shouldBeExactly
 import java.io.File
 import java.nio.file.Path
 
-/** What pages show of sketches and of C is compiled against the board's library, on this machine, with all warnings as errors. */
+/** The sketches and the C code on pages are compiled against the board's library, on this machine, with all warnings as errors. */
 @Tags("Thorough")
 class FirmwareSnippetsSpec : FunSpec({
     val root = Path.of("..").toRealPath()
@@ -57,7 +57,7 @@ class FirmwareSnippetsSpec : FunSpec({
     }
 })
 
-/** What a page leaves to its reader's own microcontroller. */
+/** The functions that a page leaves to its reader's own microcontroller. */
 private val OF_THE_READER = """
     #include <string.h>
     #include "javino_board.h"
@@ -72,7 +72,7 @@ private val OF_THE_READER = """
 
 private fun onPath(program: String) = System.getenv("PATH").split(File.pathSeparator).any { File(it, program).canExecute() }
 
-/** Has a shell run [command] in this folder. */
+/** Runs [command] by a shell in this folder. */
 private fun File.runs(command: String) {
     val shell = ProcessBuilder("sh", "-c", command).directory(this).redirectErrorStream(true).start()
     val said = shell.inputReader().use { it.readText() }

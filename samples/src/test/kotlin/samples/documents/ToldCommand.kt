@@ -7,14 +7,14 @@ class ToldCommand private constructor(val document: String, val line: Int, val t
     override fun toString() = "$document:$line $text"
 
     companion object {
-        /** The commands of a page in their order: those between fences, and those in its sentences and tables. */
+        /** Returns the commands of a page in their order: those between fences, and those in its sentences and tables. */
         fun of(document: Document): List<ToldCommand> =
             (document.snippets.flatMap(::fenced) + document.spans.filter { SPOKEN.matches(it.text) }.map(::spoken))
                 .filter { it.words.isNotEmpty() }.sortedBy { it.line }
 
         private fun spoken(span: Snippet) = ToldCommand(span.document, span.line, span.text)
 
-        /** Of what a page quotes in its sentences, that which is typed. */
+        /** Matches quotations in a page's sentences that are typed. */
         private val SPOKEN = Regex("""(\./\w+|java|mvn|gradle|make|cc|cd|sudo|ssh|lsusb)( .*)?""")
 
         private fun fenced(snippet: Snippet): List<ToldCommand> {

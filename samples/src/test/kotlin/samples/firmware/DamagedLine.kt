@@ -19,7 +19,7 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
     /** The port for the program. */
     val port = "tcp://127.0.0.1:${server.localPort}"
 
-    /** Bytes damaged so far. */
+    /** The number of bytes damaged so far. */
     @Volatile
     var damaged = 0
         private set
@@ -55,7 +55,7 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
         }
     }
 
-    /** A closed socket or port ends what runs on it. */
+    /** Runs [body] until its socket or port is closed. */
     private fun runUntilClosed(body: () -> Unit) {
         try {
             body()
@@ -71,7 +71,7 @@ internal class DamagedLine(boardPort: String) : AutoCloseable {
     }
 }
 
-/** That of the sketch `Echo`. */
+/** The rate of the sketch `Echo`. */
 private const val BAUD = 115_200
 private const val BLOCK = 256
 private const val ONE_IN = 200

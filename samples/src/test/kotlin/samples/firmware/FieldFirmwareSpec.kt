@@ -35,14 +35,14 @@ class FieldFirmwareSpec : FunSpec({
         test("a board of the field acts on every command and never restarts: loop() of $loopMs ms, answers built in $buildMs ms").config(
             enabledOrReasonIf = built,
         ) {
-            // a write that stalls for longer than a frame is sent moves frames together, whatever the link does: such a run says nothing
+            // a write that stalls for longer than a frame moves frames together, whatever the link does: such a run does not count
             generateSequence { burstsAt(loopMs, buildMs) }.take(MAX_RUNS).first { it.longestWriteMs < FRAME_MS }
                 .percepts shouldBe "done(${BURSTS * LAMPS});starts(1);"
         }
     }
 })
 
-/** What the board reports at the end of a run, and the longest that a write took by the board's time, in ms. */
+/** The board's report at the end of a run, and the longest time of a write by the board's clock, in ms. */
 private class Run(val percepts: String, val longestWriteMs: Long)
 
 private fun burstsAt(loopMs: Int, buildMs: Int): Run = SimulatedBoard("Field").use { uno ->

@@ -125,7 +125,7 @@ private suspend fun FunSpecContainerScope.agentsDrive(kind: BoardKind, robotProg
     }
 }
 
-/** An agent that sends a row of commands, one after the other's outcome. */
+/** Writes an agent that sends a row of commands, each after the outcome of the one before. */
 private fun counting(port: String) = """
     !start.
     +!start <- argo.port("$port"); !send(${SPEEDS.first}).
@@ -149,7 +149,7 @@ private fun withJason(name: String, agent: String, test: (Program) -> Unit) {
 
 private const val LED = 13
 private const val DUTY = 5
-private const val FENCE = 6 // a pin that nothing changes: what it reports comes behind all changes before
+private const val FENCE = 6 // a pin without changes: its report comes behind all earlier changes
 private val SPEEDS = 10..109
 private const val ANSWER_LIMIT_MS = 20_000
 private const val LEFT_FORWARD = 7

@@ -13,9 +13,9 @@ private val ROOT: Path = Path.of("../javino-arduino").toAbsolutePath()
 private val SIMULATOR: Path = ROOT.resolve("build/simulator")
 
 /**
- * The boards that programs of `javino-arduino/` run on here.
+ * The kinds of boards on which programs of `javino-arduino/` run here.
  *
- * @param folder of the programs in its build directory
+ * @param folder the folder of the programs in the build directory
  * @param emulator the program that runs them; null: the simulator of this project
  */
 internal enum class BoardKind(private val folder: String, private val emulator: String?) {
@@ -26,11 +26,11 @@ internal enum class BoardKind(private val folder: String, private val emulator: 
 
     private fun elf(program: String) = ROOT.resolve("build/$folder/$program.elf")
 
-    /** The command that runs [program]. */
+    /** Returns the command that runs [program]. */
     fun command(program: String): List<String> =
         (if (emulator == null) listOf("$SIMULATOR") else listOf("python3", "$ROOT/tests/e2e/machine.py", folder)) + "${elf(program)}"
 
-    /** Whether there are the simulator and [programs]. */
+    /** Returns true if there are the simulator and [programs]. */
     fun isBuilt(vararg programs: String): Boolean =
         (if (emulator == null) Files.isExecutable(SIMULATOR) else onPath(emulator)) && programs.all { Files.exists(elf(it)) }
 }
@@ -60,7 +60,7 @@ internal class SimulatedBoard(program: String, kind: BoardKind = BoardKind.UNO) 
         awaitLine("pin $pin $state ")
     }
 
-    /** The next change of a watched pin as it is printed, without its time. */
+    /** Returns the next change of a watched pin as it is printed, without its time. */
     fun awaitChange(): String = awaitLine("pin ").substringBeforeLast(' ')
 
     /** The board's time, which stands still while the machine is too busy to simulate it. */

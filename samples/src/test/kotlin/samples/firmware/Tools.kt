@@ -5,18 +5,18 @@ import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isExecutable
 
-/** Where [program] is on the path; null: nowhere. */
+/** Finds [program] on the path; null: it is not there. */
 internal fun onPathOrNull(program: String): Path? =
     System.getenv("PATH").orEmpty().split(':').map { Path.of(it, program) }.find { it.isExecutable() }
 
 internal fun onPath(program: String) = onPathOrNull(program) != null
 
-/** Whether this machine can compile a sketch for an Uno and run it. */
+/** Enables a test if this machine can compile a sketch for an Uno and run it. */
 internal fun ifUnoCanBeSimulated(): Enabled =
     if (onPath("avr-gcc") && Path.of("/usr/include/simavr/sim_avr.h").exists()) Enabled.enabled
     else Enabled.disabled("there is no avr-gcc or no simavr, which \"./argo firmware\" installs")
 
-/** The output of one of the tools. */
+/** Returns the output of one of the tools. */
 internal fun tool(vararg command: String): String {
     val process = ProcessBuilder("java", "-jar", System.getProperty("argo.jar"), *command).redirectErrorStream(true).start()
     return process.inputStream.readBytes().decodeToString().also { process.waitFor() }

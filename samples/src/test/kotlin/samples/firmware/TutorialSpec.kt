@@ -13,7 +13,7 @@ import kotlin.io.path.createDirectory
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** What the tutorial shows is done, step by step, on the simulated Uno. */
+/** Does the steps of the tutorial on the simulated Uno. */
 @Tags("Thorough")
 class TutorialSpec : FunSpec({
     val root = Path.of("..").toRealPath()

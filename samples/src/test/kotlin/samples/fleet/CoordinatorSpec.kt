@@ -11,7 +11,7 @@ import kotlin.time.Duration.Companion.seconds
 private val PLACES = listOf("north", "east", "south", "west")
 
 class CoordinatorSpec : FunSpec({
-    /** For three seconds [scouts] report as often as they do. */
+    /** Lets [scouts] report for three seconds, as often as real ones do. */
     fun TestAgent.with(vararg scouts: String) = apply {
         repeat(10) {
             scouts.forEach { hears(it, "achieve", "hear") }

@@ -1,5 +1,6 @@
 package samples.fleet
 
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
@@ -19,7 +20,7 @@ private const val LIMIT_S = 300L
 private const val CONNECT_LIMIT_MS = 2_000
 
 class FleetSpec : FunSpec({
-    test("when the process of one robot is killed, the others go on and one of them gets its places") {
+    test("when the process of one robot is killed, the others go on and one of them gets its places").config(tags = thorough) {
         val lines = Lines()
         Fleet.start(lines::add).use { fleet ->
             lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
@@ -49,7 +50,7 @@ class FleetSpec : FunSpec({
         listOf("main", "scout1", "scout2").filter(fleet::isAlive).shouldBeEmpty()
     }
 
-    test("the command shows it and ends") {
+    test("the command shows it and ends").config(tags = thorough) {
         Program.samples("fleet", "--seconds", "5").use { program ->
             listOf("has visited", "scout2 has been killed", "scout2 is lost", "scout1 watches", "scout1 has visited")
                 .forEach(program::awaitLine)
@@ -61,8 +62,8 @@ class FleetSpec : FunSpec({
 })
 
 /**
- * The addresses of this computer beside 127.0.0.1. On Linux all of 127 leads to who listens everywhere, and not to who listens on
- * 127.0.0.1.
+ * Returns the addresses of this computer beside 127.0.0.1. On Linux all of 127 reaches a program that listens everywhere, but not one that
+ * listens on 127.0.0.1.
  */
 private fun otherAddresses(): List<InetAddress> {
     val others = NetworkInterface.networkInterfaces().toList().flatMap { it.inetAddresses().toList() }.filterNot { it.isLoopbackAddress }
@@ -76,7 +77,7 @@ private fun isOpen(address: InetAddress, port: Int): Boolean = try {
     false
 }
 
-/** What the containers print, and what of the coordinator's words follows from it. */
+/** The lines that the containers print, and the watches that the coordinator has shared out by them. */
 private class Lines {
     private val unread = LinkedBlockingQueue<String>()
     private val watches = LinkedHashMap<String, String>()
@@ -84,10 +85,10 @@ private class Lines {
 
     fun add(line: String) = unread.put(line)
 
-    /** The places that [scout] watches, as far as has been read. */
+    /** Returns the places that [scout] watches, as far as lines have been read. */
     fun watched(scout: String): List<String> = watches.filterValues { it == scout }.keys.toList()
 
-    /** Reads on until [wanted] is true for a line, and for what has been read up to it. */
+    /** Reads on until [wanted] is true for a line and those before it. */
     fun await(wanted: Lines.(String) -> Boolean) {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
         while (true) {
@@ -105,3 +106,5 @@ private class Lines {
         val LOST = Regex("""\[coordinator] (\w+) is lost""")
     }
 }
+
+private val thorough = setOf(NamedTag("Thorough"))

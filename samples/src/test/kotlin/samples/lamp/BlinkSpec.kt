@@ -1,11 +1,13 @@
 package samples.lamp
 
 import argo.testkit.agent
+import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import kotlin.io.path.Path
 import kotlin.time.Duration.Companion.hours
 
+@Tags("Thorough")
 class BlinkSpec : FunSpec({
     test("the LED goes on and off twice a second, for an hour, and for good") {
         agent(Path("blink/blink.asl")) { options("beliefs" to "board(ttyACM0)") }.use { blink ->

@@ -13,8 +13,8 @@ import java.nio.file.Path
  *
  * Safe for use by several threads at once.
  *
- * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). It
- * may not lead out of those places: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
+ * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). A
+ * name that leads out of those places is refused: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
  */
 class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     private val places: List<FilterPlace> =
@@ -29,7 +29,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     )
 
     /**
-     * The filter called [name], read anew at each call.
+     * Returns the filter called [name], read anew at each call.
      *
      * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message lists the places of the search
      * and the filters there are
@@ -43,7 +43,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * The names of all filters there are, sorted; places that cannot be listed add none, and a file in the list may still be refused.
+     * Returns the names of all filters, sorted; places that cannot be listed add none, and a file in the list may still be refused.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.PerceptionFilter
 import java.io.InputStream
 
-/** The kinds of files that filters are in, in the order in which they are looked for. */
+/** The kinds of filter files, in the order of the search. */
 internal enum class FilterFormat(
     val extension: String,
     private val mark: String,
@@ -12,11 +12,11 @@ internal enum class FilterFormat(
     XML(XmlFilters.EXTENSION, "<PerceptionFilter", XmlFilters::read),
     JSON(JsonFilters.EXTENSION, "\"rules\"", JsonFilters::read);
 
-    /** Whether a file with this text could be a filter. */
+    /** Returns true if a file with this text could be a filter. */
     fun isLikely(text: String): Boolean = mark in text
 
     companion object {
-        /** The format of a file of this name, or null if it is none of a filter. */
+        /** Returns the format of a file of this name, or null if it is not a filter's. */
         fun of(fileName: String): FilterFormat? = entries.find { fileName.endsWith(it.extension) }
 
         /** A filter's name without the extension of a format. */

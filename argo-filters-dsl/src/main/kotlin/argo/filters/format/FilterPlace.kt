@@ -20,18 +20,18 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
-/** Somewhere filters may be. `toString` is its name in messages. */
+/** A place where filters may be. `toString` is its name in messages. */
 internal interface FilterPlace {
     /** The filter called [name], which does not lead out of the place, or null. */
     fun find(name: String): PerceptionFilter?
 
-    /** The names of the filters that are there, for messages; a place that cannot be listed has none. */
+    /** Returns the names of its filters, for messages; none if it cannot be listed. */
     fun names(): List<String>
 }
 
 /** The filters that services offer. */
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Loaded anew each time, since a loader is not safe for several agents at once. */
+    /** Loads the providers anew at each call, since a loader is not safe for several agents at once. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
@@ -49,11 +49,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** The result of [load]; a failure has all its causes in the message, down to the filter that is refused. */
+    /** Returns the result of [load]; the message of a failure has all its causes, down to the filter that is refused. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // a linkage error comes of a class whose values are made when it is first used
+        // a class whose values are made at its first use fails with a linkage error
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
@@ -84,7 +84,7 @@ internal class FilterDirectory(private val directory: Path, private val boundary
     override fun names(): List<String> =
         filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
 
-    /** Whether a file looks like a filter. One that cannot be read is left in the list, since it is not known to be anything else. */
+    /** Returns true if a file looks like a filter. A file that cannot be read counts as one, since it may be. */
     private fun isFilter(fileName: String): Boolean = try {
         FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
     } catch (_: IOException) {
@@ -104,7 +104,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 
     override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
 
-    /** A pipe has no end. */
+    /** Regular files only: reading a pipe may never end. */
     private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
@@ -124,13 +124,13 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
         }
     }
 
-    /** Without the cache that URLs of jars have, so that no jar stays open. */
+    /** Opens [url] without the cache that URLs of jars have, so that no jar stays open. */
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"
 }
 
-/** How deep folders of filters are listed. */
+/** The depth to which folders of filters are listed. */
 private const val DEPTH = 8
 
 /** The filter files under [directory], relative to it; none if it is no directory. */

@@ -28,7 +28,7 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
     return checkNotNull(filter) { "a document without problems is a filter" }
 }
 
-/** Makes a filter called [name] of a document's tree. Parts that are wrong are left out, and reported to [problems]. */
+/** Makes a filter called [name] from a document's tree. Parts that are wrong are left out, and reported to [problems]. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
 
     /** The filter; null only if [node] is not an object, which is reported. */
@@ -139,7 +139,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return operator
     }
 
-    /** A value as Jason's text: a number as it is, a text as that of a term, an array as a list of values. */
+    /** Returns [value] as Jason's text: a number as it is, a text as a term, an array as a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
@@ -157,7 +157,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
-    /** What [read] makes of a scalar of the right kind; a value that is none, or makes null, is reported. */
+    /** Applies [read] to a scalar of the right kind; reports a value of another kind, and one for which [read] returns null. */
     private fun <T> scalar(member: Member?, isOfKind: (Scalar) -> Boolean, expected: String, read: (String) -> T?): T? {
         if (member == null || member.value is FilterNode.Refused) return null
         val found = (member.value as? Scalar)?.takeIf(isOfKind)?.let { read(it.content) }

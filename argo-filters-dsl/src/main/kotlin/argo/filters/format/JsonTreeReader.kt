@@ -25,7 +25,7 @@ internal class JsonTreeReader(text: String, private val source: String) {
         refuse(e.location ?: parser.currentLocation(), words(e))
     }
 
-    /** What the parser found, in the words of JSON: its own name classes, settings and readers. */
+    /** Says what the parser found in the words of JSON; its own message names classes, settings and readers. */
     private fun words(e: JsonProcessingException): String {
         val found = e.originalMessage
         return when {
@@ -38,7 +38,7 @@ internal class JsonTreeReader(text: String, private val source: String) {
         }
     }
 
-    /** Which array or object the parser was in. */
+    /** The array or object in which the parser stopped, in words. */
     private val surroundings: String
         get() = parser.parsingContext.let { within ->
             if (within.inRoot()) return ""
@@ -76,7 +76,7 @@ internal class JsonTreeReader(text: String, private val source: String) {
         const val DEPTH = "nesting depth"
         const val CLOSE = "close marker"
 
-        /** What the parser's messages are recognised by, and what is missing then. */
+        /** Beginnings of the parser's messages, each with the part of the document that is missing then. */
         val EXPECTED = mapOf(
             "to start field name" to "a name in double quotes",
             "expecting a colon" to "a colon between a name and its value",

@@ -8,13 +8,13 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Filters as Kotlin source. They are written only: reading one means compiling it. */
+/** Writes filters as Kotlin source. Reading such a filter means compiling it. */
 object KotlinFilters {
     /**
      * The filter as a Kotlin file with LF line ends: a property that holds an equal filter of the same name.
      *
-     * The property has the filter's name, in backquotes where Kotlin asks for them; what the name of a Java method or file cannot
-     * hold becomes `_`.
+     * The property has the filter's name, in backquotes where Kotlin asks for them; characters that the name of a Java method or file
+     * cannot hold become `_`.
      *
      * @throws IllegalArgumentException if no agent can ask for a filter of that name
      */

@@ -15,7 +15,7 @@ internal class Problems(private val source: String) {
         found += problem
     }
 
-    /** What [read] makes; null if it refuses with an [IllegalArgumentException], which is reported with the [expectation] behind it. */
+    /** Returns the result of [read]; null if it throws an [IllegalArgumentException], which is reported followed by the [expectation]. */
     fun <T> reporting(at: Position, expectation: String = "", read: () -> T): T? = try {
         read()
     } catch (e: IllegalArgumentException) {

@@ -20,7 +20,7 @@ internal class SourceText(val text: String) {
     val end: Position
         get() = position(text.length)
 
-    /** Where the character at [line] and [column] stands; an end of the text for what is beyond it. */
+    /** Returns the index of the character at [line] and [column], at most the length of the text. */
     fun offset(line: Int, column: Int): Int = (lineStarts[minOf(line, lineStarts.size) - 1] + column - 1).coerceIn(0, text.length)
 
     fun position(offset: Int): Position {

@@ -4,7 +4,7 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.TermTest
 
-/** The words that filter files have for tests: an operator and a value, both as text. */
+/** Reads and names the tests of filter files: an operator and a value, both as text. */
 internal object TestFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
@@ -22,11 +22,11 @@ internal object TestFormat {
     val NAMES: String = OPERATORS.joinToString(", ") +
         ALIASES.entries.joinToString(", ", " (or ", ")") { (alias, operator) -> "$alias for $operator" }
 
-    /** The operator that is [written], all in upper or all in lower case and maybe as an alias, or null. */
+    /** Returns the canonical name of the operator [written] in upper or in lower case, or as an alias; null if there is none. */
     fun operator(written: String): String? = CANONICAL[written.trim()]
 
     /**
-     * The test of a canonical [operator] and the value that is [written].
+     * Returns the test of a canonical [operator] with the value [written].
      *
      * @throws IllegalArgumentException if the value does not suit the operator; the message has the expectation
      */

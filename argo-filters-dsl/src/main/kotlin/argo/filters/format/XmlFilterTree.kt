@@ -3,7 +3,10 @@ package argo.filters.format
 import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
 
-/** Brings an XML document into the shape that [FilterReader] reads. What has no place in that shape is reported to [problems]. */
+/**
+ * Brings an XML document into the shape that [FilterReader] reads. Elements and attributes without a place in that shape are reported to
+ * [problems].
+ */
 internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
 
     /** The filter; null only if a problem is reported. */
@@ -70,7 +73,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** A limit, with the operator that stands [around] it if it has none of its own. */
+    /** Reads a limit; without an operator of its own it gets the one [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -98,7 +101,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
     }
 
-    /** What is missing in an element that the document breaks off in is no problem of its own. */
+    /** Reports [problem] unless the document breaks off in [element], which explains it. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
         if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)

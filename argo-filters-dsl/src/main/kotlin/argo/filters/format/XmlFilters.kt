@@ -37,7 +37,7 @@ object XmlFilters {
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
 
-    /** The encoding of a document, by its beginning alone: a byte that is not in it is reported with its position later. */
+    /** Finds the encoding of a document by its first bytes only; a byte that is not in the encoding is reported with its position later. */
     private fun encodingOf(bytes: ByteArray, source: String): Charset {
         val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
         val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()

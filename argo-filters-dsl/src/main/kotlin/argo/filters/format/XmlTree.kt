@@ -18,25 +18,25 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
     val children = ArrayList<XmlElement>()
     val texts = ArrayList<XmlText>()
 
-    /** Whether its end tag has been read. */
+    /** True if its end tag has been read. */
     var isClosed = false
 
     /** The text directly in the element, blanks around it aside. */
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
-    /** Where that text begins, or the element where there is none. */
+    /** The beginning of that text, or of the element if there is none. */
     val textPosition: Position
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
 
-/** A new one for each document, since factories are not safe for several threads at once. */
+/** Makes a factory for each document, since factories are not safe for several threads at once. */
 internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
     setProperty(XMLInputFactory.SUPPORT_DTD, false)
     setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
     setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
     setProperty(XMLInputFactory.IS_COALESCING, true)
-    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // problems are thrown too; by default they are printed besides
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // problems are thrown, too; by default they are also printed
 }
 
 /**
@@ -49,14 +49,14 @@ internal class XmlTree(private val document: String, private val source: String)
     private val positions = SourceText(document)
     private val open = ArrayDeque<XmlElement>()
 
-    /** Where the last tag, comment or processing instruction ends, the character after it. */
+    /** The character after the last tag, comment or processing instruction. */
     private var markupEnd = 0
 
-    /** The root element, with what could be read of it; null if there was none. */
+    /** The root element, as far as it could be read; null if there was none. */
     var root: XmlElement? = null
         private set
 
-    /** Why reading ended early; null if it did not. */
+    /** The problem that ended reading early; null if there was none. */
     val problem: Problem? = try {
         read(xmlInputFactory().createXMLStreamReader(StringReader(document)))
     } catch (e: XMLStreamException) {

@@ -16,12 +16,12 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
 
 /**
- * Reads one literal of the shapes that boards send. What needs more of Jason's grammar is read as null: namespaces, variables,
- * operators, comments, words that mean something to Jason.
+ * Reads one literal of the shapes that boards send. Returns null for text that needs more of Jason's grammar: namespaces, variables,
+ * operators, comments, reserved words.
  */
 internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
-    /** Exactly the literal that Jason's parser reads, or null if the text is left to it. */
+    /** Returns exactly the literal that Jason's parser reads, or null if the text is left to that parser. */
     fun parse(): Literal? = literal()?.takeIf { blanks() == end }
 
     private fun literal(depth: Int = 0): Literal? {
@@ -87,7 +87,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return double()?.let { NumberTermImpl(it).apply { srcInfo = SOURCE } }
     }
 
-    /** Line breaks are left to Jason's parser, since terms remember their line, and so are comments. */
+    /** Stops at line breaks and comments, which are left to Jason's parser, since terms remember their line. */
     override fun blanks(): Int {
         while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
         return at
@@ -96,7 +96,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     private companion object {
         const val MAX_DEPTH = 64
 
-        /** After these a word is the beginning of a name or of a structure. */
+        /** Followed by one of these, a word is the beginning of a name or of a structure. */
         val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 

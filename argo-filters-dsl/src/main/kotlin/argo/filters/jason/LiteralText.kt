@@ -18,11 +18,11 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
-/** A session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
+/** Makes a session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
 fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 
 /**
- * The text of [percept] as a board would send it, for filters to decide over. Never throws.
+ * Returns the text of [percept] as a board would send it, for filters to decide over. Never throws.
  *
  * It differs from `toString` in strings, whose quotes, line breaks and such are escaped here. Terms nested deeper than filters look are
  * written as a variable.
@@ -55,5 +55,5 @@ private fun isPlain(literal: Literal) = when (literal) {
     else -> true
 }
 
-/** A variable, which no condition is true for. */
+/** A variable: every condition is false for it. */
 private const val NO_VALUE = "_"

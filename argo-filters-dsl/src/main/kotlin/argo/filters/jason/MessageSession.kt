@@ -9,13 +9,13 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Makes percepts of a board's messages: splits a message, filters the texts, reads what is kept, and limits how much of it the agent
+ * Turns a board's messages into percepts: splits a message, filters the texts, reads the kept ones, and limits how many of them the agent
  * believes.
  *
  * Time is the caller's: milliseconds of any clock that never goes back. Not safe for use by several threads at once.
  *
  * @param read the literals of a percept's text, none if it is refused
- * @param limit what the agent is to believe of the kept percepts, the first argument; the second are the critical ones
+ * @param limit selects, from the kept percepts (first argument) and the critical ones (second), those that the agent is to believe
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
@@ -30,16 +30,16 @@ class MessageSession(
     /** Makes [filter] the active one from the next perception on, as [FilterSession.switchTo]; null: none. */
     fun switchTo(filter: PerceptionFilter?): Unit = session.switchTo(filter)
 
-    /** What the agent perceives of [message] at [nowMs]. */
+    /** Returns the part of [message] that the agent perceives at [nowMs]. */
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
-    /** As the other form, of a message that has been split into the texts of its percepts. */
+    /** As the other form, for a message that has been split into the texts of its percepts. */
     fun perceive(texts: List<String>, nowMs: Long): MessagePerception = literals(session.perceive(texts, nowMs))
 
-    /** The last message with the held-back percepts that are due at [nowMs]; null if none is. */
+    /** Returns the last message with the held-back percepts that are due at [nowMs]; null if none is. */
     fun due(nowMs: Long): MessagePerception? = session.due(nowMs)?.let(::literals)
 
-    /** Why the filter would keep, drop or hold back the percept [text] at [nowMs], without doing it. */
+    /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs], without doing it. */
     fun explain(text: String, nowMs: Long): Explanation = session.explain(text, nowMs)
 
     private fun literals(texts: FilteredPercepts<String>): MessagePerception {
@@ -53,13 +53,13 @@ class MessageSession(
 }
 
 /**
- * What an agent perceives of one message.
+ * The percepts of one message that reach an agent.
  *
- * @property texts the same as texts: what came, what the filter kept, and when something that it holds back is due
- * @property percepts what the agent is to believe: what was kept and could be read, as far as the limit allows
+ * @property texts the same as texts: received, kept by the filter, and the time at which a percept that it holds back is due
+ * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
  * @property seen the literals of those percepts that the message holds and the filter let through
  * @property critical the percepts that critical rules meet, once for each such rule
- * @property unreadable the texts that were kept and of which nothing could be read
+ * @property unreadable the kept texts of which no part could be read
  */
 class MessagePerception internal constructor(
     val texts: FilteredPercepts<String>,

@@ -4,19 +4,19 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
 
-/** A percept's text is not a literal; the message has what Jason's parser found. */
+/** A percept's text is not a literal; the message says what Jason's parser found. */
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * Reads percepts into Jason's literals, just as Jason's own parser does but faster for what boards send: functors, atoms, numbers, strings,
- * nested structures, lists, annotations and negation. Anything else is left to Jason's parser. In strings it also knows `\uXXXX`, for those
- * that Jason's syntax cannot hold. Any thread may use it.
+ * Reads percepts into Jason's literals, just as Jason's own parser does but faster for the literals that boards send: functors, atoms,
+ * numbers, strings, nested structures, lists, annotations and negation. Other text is left to Jason's parser. In strings it also knows
+ * `\uXXXX`, for characters that Jason's syntax cannot hold. Any thread may use it.
  */
 object PerceptReader {
     private const val SHOWN = 80
 
     /**
-     * The literal that [percept] is the text of; a new one at each call.
+     * Reads the literal whose text is [percept]; returns a new one at each call.
      *
      * @throws PerceptSyntaxException if it is none, or is nested too deep for Jason's parser
      */
@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // a ParseException; a RuntimeException for expressions of terms that are no formulas, and large numbers
+        throw refusal(percept, e) // a ParseException; or a RuntimeException, for expressions that are no formulas and for large numbers
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

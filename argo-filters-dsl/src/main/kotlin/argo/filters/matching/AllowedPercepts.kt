@@ -11,14 +11,14 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
         conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
-    /** The conditions on a term that no term meets together, in words; null: none are found. */
+    /** Returns conditions on one term that no term meets together, in words; null if none are found. */
     fun contradiction(): String? {
         val argument = arguments.entries.find { it.value.isEmpty() }
         if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
         return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
     }
 
-    /** Whether each of these percepts is known to meet [condition]. */
+    /** Returns true if each of these percepts is known to meet [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
         is Condition.Argument -> arguments[condition.index]?.imply(condition.test) == true
         is Condition.Annotation -> annotations.any { (name, terms) -> name == condition.name && condition.tests.all(terms::imply) }
@@ -30,7 +30,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     private val range =
         tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
 
-    /** The terms one by one, where the tests leave so few. */
+    /** The terms one by one, if the tests leave few enough; else null. */
     private val values: Set<GroundTerm>? =
         (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
@@ -52,7 +52,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     }
 }
 
-/** Numbers between two limits, either of which may be [open][isFromOpen]: the limit itself is none of them. */
+/** Numbers between two limits. A limit that is [open][isFromOpen] is not in the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
     /** The numbers that meet [test], an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)

@@ -16,7 +16,7 @@ import argo.filters.TermTest
 /**
  * A rule in the form in which it is applied.
  *
- * @property critical the critical rule that it is of, or null
+ * @property critical the critical rule that it belongs to, or null
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
@@ -25,18 +25,18 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Whether the rule is for a percept of its functor that goes on with [tail], and has [head] if it has a namespace or negation. */
+    /** Returns true if the rule is for a percept with its functor, [tail] and [head]; null: no namespace, no negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
 
-    /** Whether the percept in [text] meets all conditions whose functor ends at [functorEnd] and goes on with [tail]. */
+    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail) }
 
-    /** The first condition that the percept does not meet; parameters as of [areMet]. */
+    /** Returns the first condition that the percept does not meet; parameters as of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
 
@@ -54,7 +54,7 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Whether the percept in [text] meets it whose functor ends at [functorEnd] and goes on with [tail]. */
+    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets it. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
@@ -78,7 +78,7 @@ private class CompiledCondition(condition: Condition) {
             tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
 }
 
-/** A test of a term in its text; only what is neither a plain atom nor a plain number is read into a [GroundTerm] first. */
+/** A test of a term in its text. Plain atoms and plain numbers are compared in place; other terms are read into a [GroundTerm] first. */
 internal class CompiledTest(private val test: TermTest) {
     private val operator = (test as? TermTest.Compare)?.operator ?: Operator.EQ
     private val values: Set<GroundTerm> = when (test) {
@@ -89,7 +89,7 @@ internal class CompiledTest(private val test: TermTest) {
     private val atoms: Array<String> = values.mapNotNull(::plainAtom).toTypedArray()
     private val numbers: DoubleArray = values.filterIsInstance<GroundTerm.Number>().map(GroundTerm.Number::value).toDoubleArray()
 
-    /** Whether the term that [text] holds from [start], where it is not blank, to [end] meets the test. Never throws. */
+    /** Returns true if the term that [text] holds from [start], where it is not blank, to [end] meets the test. Never throws. */
     fun isMetBy(text: CharSequence, start: Int, end: Int): Boolean {
         if (test is TermTest.Matches) return isMetBy(GroundTermReader(text, start, end).readWhole())
         if (text[start] in 'a'..'z') {
@@ -103,14 +103,14 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Whether [value] meets the test; null is a term that is not ground and plain. */
+    /** Returns true if [value] meets the test; null is a term that is not ground and plain. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Whether a term meets the test that [isEqual] to one of the values and is [number]; NaN, which has no order, if it is none. */
+    /** Returns true if a term meets the test. [isEqual]: it equals one of the values; [number]: its value, NaN if it is no number. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual
@@ -120,7 +120,7 @@ internal class CompiledTest(private val test: TermTest) {
         Operator.LE -> number <= numbers[0]
     }
 
-    /** The word of an atom without quotes, negation, namespace, arguments and annotations. */
+    /** Returns the word of [value] if it is an atom without quotes, negation, namespace, arguments and annotations; else null. */
     private fun plainAtom(value: GroundTerm): String? =
         (value as? GroundTerm.Structure)?.predicate?.functor?.takeIf { value == GroundTerm.Structure(Predicate(it)) && it[0] != '\'' }
 }

@@ -9,21 +9,21 @@ import argo.filters.Rule
 import argo.filters.TermTest
 
 /**
- * Why a filter does with a percept what it does.
+ * The reason for which a filter keeps, drops or holds back a percept.
  *
  * @property percept the percept's text
- * @property outcome what becomes of it
- * @property rule the rule that decided; null if it was that the percept matches no rule
+ * @property outcome the fate of the percept
+ * @property rule the rule that decided; null if the percept matches no rule
  * @property reason the same in words, as in `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
-    /** What becomes of a percept. */
+    /** The fate of a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** It is kept back for a while; the agent perceives the one of its kind that was let through last. */
+        /** It is kept back for a while; the agent perceives the percept of its kind that was let through last. */
         HELD_BACK("is held back"),
     }
 
@@ -71,7 +71,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             }
         }
 
-        /** What [percept] has in place of what [condition] asks for. */
+        /** Says in words what [percept] has at the place on which [condition] is. */
         private fun found(percept: PerceptText, condition: Condition): String {
             if (condition is Condition.Annotation) return unmet(condition)
             val (index, test) = condition as Condition.Argument

@@ -23,8 +23,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Makes [filter] the active one from the next perception on; null: none.
      *
-     * A filter that freezes keeps those percepts of the last perception that it hides: they are delivered with every perception until
-     * another change, or until a percept that differs from them in numbers only is let through. What rates held back is forgotten.
+     * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until another
+     * change, or until a percept that differs from them only in numbers is let through. Percepts that rates held back are forgotten.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -34,22 +34,22 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
 
-    /** What the agent perceives when [percepts] are its whole picture of the world, at [nowMs]. Text that is not a percept is kept. */
+    /** Returns the agent's perception at [nowMs], if [percepts] are its whole picture of the world. Text that is not a percept is kept. */
     fun perceive(percepts: List<P>, nowMs: Long): FilteredPercepts<P> {
         last = perceive(java.util.List.copyOf(percepts), matcher, nowMs)
         return last
     }
 
     /**
-     * What the agent perceives at [nowMs] if no newer percepts have come and something that is held back is due; null if nothing is.
-     * It is the last perception with what is due in place of what was let through before.
+     * Returns the agent's perception at [nowMs] if no newer percepts have come and held-back ones are due; null if none is due. It is the
+     * last perception with the due percepts in place of those that were let through before.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
         return if (nowMs < due) null else perceive(last.received, nowMs)
     }
 
-    /** Why the filter would keep, drop or hold back [percept] at [nowMs], without doing it. */
+    /** Explains why the filter would keep, drop or hold back [percept] at [nowMs], without doing it. */
     fun explain(percept: P, nowMs: Long): Explanation {
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
@@ -75,7 +75,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return percepts.distinct().flatMap { percept -> matcher.criticalRules(textOf(percept)).map { CriticalPercept(it, percept) } }
     }
 
-    /** What the agent perceives for [percept], or null; what holds it back is added to [holds]. */
+    /** Returns the percept that the agent perceives for [percept], or null; adds the rules that hold it back to [holds]. */
     private fun decide(matcher: PerceptMatcher, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val found = PerceptText.of(textOf(percept)) ?: return percept
         val met = matcher.rulesMetBy(found)
@@ -102,7 +102,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** A session over percepts as they came off the line, without a filter at first. */
+        /** Makes a session over percepts as they came off the line, without a filter at first. */
         fun ofTexts(): FilterSession<String> = FilterSession { it }
     }
 }

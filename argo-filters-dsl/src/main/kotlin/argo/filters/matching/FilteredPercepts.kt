@@ -4,7 +4,7 @@ import argo.filters.CriticalRule
 import java.util.Collections
 
 /**
- * What an agent perceives of one picture of its world. The lists cannot be changed.
+ * The percepts of one picture of the world that reach an agent. The lists cannot be changed.
  *
  * @property received the percepts of the picture, as they came
  * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back,

@@ -9,10 +9,10 @@ import argo.filters.PerceptionFilter.Mode
  * Decides over percepts by a filter's rules.
  *
  * Immutable; any thread may use it. Rules with a [rate][argo.filters.Rate] depend on time and on earlier percepts, which a [FilterSession]
- * records; a matcher takes each percept for the first of its kind, which no rate holds back.
+ * records; a matcher treats each percept as the first of its kind, which no rate holds back.
  */
 class PerceptMatcher internal constructor(
-    /** What the matcher was compiled from. */
+    /** The filter from which the matcher was compiled. */
     val filter: PerceptionFilter,
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
@@ -20,7 +20,7 @@ class PerceptMatcher internal constructor(
     private val drops = filter.mode == Mode.DROP
 
     /**
-     * Whether the filter drops the percept that [percept] holds from [start] to [end], as it came off the line: `dist(f,123)`.
+     * Returns true if the filter drops the percept in [percept] from [start] to [end], as it came off the line: `dist(f,123)`.
      *
      * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates
      * nothing as long as the percept has no namespace and conditions are on arguments that are plain atoms or numbers.
@@ -32,7 +32,7 @@ class PerceptMatcher internal constructor(
                 (criticalIndex == null || !isMet(criticalIndex, false, percept, functor, functorEnd, end, tail, head))
         }
 
-    /** Whether one of the rules of [index] is met; of those without a rate, if only [timeless] ones count. */
+    /** Returns true if the percept meets one of the rules of [index]; with [timeless], only rules without a rate count. */
     private fun isMet(
         index: RuleIndex, timeless: Boolean, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
     ): Boolean {
@@ -43,10 +43,10 @@ class PerceptMatcher internal constructor(
         return false
     }
 
-    /** The critical rules that the percept meets which [percept] is the text of, in the order of the filter. Never throws. */
+    /** Returns the critical rules that the percept with the text [percept] meets, in the order of the filter. Never throws. */
     fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let(::criticalRules).orEmpty()
 
-    /** Why the filter keeps or drops the percept that [percept] is the text of. */
+    /** Explains why the filter keeps or drops the percept with the text [percept]. */
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
 
@@ -55,7 +55,7 @@ class PerceptMatcher internal constructor(
         return percept.rulesIn(index).filter(percept::meets).mapNotNull { it.critical }
     }
 
-    /** Whether a percept that [met] just these rules, and no critical one, is dropped for good. */
+    /** Returns true if a percept that [met] just these rules, and no critical one, is dropped for good. */
     internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)

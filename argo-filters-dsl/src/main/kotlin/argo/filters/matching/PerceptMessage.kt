@@ -1,8 +1,8 @@
 package argo.filters.matching
 
 /**
- * The percepts of one Javino message, in their order: the pieces between the `;` that stand outside strings, quoted
- * atoms and brackets, trimmed, empty ones left out.
+ * Splits one Javino message into its percepts, in their order: the pieces between each `;` outside strings, quoted atoms and brackets,
+ * trimmed, without empty ones.
  *
  * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that it costs itself and not
  * the percepts after it.
@@ -18,13 +18,13 @@ fun perceptsOf(message: String): List<String> {
     return percepts
 }
 
-/** The pieces of [percept] between any `;`, wherever it stands: the second reading of a percept that Jason cannot read. */
+/** Splits [percept] at every `;`, also in strings and brackets: the second reading of a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
-/** Whether each bracket and each quote in [text] is closed. */
+/** Returns true if each bracket and each quote in [text] is closed. */
 internal fun isBalanced(text: String): Boolean = balancedEnd(text, 0) != null
 
-/** Where the percept that begins at [start] ends, or null if its brackets or quotes do not match. */
+/** Returns the end of the percept that begins at [start], or null if its brackets or quotes do not match. */
 private fun balancedEnd(text: String, start: Int): Int? {
     val open = ArrayDeque<Char>()
     var i = start
@@ -42,7 +42,9 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/** The index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none. */
+/**
+ * Returns the index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none.
+ */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     val quote = text[opening]
     var i = opening + 1

@@ -7,11 +7,11 @@ import argo.filters.Predicate
 import argo.filters.Syntax
 
 /**
- * A percept in its text, as rules see it.
+ * The text of a percept, cut into the parts that rules look at.
  *
  * @param functor where the functor starts
  * @param functorEnd the character after the functor
- * @param tail what follows it, see [TermBounds.tail]
+ * @param tail arity and annotations, see [TermBounds.tail]
  * @param head its namespace and negation; null: it has neither
  */
 internal class PerceptText private constructor(
@@ -33,16 +33,16 @@ internal class PerceptText private constructor(
     /** The rules of [index] that are for the percept, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Whether the percept meets the conditions of [rule], which is for it. */
+    /** Returns true if the percept meets the conditions of [rule], which is for it. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
     /** The first condition of [rule] that the percept does not meet. */
     fun failing(rule: CompiledRule): Condition = rule.failing(text, functorEnd, end, tail)
 
-    /** The number that the argument at [index] is; null if it is none, or there is none. */
+    /** Returns the number at argument [index]; null if the argument is missing or no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
 
-    /** The percept without annotations, with [number] in place of each argument that is a number: rates count percepts by it. */
+    /** Returns the percept without annotations, with [number] in place of each argument that is a number: rates count percepts by it. */
     fun key(number: String): String = (0 until arity).joinToString(",", "${predicate()}(", ")") {
         when (val value = GroundTerm.ofOrNull(part(it))) {
             null -> part(it)
@@ -61,14 +61,14 @@ internal class PerceptText private constructor(
     override fun toString(): String = text.trim()
 
     companion object {
-        /** The percept that [text] is, or null if it is none. */
+        /** Reads the percept in [text]; null if it is none. */
         fun of(text: String): PerceptText? = scan(text, 0, text.length, null) { functor, functorEnd, tail, head ->
             PerceptText(text, functor, functorEnd, tail, head)
         }
     }
 }
 
-/** Finds the percept that [text] holds from [start] to [end], and returns what [found] makes of it; [none] if there is no percept. */
+/** Finds the percept in [text] from [start] to [end] and returns the result of [found] for it; [none] if there is no percept. */
 internal inline fun <T> scan(
     text: CharSequence,
     start: Int,

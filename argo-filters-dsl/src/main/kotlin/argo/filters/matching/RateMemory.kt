@@ -4,27 +4,27 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** What is remembered of a [percept] that was let through [atMs]; [numbers] are its numeric arguments. */
+/** A [percept] that was let through at [atMs]; [numbers] are its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** Since when newer percepts have been held back; null: none have. */
+    /** The time since which newer percepts have been held back; null: none have. */
     var heldSinceMs: Long? = null
 }
 
-/** That a percept is held back by [rule] until [dueMs], and that [last] was let through in its place. */
+/** A percept is held back by [rule] until [dueMs], and [last] is perceived in its place. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * What the rates of a filter's rules remember: the percept that each let through last, for each percept up to its numbers.
+ * The memory of a filter's rates: for each rule, and for each percept up to its numbers, the percept that was let through last.
  *
- * Bounded: of a board that sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through
- * anew, and percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
+ * Bounded: if a board sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew;
+ * percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
 
     private val mode = filter?.mode
 
-    /** Whether no rule has a rate. */
+    /** True if no rule has a rate. */
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = object : LinkedHashMap<Key, LetThrough<P>>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
@@ -32,8 +32,8 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     }
 
     /**
-     * How [percept], which [met] the rules, is held back at [nowMs]; empty if it is not: it is let through or dropped for good. The first
-     * has the time until which.
+     * Returns how the rules that [percept] [met] hold it back at [nowMs], the decisive one first; empty if it is let through or dropped for
+     * good.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
@@ -63,7 +63,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
 
-    /** [ms] after [startMs], or as far in the future as the clock goes. */
+    /** Returns the time [ms] after [startMs], or the last that the clock has. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun isLong(text: PerceptText) = text.length > MAX_LENGTH
@@ -73,14 +73,14 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         arguments.any { hasMoved(last.numbers[it], text.number(it), deadband.width) }
     }
 
-    /** An argument that is no number has no deadband to stay in. */
+    /** An argument that is no number always counts as moved. */
     private fun hasMoved(last: Double?, now: Double?, width: Double) = last == null || now == null || Math.abs(now - last) >= width
 
     private fun numbers(text: PerceptText): Map<Int, Double> =
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** No value is written so: numbers of any size give one key. */
+        /** Stands for a number of any size in a key; no value is written so. */
         const val ANY_NUMBER = "#"
 
         private const val CAPACITY = 4_096

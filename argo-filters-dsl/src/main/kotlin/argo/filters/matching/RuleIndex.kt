@@ -24,7 +24,7 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         }
     }
 
-    /** The rules on the functor that stands in [text] from [start] to [end], in the order of the filter. */
+    /** Returns the rules on the functor in [text] from [start] to [end], in the order of the filter. */
     fun find(text: CharSequence, start: Int, end: Int): Array<CompiledRule> {
         var hash = 0
         for (i in start until end) hash = 31 * hash + text[i].code

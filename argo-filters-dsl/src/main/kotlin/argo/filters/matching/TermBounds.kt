@@ -3,18 +3,18 @@ package argo.filters.matching
 import argo.filters.Syntax
 
 /**
- * Where the terms of a percept begin and end in its text. Nothing here builds a term or allocates, and nothing throws, whatever the text.
+ * Finds where the terms of a percept begin and end in its text. No function here builds a term, allocates or throws, whatever the text.
  *
  * Quotes, brackets and comments are respected. Nesting beyond [MAX_DEPTH] is no percept.
  */
 internal object TermBounds {
     const val NONE = -1
 
-    /** What [tail] returns where there is no percept. */
+    /** The result of [tail] if there is no percept. */
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
-    /** The end of the functor that starts at [start] if it is a word, no reserved one, with arguments or nothing behind it; else [NONE]. */
+    /** Returns the end of the functor at [start] if it is a word, not a reserved one, followed by arguments or by nothing; else [NONE]. */
     fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end || text[start] !in 'a'..'z') return NONE
         val wordEnd = Syntax.wordEnd(text, start, end)
@@ -22,7 +22,7 @@ internal object TermBounds {
         return if (isPlain) wordEnd else NONE
     }
 
-    /** [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Behind truth values stands nothing. */
+    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. A truth value may have nothing behind it. */
     fun tailOf(text: CharSequence, start: Int, functorEnd: Int, end: Int): Long {
         if (functorEnd < 0) return NO_TAIL
         val tail = tail(text, functorEnd, end)
@@ -30,8 +30,8 @@ internal object TermBounds {
     }
 
     /**
-     * What follows a functor that ends at [functorEnd]: the arity and where the annotations open, which [arity] and [annotations] take
-     * apart, or [NO_TAIL] if the text up to [end] is no percept.
+     * Returns the arity and the start of the annotations behind a functor that ends at [functorEnd], packed for [arity] and [annotations],
+     * or [NO_TAIL] if the text up to [end] is no percept.
      */
     fun tail(text: CharSequence, functorEnd: Int, end: Int): Long {
         var arity = 0
@@ -51,17 +51,17 @@ internal object TermBounds {
 
     fun arity(tail: Long): Int = (tail shr Int.SIZE_BITS).toInt()
 
-    /** Where the bracket of the annotations opens; the end of the text if there are none. */
+    /** Returns the index of the bracket that opens the annotations; the end of the text if there are none. */
     fun annotations(tail: Long): Int = tail.toInt()
 
-    /** Where the argument at [index], which there is, starts after blanks, given that the functor ends at [functorEnd]. */
+    /** Returns the start, after blanks, of the argument at [index], which must exist, behind a functor that ends at [functorEnd]. */
     fun argument(text: CharSequence, functorEnd: Int, end: Int, index: Int): Int {
         var start = Syntax.skipBlanks(text, Syntax.skipBlanks(text, functorEnd, end) + 1, end)
         repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
         return start
     }
 
-    /** The comma or [close] that ends the part which starts at [start], or [NONE] if there is none or the part is empty. */
+    /** Returns the index of the comma or [close] that ends the part at [start], or [NONE] if there is none or the part is empty. */
     fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {
         var i = start
         while (i in 0 until end) {
@@ -82,7 +82,7 @@ internal object TermBounds {
         return Syntax.skipBlanks(text, i + 1, end)
     }
 
-    /** The position after the character, string, comment or bracketed group at [i], or [NONE]. */
+    /** Returns the position after the character, string, comment or bracketed group at [i], or [NONE]. */
     private fun next(text: CharSequence, i: Int, end: Int, depth: Int): Int = when (text[i]) {
         '(' -> groupEnd(text, i + 1, end, ')', depth + 1)
         '[' -> groupEnd(text, i + 1, end, ']', depth + 1)

@@ -14,7 +14,7 @@ import io.kotest.matchers.string.shouldContain
 import org.jetbrains.kotlin.cli.common.ExitCode
 import java.io.File
 
-/** The page on filters shows nothing that does not work. */
+/** Every example on the page on filters works. */
 class FilterDocumentationSpec : StringSpec({
     val page = generateSequence(File("").absoluteFile) { it.parentFile }
         .map { it.resolve("docs/filters.md") }.first { it.exists() }.readText()
@@ -37,7 +37,7 @@ class FilterDocumentationSpec : StringSpec({
     }
 
     "its Kotlin compiles".config(tags = thorough) {
-        // one file of all blocks, the imports that they show before what needs them
+        // one file of all blocks, with the imports that they show in front
         val (imports, code) = blocks("kotlin").flatMap { it.lines() }.partition { it.startsWith("import ") }
         val compilation = Compilation(tempdir(), emptyList(), (imports.distinct() + code).joinToString("\n"))
         withClue(compilation) { compilation.exit shouldBe ExitCode.OK }

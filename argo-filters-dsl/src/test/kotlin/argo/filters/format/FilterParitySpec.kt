@@ -30,7 +30,7 @@ import jason.asSyntax.ASSyntax
 /** Brings a filter into one form and back. */
 private typealias Form = (PerceptionFilter) -> PerceptionFilter
 
-/** What every form of filters must do alike; [form] is what a form makes of a filter that is written in it. */
+/** The behaviour that every form of filters shares; [form] writes a filter in one form and reads it back. */
 private fun parity(form: Form) = stringSpec {
     "a filter comes back equal" { checkAll(1_000, filters) { form(it) shouldBe it } }
 

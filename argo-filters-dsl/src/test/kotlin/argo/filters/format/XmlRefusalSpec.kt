@@ -10,7 +10,7 @@ import io.kotest.matchers.string.shouldContain
 
 private fun problems(document: String) = shouldThrow<FilterException> { XmlFilters.read(document, "f.xml") }.problems
 
-/** A refusal: the [text] of a rule, of which the part after `¦` is what the problem is about, and words of the message. */
+/** A refusal: the [text] of a rule, in which `¦` marks the beginning of the faulty part, and words of the message. */
 private data class Refusal(val text: String, val words: String)
 
 /** A refusal of the [elements] that follow the predicate in a rule. */
@@ -194,6 +194,6 @@ class XmlRefusalSpec : FreeSpec({
     "unknown elements nested without end do not use up the stack" {
         val depth = 20_000
         val found = problems("<PerceptionFilter>" + "<x>".repeat(depth) + "</x>".repeat(depth) + "</PerceptionFilter>")
-        found.first().message shouldContain "the element <x> in <PerceptionFilter>" // newer parsers report their limit besides
+        found.first().message shouldContain "the element <x> in <PerceptionFilter>" // newer parsers also report their limit
     }
 })

@@ -23,7 +23,7 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Structure
 import jason.asSyntax.Term
 
-/** Everything that can be asked of a term: its class, text, hash code, place in the source, and the same of its parts. */
+/** Describes a term by its class, text, hash code and place in the source, and its parts likewise. */
 private fun anatomy(term: Term): String = buildString {
     append(term.javaClass.name).append('«').append(term).append('»').append(term.hashCode())
     append('@').append(term.srcInfo?.let { "${it.srcFile}:${it.beginSrcLine}-${it.endSrcLine}" })

@@ -22,7 +22,7 @@ private fun drop(rules: DropRules.() -> Unit) = dropFilter("f", rules = rules)
 
 private fun keep(rules: KeepRules.() -> Unit) = keepFilter("f", rules = rules)
 
-/** Filters with a part that has no effect, and what is said of each. */
+/** Filters with a part that has no effect, and the warnings on each. */
 private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
     drop {} to listOf("the filter has no rules, so it keeps every percept"),
     keep {} to listOf("the filter has no rules, so it drops every percept"),
@@ -98,7 +98,7 @@ private val WITH_EFFECT = listOf(
 
 private val USELESS_RULE = Regex("^rule (\\d+) .*(matches no percept|has no effect)", RegexOption.DOT_MATCHES_ALL)
 
-/** Each filter as it is, and as it comes back of the other forms. */
+/** Each filter as it is, and as it comes back from the other forms. */
 private fun forms(filter: PerceptionFilter) = listOf(
     filter, XmlFilters.read(XmlFilters.write(filter), "f.xml"), JsonFilters.read(JsonFilters.write(filter), "f.json"),
 )

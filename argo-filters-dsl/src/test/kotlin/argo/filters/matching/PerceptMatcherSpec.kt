@@ -15,7 +15,7 @@ import io.kotest.core.spec.style.FreeSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
 
-/** What a rule with [conditions] on `d` drops and keeps, as text and as literals. */
+/** The percepts that a rule with [conditions] on `d` drops and keeps, as text and as literals. */
 private data class Case(val conditions: String, val drops: List<String>, val keeps: List<String>)
 
 private fun parameter(operator: String, value: String, id: Int = 0) =

@@ -1,6 +1,7 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
+import argo.observing.CommandFailure
 import argo.recording.CallFailure
 import argo.recording.End
 import jason.JasonException
@@ -44,6 +45,12 @@ internal fun complete(action: ActionExec, end: End) {
 /** How [action] ended. */
 internal fun failureOf(action: ActionExec): CallFailure? =
     if (action.result) null else CallFailure(action.failureReason?.let(Literal::toString).orEmpty(), action.failureMsg.orEmpty())
+
+/** A failure as it was recorded. */
+internal class RecordedFailure(failure: CallFailure) : CommandFailure {
+    override val error = failure.error
+    override val cause = failure.message
+}
 
 /** An action whose outcome goes to [ended], and not into Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {

@@ -1,12 +1,8 @@
 package argo.recording.agent
 
-import jason.asSemantics.Agent
-import jason.asSemantics.ConcurrentInternalAction
-import jason.asSemantics.Intention
+import argo.insides.Insides
 import jason.asSemantics.Message
 import jason.asSyntax.Plan
-import jason.asSyntax.UnnamedVar
-import jason.stdlib.at
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
@@ -15,18 +11,12 @@ import java.util.concurrent.atomic.AtomicInteger
  * are in names, and so in the order of Jason's maps.
  */
 internal object Counters {
-    private val all: List<AtomicInteger> = listOf(
-        UnnamedVar::class.java to "varCont",
-        Intention::class.java to "idCount",
-        Message::class.java to "idCount",
-        ConcurrentInternalAction::class.java to "actcount",
-        at::class.java to "idCount",
-        Agent::class.java.getMethod("getPL").returnType to "lastPlanLabel",
-    ).mapNotNull { (type, name) -> counter(type, name) }
-
-    private val ofIntentions = all.indexOf(counter(Intention::class.java, "idCount"))
-    private val ofLabels = counter(Agent::class.java.getMethod("getPL").returnType, "lastPlanLabel")
-    private val ofMessages = all.indexOf(counter(Message::class.java, "idCount"))
+    private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
+        .filter { it.isThere } // in another version of Jason numbers differ, and nothing else
+    private val all: List<AtomicInteger> = known.map { it[null] }
+    private val ofIntentions = known.indexOf(Insides.intentionCounter)
+    private val ofLabels = known.indexOf(Insides.planCounter)
+    private val ofMessages = known.indexOf(Insides.messageCounter)
 
     /**
      * Where they stood before this agent's own draws in a cycle that began when they stood at [start]: other agents may have drawn
@@ -67,17 +57,11 @@ internal object Counters {
 
     /** The next plan that Jason names has the number [label]. */
     fun nameFrom(label: Int) {
-        ofLabels?.set(label - 1)
+        all.getOrNull(ofLabels)?.set(label - 1)
     }
 
     /** Sets them to what [read] returned in another program. */
     fun write(values: List<Int>) = all.zip(values).forEach { (counter, value) -> counter.set(value) }
 
     private val LABEL = Regex("""p__(\d{1,9})""")
-
-    private fun counter(type: Class<*>, name: String): AtomicInteger? = try {
-        type.getDeclaredField(name).apply { isAccessible = true }.get(null) as? AtomicInteger
-    } catch (_: ReflectiveOperationException) {
-        null // another version of Jason: numbers differ then, and nothing else
-    }
 }

@@ -57,9 +57,6 @@ internal object JasonCode {
         Nature.INPUT to "Random time",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$FUNCTIONS$it" to nature } }.toMap()
 
-    /** The classes of Jason's actions that a replay does not carry out, and a recording notes. */
-    val recordedActions: Set<String> = actions.filterValues(::isRecorded).keys
-
     /** The nature of the class called [type]; null: it is not known. */
     fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
 

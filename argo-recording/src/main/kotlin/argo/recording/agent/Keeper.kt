@@ -1,5 +1,6 @@
 package argo.recording.agent
 
+import argo.insides.Insides
 import jason.asSemantics.TransitionSystem
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
@@ -25,7 +26,7 @@ internal interface Keeper {
         /** A cycle of the agent of [ts] begins. If it perceives nothing in it, [keeper] is the current one at once. */
         fun begin(keeper: Keeper, ts: TransitionSystem) {
             val every = ts.settings.nrcbp()
-            if (every > 1 && Insides.cyclesUnperceived.getInt(ts) < every) current = keeper
+            if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
         /** Does [work] as the agent of [keeper] does it, whose cycle has not begun yet. */
@@ -54,9 +55,8 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
     companion object {
         /** Puts it in the place of the queue of [ts]; what waits there stays. */
         fun insertInto(ts: TransitionSystem, keeper: Keeper) {
-            val field = TransitionSystem::class.java.getDeclaredField("taskForBeginOfCycle").apply { isAccessible = true }
-            val waiting = (field.get(ts) as Collection<*>).filterIsInstance<RunnableSerializable>()
-            field.set(ts, KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) })
+            val waiting = Insides.tasks[ts].toList()
+            Insides.tasks[ts] = KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) }
         }
     }
 }

@@ -1,5 +1,6 @@
 package argo.recording.agent
 
+import argo.insides.Insides
 import jason.asSemantics.Agent
 import jason.asSyntax.Pred
 import jason.asSyntax.StringTerm
@@ -50,10 +51,7 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
         fun install() {
             val below = DirectiveProcessor.getDirective(NAME) as Include
             if (below is KeptInclude) return
-            @Suppress("UNCHECKED_CAST")
-            val all = DirectiveProcessor::class.java.getDeclaredField("singletons").apply { isAccessible = true }.get(null)
-                as MutableMap<String, Any>
-            all[NAME] = KeptInclude(below)
+            Insides.directives[null][NAME] = KeptInclude(below)
         }
 
         /** Where Jason looks for included files. */

@@ -1,6 +1,7 @@
 package argo.recording.agent
 
 import argo.boundary.InternalCall
+import argo.insides.Insides
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction
@@ -19,7 +20,6 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import jason.asSyntax.VarTerm
 import jason.stdlib.random
-import java.io.Serializable
 import java.util.Collections
 import java.util.IdentityHashMap
 
@@ -66,20 +66,36 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
  * so the program's own terms are changed.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private val seen: MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
+    private var seen = identities() // by the visit that is under way
     private val actions = HashMap<String, InternalAction>()
     private var plans: List<Plan> = emptyList() // those that have been visited
     private var isStale = false
-    private val functionOf = ArithFunctionTerm::class.java.getDeclaredField("function").apply { isAccessible = true }
+    private var unknown: UnknownCodeException? = null // what it has looked up since
 
     /** The agent whose code it is. */
     val agent: Agent get() = ts.ag
 
-    /** Watches all plans and rules that the agent has now, and actions that it looks up later. */
+    /** Watches all plans and rules that the agent has now, and what it looks up later. */
     fun begin() {
         visitAll()
         ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments are evaluated later
-        (JasonCode.recordedActions - RANDOM).forEach { type -> ts.ag.setIA(type, watched(type, ts.ag.getIA(type))) }
+        WatchedActions.install(ts.ag, ::found)
+        WatchedFunctions.install()
+    }
+
+    /** The agent has looked [action] up, which the program calls [name]: as its program has it, or a term that it has made of a text. */
+    private fun found(name: String, action: InternalAction): InternalAction {
+        if (JasonCode.isUnknown(action)) unknown = UnknownCodeException(JasonCode.nameOf(action))
+        return watched(name, action)
+    }
+
+    /** Watches what the agent gets in a message: the sender may have looked its code up. */
+    fun received(content: Any?) = try {
+        visit(content)
+    } catch (refused: UnknownCodeException) {
+        unknown = refused
+    } finally {
+        seen.clear()
     }
 
     /** The agent includes a file: Jason looks the actions of all its plans up anew, also where the file has beliefs and rules only. */
@@ -92,17 +108,17 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
      * @throws UnknownCodeException if it has code that cannot be watched
      */
     fun watchAdded() {
+        unknown?.let { throw it }
         val now = Plans.of(ts.ag).all
         val isSame = now.size == plans.size && now.lastOrNull() === plans.lastOrNull() && now.firstOrNull() === plans.firstOrNull()
-        if (isSame && !isStale) return
-        seen.clear()
-        visitAll()
+        if (!isSame || isStale) visitAll()
     }
 
     private fun visitAll() {
         plans = Plans.of(ts.ag).all.toList()
         plans.forEach(::visit)
         ts.ag.bb.forEach { visit(it as Any) } // a belief may hold code, which a plan takes out of it
+        seen = identities()
         isStale = false
     }
 
@@ -147,7 +163,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
                 visit(term.bodyNext as Any?)
             }
             is InternalActionLiteral -> actionOf(term)?.let { term.setIA(watched(term.functor, it.also(::requireKnown))) }
-            is ArithFunctionTerm -> (functionOf.get(term) as? ArithFunction)?.let { functionOf.set(term, watched(it.also(::requireKnown))) }
+            is ArithFunctionTerm -> function[term]?.let { function[term] = watched(it.also(::requireKnown)) }
         }
         if (term is ListTerm) term.asList.forEach { visit(it as Any?) }
         else if (term is Structure) term.terms?.forEach { visit(it as Any?) }
@@ -170,62 +186,38 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     private fun requireKnown(code: Any) {
-        val own = if (code is WatchedAction) code.action else if (code is WatchedFunction) code.function else code
+        val own = if (code is Watched) code.code else code
         if (JasonCode.isUnknown(own)) throw UnknownCodeException(JasonCode.nameOf(own))
-    }
-
-    /** Written as the action that it watches: a program may write its plans. */
-    private class WatchedAction(val name: String, val action: InternalAction, private val watch: CallWatch) :
-        InternalAction by action, Serializable {
-        private val isOfProject = !JasonCode.isOwn(action.javaClass)
-
-        private fun writeReplace(): Any = action
-
-        override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-            current(watch).call(InternalCall(name, args, un), kind()) { action.execute(ts, it, args) }
-
-        private fun kind() = when {
-            !isOfProject -> WatchedKind.OUTSIDE
-            action.suspendIntention() -> WatchedKind.SUSPENDING
-            else -> WatchedKind.PROJECT
-        }
-    }
-
-    private class WatchedFunction(val function: ArithFunction, private val watch: CallWatch) :
-        ArithFunction by function, Serializable {
-        private val isOfProject = !JasonCode.isOwn(function.javaClass)
-
-        private fun writeReplace(): Any = function
-
-        override fun evaluate(ts: TransitionSystem?, args: Array<Term>): Double =
-            current(watch).evaluate(function.name, args, isOfProject) { function.evaluate(ts, args) }
     }
 
     companion object {
         private const val MAX_ARITY = 9
+        private val function = Insides.functionOfTerm
 
-        /** `.set_random_seed` wants Jason's own object; that of the program's terms is watched. */
-        private val RANDOM = random::class.java.name
+        private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
         /** [action], which the program calls [name]; if it is to be watched [watch] is asked about its calls. */
-        fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction =
-            if (isPlain(action)) WatchedAction(calledName(name, action), action, watch) else action
+        fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
+            !isPlain(action) -> action
+            action is random -> WatchedRandom(action, WatchedAction(calledName(name, action), action, watch))
+            else -> WatchedAction(calledName(name, action), action, watch)
+        }
 
         /** [function]; if it is to be watched [watch] is asked about it. */
-        fun watched(function: ArithFunction, watch: CallWatch): ArithFunction =
-            if (isPlain(function)) WatchedFunction(function, watch) else function
+        fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
+            function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
+            isPlain(function) -> WatchedFunction(function, watch)
+            else -> function
+        }
 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
         /** Whether [code] is to be watched and is not yet. What is not known is, too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
-            code is WatchedAction || code is WatchedFunction -> false
+            code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true
             else -> JasonCode.natureOf(code.javaClass.name)?.let(JasonCode::isRecorded) ?: JasonCode.isUnknown(code)
         }
-
-        /** Who watches the agent that calls: a plan that one agent tells another comes with the code of the first. */
-        private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
     }
 }

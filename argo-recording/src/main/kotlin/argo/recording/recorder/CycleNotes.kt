@@ -14,6 +14,7 @@ import jason.asSyntax.Literal
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
+    var eventPlaces: Map<Int, Int> = emptyMap()
     val snapshots = ArrayList<PerceivedSnapshot>()
     var percepts: PerceptNote? = null
     var isOfSeveralBoards = false
@@ -45,7 +46,7 @@ internal class CycleNotes(val ns: Long) {
     /** What has entered it, once the cycle is over. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
-        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces,
     )
 }
 

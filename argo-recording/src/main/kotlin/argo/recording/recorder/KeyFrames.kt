@@ -1,14 +1,15 @@
 package argo.recording.recorder
 
+import argo.insides.Insides
+import argo.insides.WaitEvents
 import argo.platform.Plans
 import argo.recording.FilterChange
 import argo.recording.KeyFrame
 import argo.recording.agent.CourseWatch
-import argo.recording.agent.Insides
 import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
-import argo.recording.agent.Waits
+import argo.recording.agent.describe
 import argo.recording.agent.bytesOf
 import argo.recording.agent.literalText
 import jason.asSemantics.CircumstanceListener
@@ -32,11 +33,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
 
     private val program = ProgramParts(ts.ag)
-    private val isKnown = try {
-        Waits.isThere
-    } catch (_: LinkageError) {
-        false // another version of Jason
-    }
+    private val isKnown = WaitEvents.isThere
     private val timers = HashMap<Int, Timer>()
     private val filters = LinkedHashMap<String?, FilterChange>()
     private var mostPercepts = 0
@@ -46,8 +43,8 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     /** The agent has begun a timer with [number], for [delayNs] from [ns] on. */
     fun timer(number: Int, ns: Long, delayNs: Long) {
         val wait = ts.c.listeners.lastOrNull() ?: return // a .wait has just been added when it begins its timer
-        if (!isKnown || !Waits.isWait(wait) || timers.values.any { it.wait === wait }) return
-        if (Waits.timeoutOf(wait) == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
+        if (!isKnown || !WaitEvents.isWait(wait) || timers.values.any { it.wait === wait }) return
+        if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
     /** What had [number] has ended. */
@@ -101,14 +98,14 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             c.hasMsg() -> "messages waited in its mailbox"
             c.hasPendingAction() || c.feedbackActions.isNotEmpty() -> "an action of the environment was under way"
             c.action != null -> "an action of the environment had begun"
-            (Insides.tasks.get(ts) as Collection<*>).isNotEmpty() -> "work for the next cycle waited"
+            Insides.tasks[ts].isNotEmpty() -> "work for the next cycle waited"
             else -> waitingIntention(open) ?: (open - timers.keys).firstOrNull()?.let { "a call or timer, its number $it, was under way" }
         }
     }
 
     /** What an intention waits for that cannot be described; null: none does so. */
     private fun waitingIntention(open: Set<Int>): String? {
-        val waiting = ts.c.listeners.filter(Waits::isWait).mapTo(HashSet()) { Waits.intentionOf(it) }
+        val waiting = ts.c.listeners.filter(WaitEvents::isWait).mapTo(HashSet()) { WaitEvents.intention[it] }
         return ts.c.pendingIntentions.entries.firstNotNullOfOrNull { (key, intention) ->
             val isKnown = intention in waiting || key.startsWith(suspend.SUSPENDED_INT) || isAsk(intention) && open.all(timers::containsKey)
             if (isKnown) null else "the intention ${described(intention)} was waiting"
@@ -147,24 +144,24 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         val frame = KeyFrame(
             cycle.index, cycle.number, cycle.ns, null, emptyList(), rules, percepts, maxOf(mostPercepts, percepts.size), emptyList(),
             filters.values.toList(), begun, timers.mapValues { it.value.dueNs }, course.intentions,
-            Insides.cyclesUnperceived.getInt(ts), Insides.isAsleep.getBoolean(ts), program.size,
+            Insides.cyclesUnperceived[ts], Insides.isAsleep[ts], program.size,
         )
         return KeyFrameNote(frame, beliefs, perceived, mind)
     }
 
     private fun mind(): Mind {
         val c = ts.c
-        val listening = c.listeners.filter(Waits::isWait)
+        val listening = c.listeners.filter(WaitEvents::isWait)
         val numbers = timers.entries.associateTo(IdentityHashMap()) { (number, timer) -> timer.wait to number }
-        val waits = listening.map { Waits.describe(it, numbers[it], true) } +
+        val waits = listening.map { describe(it, numbers[it], true) } +
             timers.filterValues { timer -> listening.none { it === timer.wait } }.map { (number, timer) ->
-                Waits.describe(timer.wait, number, false)
+                describe(timer.wait, number, false)
             }
         val intentions = c.allIntentions.asSequence().filter { course.numberOf(it) != null }.distinct().toList()
         return Mind(
-            ArrayList(c.events), c.atomicEvent, ArrayList(c.runningIntentions), Insides.atomicIntention.get(c) as Intention?,
-            Insides.isAtomicSuspended.getBoolean(c), LinkedHashMap(c.pendingIntentions), LinkedHashMap(c.pendingEvents),
-            Insides.goalConditions.getInt(c), c.selectedEvent, c.selectedOption?.plan, c.selectedIntention, ArrayList(waits),
+            ArrayList(c.events), c.atomicEvent, ArrayList(c.runningIntentions), Insides.atomicIntention[c],
+            Insides.isAtomicSuspended[c], LinkedHashMap(c.pendingIntentions), LinkedHashMap(c.pendingEvents),
+            Insides.goalConditions[c], c.selectedEvent, c.selectedOption?.plan, c.selectedIntention, ArrayList(waits),
             ArrayList(intentions), intentions.mapTo(ArrayList()) { course.numberOf(it) ?: 0 },
             if (program.hasPlans()) null else ArrayList(Plans.of(ts.ag).all),
         )

@@ -26,6 +26,7 @@ import argo.recording.agent.Includes
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
 import argo.recording.agent.KeptInclude
+import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.WatchedKind
@@ -41,6 +42,7 @@ import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Agent
+import jason.asSemantics.Event
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
@@ -82,25 +84,25 @@ internal class Recorder(
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        var events = -1
+        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
         var beliefs = -1
         var cycles = 0L
+        var number = 0 // Jason's, of the cycle that runs
         var overlap = 0L
         lateinit var now: CycleNotes // of the cycle that runs
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
-        leaveCycle()
         val agent = running ?: begin(ts) ?: return
+        if (inCycle != null) endOpenCycle(agent)
         if (isRefused || !isKnown(agent)) return carryOutEnds(agent)
         agent.now = CycleNotes(this.agent.nanos())
+        agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
-        if (agent.events >= 0 && ts.c.events.size > agent.events) {
-            agent.now.events = ts.c.events.drop(agent.events).map { triggerText(it.trigger) }
-        }
+        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.course.begin()
@@ -108,13 +110,20 @@ internal class Recorder(
         Keeper.begin(this, ts)
     }
 
-    /** Jason did not finish the cycle that was begun: it ends here. */
-    private fun leaveCycle() {
-        if (inCycle == null) return
-        inCycle = null
-        Keeper.current = null
-        KeptInclude.current = null
-        running?.let { Overlaps.end(it.overlap) }
+    private fun noteEvents(now: CycleNotes, events: List<Event>, ts: TransitionSystem) {
+        if (events.isEmpty()) return
+        val queue = ts.c.events.toList()
+        now.events = events.map { triggerText(it.trigger) }
+        now.eventPlaces = events.indices.associateWith { number -> queue.indexOfFirst { it === events[number] } }
+            .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
+    }
+
+    /** An error ended the cycle that was begun, and what else came of it is not known: with it ends the recording of the agent. */
+    private fun endOpenCycle(agent: Running) {
+        finishCycle(agent, isEnding = true)
+        log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
+        isRefused = true
+        track.close()
     }
 
     /** Whether all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
@@ -184,7 +193,12 @@ internal class Recorder(
         val agent = current() ?: return live()
         val before = agent.ts.c.mailBox.size
         live()
-        if (agent.ts.c.mailBox.size > before) agent.ts.c.mailBox.drop(before).mapTo(agent.now.mail) { mailOf(it) }
+        if (agent.ts.c.mailBox.size > before) {
+            for (message in agent.ts.c.mailBox.drop(before)) {
+                agent.now.mail += mailOf(message)
+                agent.code.received(message.propCont)
+            }
+        }
         Keeper.current = this
     }
 
@@ -283,13 +297,16 @@ internal class Recorder(
     }
 
     override fun cycleFinished() {
-        val agent = current() ?: return
+        current()?.let { finishCycle(it, isEnding = !it.ts.agArch.isRunning) }
+    }
+
+    private fun finishCycle(agent: Running, isEnding: Boolean) {
         inCycle = null
         Keeper.current = null
         KeptInclude.current = null
         val course = agent.course.end()
         val now = agent.now
-        agent.events = agent.ts.c.events.size
+        agent.ts.c.selectedEvent?.takeIf(agent.events::take)?.let { now.events += triggerText(it.trigger) }
         agent.beliefs = agent.ts.ag.bb.size()
         val isAlone = Overlaps.end(agent.overlap)
         if (!isAlone) noteCounters(agent, course.firstMessage)
@@ -297,10 +314,9 @@ internal class Recorder(
         agent.counters = whereLeft(agent, isAlone, isRecorded)
         if (!isRecorded) return
         now.end()
-        val arch = agent.ts.agArch
-        val cycle = CycleNote(++agent.cycles, arch.cycleNumber, now, course, !arch.isRunning, agent.course.missesPrints)
+        val cycle = CycleNote(++agent.cycles, agent.number, now, course, isEnding, agent.course.missesPrints)
         track.cycle(cycle)
-        takeKeyFrame(agent, cycle)
+        if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
     /** Where a replay has the counters behind this cycle; empty: it will be told before the next one. */
@@ -321,6 +337,7 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
+        if (!agent.events.isEmpty()) return // one that waits is of the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // the next cycle has them, for who begins here
@@ -372,6 +389,7 @@ internal class Recorder(
     }
 
     override fun close() {
+        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // the error ended the agent's thread, too
         running?.course?.close()
         track.close()
     }
@@ -383,12 +401,6 @@ internal class Recorder(
         const val THREAD = "thread"
         const val EVERYBODY = "everybody"
     }
-}
-
-/** A failure as it was recorded. */
-internal class RecordedFailure(failure: CallFailure) : CommandFailure {
-    override val error = failure.error
-    override val cause = failure.message
 }
 
 /** How [now] differs from [before]. */

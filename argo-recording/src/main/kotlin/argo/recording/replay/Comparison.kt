@@ -21,9 +21,13 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
         ?: differing("number of beliefs") { beliefs }
 }
 
-/** What came of a cycle in a replay, without what the recording of [cycle] does not have as its agent or Java was ending. */
-internal fun Course.asFarAs(cycle: Cycle): Course = when {
+/**
+ * What came of a cycle in a replay, without what the recording of [cycle] does not have as its agent or Java was ending, and with what the
+ * project's own actions printed, unless [isChecking] has them carried out.
+ */
+internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
+    !isChecking && cycle.input.calls.any { it.isOfProject } && isWithin(printed, cycle.course.printed) -> copy(printed = cycle.course.printed)
     cycle.missesPrints -> copy(printed = printed.take(cycle.course.printed.size))
     else -> this
 }
@@ -37,6 +41,10 @@ private fun Course.asFarAs(recorded: Course) = copy(
     printed = printed.take(recorded.printed.size),
     beliefs = recorded.beliefs,
 )
+
+/** Whether [all] lines have these [lines] in their order. */
+private fun isWithin(lines: List<String>, all: List<String>): Boolean =
+    all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 
 private fun described(place: Place) = normal("@${place.label} (${place.file}:${place.line})")
 

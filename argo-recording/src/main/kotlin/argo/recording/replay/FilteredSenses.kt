@@ -26,14 +26,14 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         recorded = percepts
     }
 
-    override fun perceive(cycle: Cycle?, ns: Long): List<Literal>? {
+    override fun perceive(cycle: Cycle): List<Literal>? {
         newlyCritical = emptyList()
-        val input = cycle?.input
-        val ms = TimeUnit.NANOSECONDS.toMillis(ns)
-        input?.snapshots?.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
+        val input = cycle.input
+        val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
+        input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
         val isDue = boards.values.map { it.takeDue(ms) }.any { it } // all of them
-        input?.percepts?.let { recorded = it.appliedTo(recorded) }
-        if (input?.percepts == null && !isDue) return null
+        input.percepts?.let { recorded = it.appliedTo(recorded) }
+        if (input.percepts == null && !isDue) return null
         noteCritical()
         val before = boards.values.flatMapTo(HashSet()) { it.before }
         return boards.values.flatMap { it.now?.percepts.orEmpty() } + recorded.filterNot { literalText(it) in before }

@@ -33,8 +33,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 
     override fun getIA(name: String): InternalAction {
         requireCode(if (name.startsWith('.')) "jason.stdlib$name" else name)
-        val action = super.getIA(name)
-        return if (name == RANDOM) action else WatchedCode.watched(name, action, watch)
+        return WatchedCode.watched(name, super.getIA(name), watch)
     }
 
     override fun getFunction(name: String, arity: Int): ArithFunction? =
@@ -50,9 +49,6 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     }
 
     companion object {
-        /** As `.set_random_seed` asks for it, which wants Jason's own object; it touches nothing. */
-        private const val RANDOM = ".random"
-
         /**
          * Refuses the class [name] if it is something else than an internal action or a function; where there is none, Jason says so.
          * @throws RecordingException if it is

@@ -2,10 +2,10 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.insides.Insides
 import argo.platform.Platform
 import argo.recording.RecordedAgent
 import argo.recording.agent.Counters
-import argo.recording.agent.Insides
 import argo.recording.agent.KeptInclude
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
@@ -28,12 +28,19 @@ import java.nio.file.Path
  *
  * @param source its program
  * @param includes what it includes
+ * @param isCarryingOut whether an architecture of the project's is made, which may do anything
  * @throws RecordingException if a class of it is missing, or is none that a replay makes, or Jason cannot read it
  */
-internal fun jasonAgent(recorded: RecordedAgent, source: Path, includes: RecordedIncludes, boundary: Boundary): TransitionSystem {
+internal fun jasonAgent(
+    recorded: RecordedAgent,
+    source: Path,
+    includes: RecordedIncludes,
+    boundary: Boundary,
+    isCarryingOut: Boolean = !includes.isOfRecordedProgram,
+): TransitionSystem {
     requireJasons(recorded, recorded.agentClass, Agent::class.java.name)
     requireJasons(recorded, recorded.beliefBase, DefaultBeliefBase::class.java.name)
-    val archType = archType(recorded)
+    val archType = archType(recorded, isCarryingOut)
     val settings = Settings().apply { setOptions(HashMap<String, Any>(recorded.options.filterKeys(::isOfAgent))) }
     val infra = Infra(recorded)
     val address = recorded.address.takeIf { includes.isOfRecordedProgram }
@@ -84,8 +91,8 @@ internal fun TransitionSystem.rest(cycles: Int) {
     c.resetDeliberate()
     c.resetAct()
     repeat(cycles) {
-        val unperceived = Insides.cyclesUnperceived.getInt(this)
-        Insides.cyclesUnperceived.setInt(this, if (unperceived >= settings.nrcbp()) 1 else unperceived + 1)
+        val unperceived = Insides.cyclesUnperceived[this]
+        Insides.cyclesUnperceived[this] = if (unperceived >= settings.nrcbp()) 1 else unperceived + 1
         if (settings.nrcbp() <= 1) return
     }
 }
@@ -142,13 +149,20 @@ private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String)
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes $jasons only")
 }
 
-private fun archType(recorded: RecordedAgent): Class<out Arch> {
-    val type = classOrNull(recorded.archClass) ?: throw RecordingException(
-        "agent ${recorded.name} needs the class ${recorded.archClass}, which is not on the class path; " +
-            "add the classes and jars of its project to it",
+private fun archType(recorded: RecordedAgent, isCarryingOut: Boolean): Class<out Arch> {
+    val name = recorded.archClass
+    if (name == Arch::class.java.name) return Arch::class.java
+    if (!isCarryingOut) {
+        throw RecordingException(
+            "agent ${recorded.name} had the architecture $name; a class of the project may do anything, so only replay --check makes it, " +
+                "and replay --agent with a program of yours",
+        )
+    }
+    val type = classOrNull(name) ?: throw RecordingException(
+        "agent ${recorded.name} needs the class $name, which is not on the class path; add the classes and jars of its project to it",
     )
     if (Arch::class.java.isAssignableFrom(type)) return type.asSubclass(Arch::class.java)
-    throw RecordingException("agent ${recorded.name} had the architecture ${recorded.archClass}, which is not argo.Arch")
+    throw RecordingException("agent ${recorded.name} had the architecture $name, which is not argo.Arch")
 }
 
 /** The class [type], which is not initialized here; null: it is not on the class path. */

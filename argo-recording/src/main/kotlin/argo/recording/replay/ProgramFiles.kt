@@ -8,7 +8,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
- * The programs in [recording] as files, in a [directory] that [close] removes.
+ * The programs in [recording] as files, in a [directory] that [close] removes, or the end of Java, as by Ctrl-C.
  *
  * @throws RecordingException if one of them would stand elsewhere, or names a class that is no code of an agent
  */
@@ -16,7 +16,10 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     /** Where the programs stand. */
     private val directory: Path = createTempDirectory("argo-replay")
 
+    private val removal = Thread { directory.toFile().deleteRecursively() }
+
     init {
+        Runtime.getRuntime().addShutdownHook(removal)
         runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
     }
 
@@ -44,6 +47,11 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     }
 
     override fun close() {
-        directory.toFile().deleteRecursively()
+        removal.run()
+        try {
+            Runtime.getRuntime().removeShutdownHook(removal)
+        } catch (_: IllegalStateException) {
+            // Java is ending
+        }
     }
 }

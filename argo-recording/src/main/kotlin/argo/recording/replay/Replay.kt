@@ -10,13 +10,14 @@ import argo.recording.agent.shownBeliefs
  *
  * A replay changes nothing outside of it: of the project's own internal actions and functions what was recorded is used, and they are not
  * carried out, unless [isChecking]: then each is, and where it gives another result that is a difference too, and the recorded one is used.
+ * An architecture of the project's in the place of `argo.Arch` is refused, unless [isChecking].
  *
  * An agent whose beginning is missing begins at its first key frame, see [Recording.start]: each for itself, since the messages that came
  * to it afterwards are recorded with it, whenever they were sent.
  *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
- * @param isChecking whether the project's own internal actions and functions are carried out again
+ * @param isChecking whether the project's own code is carried out again
  * @throws RecordingException if the recording cannot be replayed
  */
 class Replay(private val recording: Recording, private val isChecking: Boolean = false) : AutoCloseable {
@@ -56,8 +57,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     }
 
     private fun create() = try {
-        val inputsOf = { found: DifferenceSink -> ReplayedInputs(found, isChecking) }
-        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, inputsOf) }
+        recording.agents.values.associate { it.name to ReplayedAgent(recording, it, programs, ::found, isChecking) }
     } catch (failed: Throwable) {
         programs.close()
         throw refusalOf(failed)

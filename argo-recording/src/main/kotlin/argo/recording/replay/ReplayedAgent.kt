@@ -13,20 +13,21 @@ import jason.asSemantics.TransitionSystem
  *
  * @param programs where its program stands, whose code has been checked
  * @param found takes what differs from the recording
- * @param inputsOf makes what gives it the recorded inputs
- * @param boundaryOf what stands around these inputs: themselves, or who watches
+ * @param isChecking whether code of the project is carried out
+ * @param boundaryOf what stands around its inputs: themselves, or who watches
  */
 internal class ReplayedAgent(
     private val recording: Recording,
     val recorded: RecordedAgent,
     programs: ProgramFiles,
     private val found: (cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) -> Unit = { _, _, _, _, _ -> },
-    inputsOf: (DifferenceSink) -> ReplayedInputs = ::ReplayedInputs,
-    boundaryOf: (ReplayedInputs) -> Boundary = { it },
+    private val isChecking: Boolean = false,
+    boundaryOf: (ReplayedInputs, RecordedAnswers) -> Boundary = { inputs, _ -> inputs },
 ) : AutoCloseable {
-    private val inputs: ReplayedInputs = inputsOf { what, before, now, cause -> report(what, before, now, cause) }
+    private val answers = RecordedAnswers(isChecking) { what, before, now, cause -> report(what, before, now, cause) }
+    private val inputs = ReplayedInputs(answers)
     private val includes = RecordedIncludes(recording, recorded.name)
-    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs))
+    val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
     private val start = recording.start(recorded.name)
     private val seen = LinkedHashSet<String>() // threads of the project, so far
     private var lastIndex = start?.index ?: 0L
@@ -43,21 +44,11 @@ internal class ReplayedAgent(
         lastIndex = cycle.index
         lastNumber?.let { ts.rest(cycle.number - it - 1) }
         lastNumber = cycle.number
-        reason(cycle)
-        val now = inputs.course.end().course().asFarAs(cycle)
-        difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
-    }
-
-    /** Runs [cycle], which is not of the recording. */
-    fun runBetween(cycle: Cycle) {
-        reason(cycle)
-        inputs.course.end()
-    }
-
-    private fun reason(cycle: Cycle) {
         seen += threadsIn(cycle)
         inputs.next(cycle)
         ts.cycle(cycle.number, recorded.isConditional, includes)
+        val now = inputs.end().asFarAs(cycle, isChecking)
+        difference(cycle.course, now)?.let { (what, before, after) -> report(what, before, after, null) }
     }
 
     private fun report(what: String, before: String?, now: String?, cause: String?): Unit =
@@ -65,8 +56,8 @@ internal class ReplayedAgent(
 
     private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
         seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and what it does within a cycle is not recorded"
-        inputs.projectCalls.isNotEmpty() ->
-            "what the project's own ${inputs.projectCalls.joinToString()} does besides its result is not recorded, and is carried out by " +
+        answers.projectCalls.isNotEmpty() ->
+            "what the project's own ${answers.projectCalls.joinToString()} does besides its result is not recorded, and is carried out by " +
                 "--check only"
         else -> "not known; it is the first difference of this agent"
     }

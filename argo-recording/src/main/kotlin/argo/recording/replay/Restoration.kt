@@ -1,17 +1,17 @@
 package argo.recording.replay
 
+import argo.insides.Insides
 import argo.platform.Plans
 import argo.recording.KeyFrame
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
-import argo.recording.agent.Insides
 import argo.recording.agent.Keeper
 import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
-import argo.recording.agent.Waits
 import argo.recording.agent.WatchedCode
 import argo.recording.agent.literalOf
+import argo.recording.agent.make
 import argo.recording.agent.mindOf
 import jason.JasonException
 import jason.asSemantics.CircumstanceListener
@@ -25,10 +25,7 @@ import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.util.Base64
 import java.util.concurrent.Callable
-import java.util.concurrent.Delayed
-import java.util.concurrent.FutureTask
 import java.util.concurrent.ScheduledFuture
-import java.util.concurrent.TimeUnit
 import java.util.zip.InflaterInputStream
 
 /**
@@ -92,7 +89,7 @@ internal class Restoration(
         if (!isProgram) own.forEach { bb.add(1, it) }
         val believed = frame.beliefs.mapIndexed { place, text -> frame.rules[place]?.let(program.rules::get) ?: literalOf(text) }
         believed.forEach { if (isProgram || !it.isRule) bb.add(1, it) }
-        Insides.percepts.set(bb, ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") }))
+        Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
 
     /** A set of [percepts] that gives them in their order: which depends on its size, and Java has another for each. */
@@ -108,7 +105,7 @@ internal class Restoration(
         val c = ts.c
         val others = c.listeners.toList()
         val timers = HashMap<Int, Callable<*>>()
-        val waits = mind.waits.map { wait -> begun({ wait.timer?.let { number -> timers[number] = it } }) { Waits.make(wait, ts) } }
+        val waits = mind.waits.map { wait -> begun({ wait.timer?.let { number -> timers[number] = it } }) { wait.make(ts) } }
         c.listeners.clear()
         c.listeners.addAll(others + waits.filterIndexed { place, _ -> mind.waits[place].isListening })
         c.create()
@@ -116,15 +113,15 @@ internal class Restoration(
         c.runningIntentions += mind.running
         c.pendingIntentions += mind.pending
         c.pendingEvents += mind.pendingEvents
-        Insides.atomicEvent.set(c, mind.atomicEvent)
-        Insides.atomicIntention.set(c, mind.atomic)
-        Insides.isAtomicSuspended.set(c, mind.isAtomicSuspended)
-        Insides.goalConditions.set(c, mind.goalConditions)
-        Insides.selectedEvent.set(c, mind.event)
-        Insides.selectedOption.set(c, mind.plan?.let { Option(it, Unifier()) })
-        Insides.selectedIntention.set(c, mind.intention)
-        Insides.cyclesUnperceived.set(ts, frame.cyclesUnperceived)
-        Insides.isAsleep.set(ts, frame.isAsleep)
+        Insides.atomicEvent[c] = mind.atomicEvent
+        Insides.atomicIntention[c] = mind.atomic
+        Insides.isAtomicSuspended[c] = mind.isAtomicSuspended
+        Insides.goalConditions[c] = mind.goalConditions
+        Insides.selectedEvent[c] = mind.event
+        Insides.selectedOption[c] = mind.plan?.let { Option(it, Unifier()) }
+        Insides.selectedIntention[c] = mind.intention
+        Insides.cyclesUnperceived[ts] = frame.cyclesUnperceived
+        Insides.isAsleep[ts] = frame.isAsleep
         course.restore(frame.intentions, mind.numbered.zip(mind.numbers).toMap())
         return timers
     }
@@ -140,12 +137,6 @@ internal class Restoration(
             override fun left(work: RunnableSerializable) = Unit
         }
         return Keeper.within(keeper, make)
-    }
-
-    private class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
-        override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
-
-        override fun compareTo(other: Delayed) = 0
     }
 
     private companion object {

@@ -30,20 +30,26 @@ import java.time.Duration
  *
  * @param agent the agent's name
  * @param program its program; null: the recorded one
- * @param filter what it perceives its boards through all the time; null: the recorded filters
+ * @param senses what it perceives
+ * @param cycles its recorded cycles, from [Recording.start] on
+ * @param usualNs how long a command takes that was not recorded, in ns; null: as those that were
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
-class WhatIf(
+class WhatIf internal constructor(
     private val recording: Recording,
     agent: String,
-    program: Path? = null,
-    filter: PerceptionFilter? = null,
+    program: Path?,
+    senses: Senses,
+    private val cycles: Sequence<Cycle>,
+    usualNs: Long?,
 ) : AutoCloseable {
+    constructor(recording: Recording, agent: String, program: Path? = null, filter: PerceptionFilter? = null) :
+        this(recording, agent, program, filter?.let(::FilteredSenses) ?: RecordedSenses(), recording.replayable(agent), null)
+
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val inputs = WhatIfInputs(
-        RecordedCalls(recording.replayable(agent)), filter?.let(::FilteredSenses) ?: RecordedSenses(), isCarryingOut = program != null,
-    )
+    private val answers = WhatIfAnswers(RecordedCalls(cycles), isCarryingOut = program != null, usualNs)
+    private val inputs = ReplayedInputs(answers, senses)
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())
     private val ts: TransitionSystem = create(program)
@@ -54,7 +60,7 @@ class WhatIf(
     val commands: List<SentCommand> get() = before
 
     /** The commands that the agent has sent now. */
-    val commandsNow: List<SentCommand> get() = inputs.sent
+    val commandsNow: List<SentCommand> get() = answers.sent
 
     /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: none has been run. */
     var firstNs: Long? = null
@@ -78,7 +84,7 @@ class WhatIf(
 
     /** With the beliefs that were recorded, and what was under way, of the plans of then. */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
-        val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs)
+        val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs, isCarryingOut = true)
         inputs.begin(ts, start, before)
         before.ag.stopAg()
     }
@@ -88,36 +94,55 @@ class WhatIf(
      * @throws RecordingException if some are missing; the commands before are there then
      */
     fun run(): WhatIf = apply {
+        runRecorded()
+        if (!answers.isAsRecorded) runBetween(endNs + AFTER_NS)
+    }
+
+    /**
+     * As [run], but ends in the last recorded cycle, where no more time passes: with what the agent has to do there. Returns the commands,
+     * to boards and to the environment, that it sends from [fromNs] on.
+     */
+    internal fun commandsFrom(fromNs: Long): List<String> {
+        runRecorded()
+        var left = MOST_AT_END
+        while (left-- > 0 && (!ts.canSleep() || (answers.nextDueNs ?: Long.MAX_VALUE) <= endNs)) runOwn(endNs)
+        return (answers.sent + answers.acted).filter { it.ns >= fromNs }.sortedBy { it.ns }.map { it.text }
+    }
+
+    private fun runRecorded() {
         var last: Cycle? = null
         firstNs = recording.firstNs
-        for (cycle in recording.replayable(recorded.name)) {
+        for (cycle in cycles) {
             recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
-            if (last != null && !inputs.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
+            if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
             if (cycle.isEnding && sent.isEmpty()) break // the agent might have gone on
             before += sent
-            run(cycle, cycle.ns)
+            run(cycle)
             last = cycle
             endNs = cycle.ns
         }
-        if (!inputs.isAsRecorded) runBetween(endNs + AFTER_NS)
     }
 
     /** Where the recorded agent slept, until [ns]: the cycles for what the agent has to do, and for what ends meanwhile. */
     private fun runBetween(ns: Long) {
         while (true) {
-            val at = if (!ts.canSleep()) inputs.ns + CYCLE_NS else inputs.nextDueNs ?: return
+            val nowNs = inputs.cycle.ns
+            val at = if (!ts.canSleep()) nowNs + CYCLE_NS else answers.nextDueNs ?: return
             if (at >= ns) return
-            run(null, maxOf(at, inputs.ns))
+            runOwn(maxOf(at, nowNs))
         }
     }
 
-    private fun run(cycle: Cycle?, ns: Long): Unit = try {
-        if (cycle != null && number > 0) ts.rest(cycle.number - number - 1)
-        inputs.next(cycle, ns)
-        number = maxOf(number + 1, cycle?.number ?: 0)
+    /** A cycle that was not recorded. */
+    private fun runOwn(ns: Long) = run(Cycle(WhatIfAnswers.BETWEEN, number + 1, ns))
+
+    private fun run(cycle: Cycle): Unit = try {
+        if (number > 0) ts.rest(cycle.number - number - 1)
+        inputs.next(cycle)
+        number = maxOf(number + 1, cycle.number)
         ts.cycle(number, recorded.isConditional, includes)
-        inputs.end()
+        answers.ended(inputs.end())
     } catch (broken: IllegalArgumentException) {
         throw refusalOf(broken)
     } catch (deep: StackOverflowError) {
@@ -135,7 +160,7 @@ class WhatIf(
     val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
-        inputs.close()
+        inputs.course.close()
         ts.end()
         files.close()
     }
@@ -146,6 +171,9 @@ class WhatIf(
 
         /** How long an agent runs on behind the recording, since it may be slower than the recorded one, in ns. */
         const val AFTER_NS = 1_000_000_000L
+
+        /** How many cycles it has in the last recorded one. */
+        const val MOST_AT_END = 500
     }
 }
 

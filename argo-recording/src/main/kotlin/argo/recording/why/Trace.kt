@@ -7,6 +7,7 @@ import argo.recording.KeyFrame
 import argo.recording.Place
 import argo.recording.agent.fileName
 import argo.recording.agent.literalOf
+import argo.recording.replay.RecordedAnswers
 import argo.recording.replay.ReplayedInputs
 import argo.recording.replay.normal
 import jason.asSemantics.Event
@@ -29,11 +30,13 @@ import java.util.WeakHashMap
  * Follows an agent while it is replayed: what its events came of, which plans were chosen and under which conditions, and what its steps
  * note and send. It stands around the [inputs] of the agent, and only asks.
  *
+ * @param answers what answers them
  * @param filters the filters that the recording has
  * @param taken is called when an event has been taken from the queue, before a plan is looked for
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
+    private val answers: RecordedAnswers,
     private val clock: RecordingClock,
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
@@ -150,14 +153,13 @@ internal class Trace(
         adoptSplit()
         notice { event -> step ?: UnknownCause(shown(event), "what added it was not seen") }
         event?.let(origins::remove)
-        inputs.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
+        answers.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
         ts.c.action?.let { issue(null, normal("${it.actionTerm}")) }
         filters.changed(cycle.input.filters)
         inputs.cycleFinished()
     }
 
-    /** The agent issues a command that is not in the recording. */
-    fun issue(port: String?, text: String) {
+    private fun issue(port: String?, text: String) {
         issued += Issued(cycle, port, text, step)
     }
 

@@ -1,15 +1,15 @@
 package argo.recording.why
 
 import argo.recording.Cycle
-import argo.recording.Input
 import argo.recording.RecordedAgent
 import argo.recording.replay.ProgramFiles
+import argo.recording.replay.RecordedAnswers
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.ReplayedAgent
 import argo.recording.replay.ReplayedInputs
+import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
-import java.util.concurrent.TimeUnit
 
 /** Runs an agent of a recording again, up to a cycle. */
 internal class Trial(
@@ -21,12 +21,11 @@ internal class Trial(
 ) {
     /**
      * Runs it on what was recorded, up to the cycle [last], watched by what [traceOf] makes; [ran] is called behind each cycle. Returns
-     * that, and what the agent has begun outside of its thread.
+     * that.
      * @throws RecordingException if it does something else than it did
      */
-    fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs) -> Trace): Pair<Trace, List<Beginning>> {
+    fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace): Trace {
         lateinit var trace: Trace
-        lateinit var inputs: NotingInputs
         var differing: String? = null
         ReplayedAgent(
             recording, agent, programs,
@@ -35,8 +34,7 @@ internal class Trial(
                     differing = "cycle ${cycle.number}, $what: recorded ${recorded ?: "nothing"}, now ${now ?: "nothing"}; $cause"
                 }
             },
-            inputsOf = { found -> NotingInputs(found).also { inputs = it } },
-            boundaryOf = { traceOf(it).also { made -> trace = begun(made) } },
+            boundaryOf = { inputs, answers -> traceOf(inputs, answers).also { made -> trace = begun(made) } },
         ).use { replayed ->
             for (cycle in cycles.takeWhile { it.index <= last }) {
                 replayed.run(cycle)
@@ -44,56 +42,17 @@ internal class Trial(
                 differing?.let { throw RecordingException("the replay of agent ${agent.name} differs from the recording at $it") }
             }
         }
-        return trace to inputs.begun
+        return trace
     }
 
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
 
-    /** Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. */
-    fun changed(begun: List<Beginning>, from: Long, last: Long, changed: (List<Literal>) -> List<Literal>): List<Trace.Issued> {
-        lateinit var trace: Trace
-        lateinit var inputs: AlteredInputs
-        var isChanging = false
-        val altered = { _: Any ->
-            val before = recording.start(agent.name)?.begun ?: 0
-            AlteredInputs(begun, before, { if (isChanging) changed(it) else it }) { trace.issue(null, it) }.also { inputs = it }
-        }
-        val watched = { inputs: ReplayedInputs -> begun(Trace(inputs, clock)).also { trace = it } }
-        ReplayedAgent(recording, agent, programs, inputsOf = altered, boundaryOf = watched).use { replayed ->
-            var earlier = 0
-            val wanted = cycles.takeWhile { it.index <= last }
-            for ((place, cycle) in wanted.withIndex()) {
-                if (!isChanging && cycle.index >= from) {
-                    isChanging = true
-                    earlier = trace.issued.size
-                }
-                replayed.run(cycle)
-                if (isChanging) between(replayed, inputs, cycle, wanted.getOrNull(place + 1)?.ns)
-            }
-            return trace.issued.drop(earlier)
-        }
-    }
-
     /**
-     * Runs the cycles that the changed agent needs between [cycle] and the one at [untilNs], in which the recorded one slept; behind the
-     * last one, null, no time passes.
+     * Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. What it does as
+     * it did ends as it did; a command that it did not send ends at once.
      */
-    private fun between(replayed: ReplayedAgent, inputs: AlteredInputs, cycle: Cycle, untilNs: Long?) {
-        val gapNs = if (untilNs == null) 0 else untilNs - cycle.ns
-        val most = if (untilNs == null) MAX_BETWEEN else minOf(gapNs / CYCLE_NS, MAX_BETWEEN)
-        var now = cycle.ns
-        repeat(most.toInt()) {
-            val c = replayed.ts.c
-            val isBusy = c.hasEvent() || c.hasRunningIntention()
-            val due = inputs.dueNs?.let { maxOf(it, now) }
-            if (!isBusy) now = due?.takeIf { it < (untilNs ?: (cycle.ns + 1)) } ?: return
-            replayed.runBetween(Cycle(cycle.index, cycle.number, now, null, Input()))
-        }
-    }
-
-    private companion object {
-        /** A cycle takes about so long. */
-        val CYCLE_NS = TimeUnit.MILLISECONDS.toNanos(1)
-        const val MAX_BETWEEN = 500L
+    fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
+        val wanted = cycles.asSequence().takeWhile { it.index <= last }
+        return WhatIf(recording, agent.name, null, AlteredSenses(from.index, changed), wanted, usualNs = 0).use { it.commandsFrom(from.ns) }
     }
 }

@@ -31,10 +31,10 @@ class Why(private val recording: Recording) : AutoCloseable {
      */
     fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {
         if (command.by != Sender.PLAN) return reflexAnswer(command)
-        val (cause, begun) = causeOf(command)
+        val cause = causeOf(command)
         val frame = (cause?.root() as? PerceptCause)?.frame
         val frames = (listOfNotNull(frame) + cause?.frames().orEmpty()).distinct()
-        val had = if (isTrying && cause != null) Flips(cause) { percept, of -> had(command, begun, percept, of) }.find() else emptyList()
+        val had = if (isTrying && cause != null) Flips(cause) { percept, of -> had(command, percept, of) }.find() else emptyList()
         return Answer(command, cause, null, frame, frames, had)
     }
 
@@ -57,9 +57,9 @@ class Why(private val recording: Recording) : AutoCloseable {
         if (command.by != Sender.PLAN) {
             throw RecordingException("no plan sent ${command.text}, so no replay has what would have become of it")
         }
-        val (cause, begun) = causeOf(command)
+        val cause = causeOf(command)
         val of = cause?.percepts().orEmpty().find { isOfKind(literalOf(it.belief), literal) }
-        return had(command, begun, literal, of) ?: throw RecordingException("$percept is what the agent perceived")
+        return had(command, literal, of) ?: throw RecordingException("$percept is what the agent perceived")
     }
 
     /**
@@ -74,29 +74,30 @@ class Why(private val recording: Recording) : AutoCloseable {
         val filters = filtersOf(agent)
         val unchosen = Unchosen(question) { port, text -> filters.explain(port, text)?.toString() }
         lateinit var trace: Trace
-        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs ->
-            Trace(inputs, clock, filters, unchosen::taken).also { trace = it }
+        trial(agent, cycles).asRecorded(last.index, { unchosen.perceived(it.percepts.newestFrames) }) { inputs, answers ->
+            Trace(inputs, answers, clock, filters, unchosen::taken).also { trace = it }
         }
         return NotAnswer(agent, question.text, clock.seconds(last.ns), unchosen.plans(trace))
     }
 
-    private fun causeOf(command: RecordedCommand): Pair<StepCause?, List<Beginning>> {
+    private fun causeOf(command: RecordedCommand): StepCause? {
         val cycles = cyclesOf(command.agent)
         requireReplayed(command.agent, command.index)
         val filters = filtersOf(command.agent)
-        val (trace, begun) = trial(command.agent, cycles).asRecorded(command.index) { Trace(it, clock, filters) }
-        return trace.issued.getOrNull(replayedBefore(command))?.cause to begun
+        val trace = trial(command.agent, cycles).asRecorded(command.index) { inputs, answers ->
+            Trace(inputs, answers, clock, filters)
+        }
+        return trace.issued.getOrNull(replayedBefore(command))?.cause
     }
 
     /** Null: [percept] is what the agent perceived. */
-    private fun had(command: RecordedCommand, begun: List<Beginning>, percept: Literal, of: PerceptCause?): Had? {
+    private fun had(command: RecordedCommand, percept: Literal, of: PerceptCause?): Had? {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null
         val from = cycles.first { it.index == command.index || of?.isIn(it) == true }
         val before = ofPlans(command.agent).filter { it.index in from.index..command.index && it.number <= command.number }
         val isDropped = isDropped(command.agent, percept, of?.frame?.port, cycles.takeWhile { it.index < from.index })
-        val issued = trial(command.agent, cycles).changed(begun, from.index, command.index) { replaced(it, percept, isDropped) }
-        val now = issued.map { it.text }
+        val now = trial(command.agent, cycles).changed(from, command.index) { replaced(it, percept, isDropped) }
         val times = before.count { it.text == command.text }
         return Had(
             keyOf(percept), of?.belief, clock.seconds(from.ns), command.seconds,

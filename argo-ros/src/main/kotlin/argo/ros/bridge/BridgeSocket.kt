@@ -29,7 +29,7 @@ internal interface BridgeListener {
     /** The bridge has shown that it is there. */
     fun isAlive()
 
-    /** Something came that is not read: [what], in words. */
+    /** A message was dropped unread: [what], in words. */
     fun dropped(what: String)
 
     /** The connection is gone, for [reason]. May be called more than once. */
@@ -38,13 +38,13 @@ internal interface BridgeListener {
 
 /** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
 internal interface Bridge : AutoCloseable {
-    /** Sends [message]. Whoever waits for messages that have left may be called by this thread, so that no lock is to be held. */
+    /** Sends [message]. Hold no lock: this thread may run the callbacks of messages that have left. */
     fun send(message: Outgoing)
 
-    /** Has [message] sent by the next [send] or [flush], and calls nobody. */
+    /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
 
-    /** Sends what was queued; as [send]. */
+    /** Sends the queued messages; as [send]. */
     fun flush()
 
     /** Asks the bridge to show that it is there. */
@@ -72,7 +72,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         try {
             socket.sendPing(ByteBuffer.allocate(0))
         } catch (_: IllegalStateException) {
-            // one that is under way asks already
+            // a ping under way asks already
         }
     }
 
@@ -132,10 +132,10 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 
-        /** As much of one as tells its topic. */
+        /** The part of a long message that is logged; it names the topic. */
         private const val SHOWN_LENGTH = 60
 
-        /** One for the program, since each has threads of its own; it ends when no socket uses it any more. */
+        /** The client of the whole program, since each client has threads of its own; it ends when no socket uses it any more. */
         private var shared = WeakReference<HttpClient>(null)
 
         @Synchronized
@@ -146,10 +146,10 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
          * Connects to the bridge at [address].
          *
          * @param port its name, for messages
-         * @param token what the bridge is shown, as `Authorization: Bearer …`; null: nothing
+         * @param token the token that the bridge is shown, as `Authorization: Bearer …`; null: none
          * @throws NoSuchPortException if there is no such host, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
-         * @throws PortFaultException if what answers is no bridge
+         * @throws PortFaultException if no bridge answers, but another server
          */
         fun connect(port: String, address: URI, listener: BridgeListener, token: String? = null): BridgeSocket {
             val client = client()

@@ -3,9 +3,10 @@ package argo.ros.bridge
 import java.util.concurrent.TimeUnit
 
 /**
- * How much the clock of a robot is ahead of the platform's, by asking it for its time. Of the last [KEPT] answers the one counts that took
- * the shortest time: the robot's time was read somewhere in it, so the error is at most half of it. An answer that no clock of usual
- * quality can give after the others is of one that was set: then the others do not count any more. Safe for use by several threads.
+ * Measures how much the clock of a robot is ahead of the platform's, from its answers to questions for its time. The quickest of the last
+ * [KEPT] answers counts: the robot read its time somewhere in between, so the error is at most half of the time that the answer took. If no
+ * clock of usual quality can give an answer after the others, the clock was set, and the others do not count any more. Safe for use by
+ * several threads.
  */
 internal class ClockOffset {
     private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)
@@ -17,7 +18,7 @@ internal class ClockOffset {
     var offsetNanos: Long? = null
         private set
 
-    /** How much the offset may be wrong, in ns. */
+    /** The largest error of the offset, in ns. */
     @Volatile
     var errorNanos: Long = 0
         private set
@@ -40,7 +41,9 @@ internal class ClockOffset {
         return Math.abs(after.offsetNanos - before.offsetNanos) <= before.errorNanos + after.errorNanos + driftNanos + SLACK_NANOS
     }
 
-    /** When a clock that is ahead by the offset showed [stampNanos], by the platform's clock; null: the offset is not known. */
+    /**
+     * Returns the time, by the platform's clock, at which a clock ahead by the offset showed [stampNanos]; null: the offset is not known.
+     */
     fun whenShown(stampNanos: Long): Long? = offsetNanos?.let { stampNanos - it }
 
     private companion object {
@@ -49,7 +52,7 @@ internal class ClockOffset {
         /** Clocks of computers gain or lose less than one part in so many. */
         const val DRIFT = 5_000
 
-        /** What is read of a clock may be a ms old. */
+        /** A time that is read from a clock may be a ms old. */
         val SLACK_NANOS = TimeUnit.MILLISECONDS.toNanos(1)
     }
 }

@@ -31,13 +31,14 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * The commands of an agent: what is sent for each, and what becomes of it. Each goes out once at most. One that was not answered when the
- * connection ended may have been carried out, and is not sent again. Safe for use by several threads.
+ * Sends the commands of an agent and finds their outcomes. Each goes out once at most. A command without an answer when the connection
+ * ended may have been carried out, and is not sent again. Safe for use by several threads.
  *
  * @param port the port's name, for messages
- * @param types what the messages are made of, as far as that is known
- * @param graph who takes them
+ * @param types the types of the messages, as far as they are known
+ * @param graph the robot's graph, with the nodes that take the messages
  * @param send sends a message to the bridge
+ * @param warn takes what of a command is left out
  */
 internal class Commands(
     private val port: String,
@@ -46,6 +47,7 @@ internal class Commands(
     private val graph: RobotGraph,
     private val clock: LineClock,
     private val send: (Outgoing) -> Unit,
+    private val warn: (String) -> Unit,
 ) {
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Unit>)
 
@@ -53,7 +55,7 @@ internal class Commands(
     private val session = "argo-${UUID.randomUUID()}" // so that no answer is for another client's command
     private val number = AtomicLong()
 
-    /** What the bridge is told before the first command: publishers need subscribers by then, and results a subscription. */
+    /** Returns the messages to the bridge before the first command: publishers need subscribers by then, and results a subscription. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -82,6 +84,9 @@ internal class Commands(
         } catch (unfit: Unfit) {
             return refused("$text does not fit the robot: ${unfit.message}")
         }
+        if (command?.annotations.orEmpty().isNotEmpty()) {
+            warn("the annotations of the command ${rule.name}/${rule.parameters.size} are left out, since no message of ROS has any")
+        }
         val id = "$session-${number.incrementAndGet()}"
         val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
         val entry = Pending(rule, text, message, outcome)
@@ -99,7 +104,7 @@ internal class Commands(
     private fun refused(reason: String) =
         SentCommand(CompletableFuture.failedFuture<Unit>(ActionRefusedException(port, "$reason (port $port)")))
 
-    /** Completed by the first of the two, however that ends. */
+    /** Completes without an error as soon as one of the two has ended in any way. */
     private fun eitherOf(left: CompletableFuture<Unit>, outcome: CompletableFuture<Unit>): CompletableFuture<Unit> {
         val either = CompletableFuture<Unit>()
         left.whenComplete { _, _ -> either.complete(Unit) }
@@ -154,7 +159,7 @@ internal class Commands(
         )
     }
 
-    /** Takes in what a bridge has said; false: it is about no command. */
+    /** Takes in a message of the bridge; false: it is about no command. */
     fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
         "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
         "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null
@@ -186,7 +191,7 @@ internal class Commands(
         }
     }
 
-    /** The command that a published result of ROS 1 is for, and the message. */
+    /** Returns the command of a published result of ROS 1, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null
@@ -265,7 +270,7 @@ private fun valueOf(term: GroundTerm): Value = when (term) {
     }
 }
 
-/** The object that has [fields], by their paths. */
+/** Makes the object with [fields], by their paths. */
 private fun nested(fields: List<Pair<List<String>, JsonElement>>): JsonObject = JsonObject(
     fields.groupBy({ (path, _) -> path.first() }, { (path, value) -> path.drop(1) to value }).mapValues { (_, inside) ->
         inside.singleOrNull { (path, _) -> path.isEmpty() }?.second ?: nested(inside)

@@ -9,7 +9,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.contentOrNull
 import kotlinx.serialization.json.put
 
-/** The operation [op] of the rosbridge protocol with [fields]; a null is left out. */
+/** Writes the operation [op] of the rosbridge protocol with [fields]; those that are null are left out. */
 internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = buildJsonObject {
     put("op", op)
     for ((name, value) in fields) {
@@ -23,25 +23,28 @@ internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = 
     }
 }.toString()
 
-/** The operation that [text] is; null: it is none. */
+/** Reads [text] as an operation; null: it is none. */
 internal fun operationIn(text: String): JsonObject? = try {
     Json.parseToJsonElement(text) as? JsonObject
-} catch (_: IllegalArgumentException) { // how malformed JSON is reported
+} catch (_: IllegalArgumentException) { // reports malformed JSON
     null
 } catch (_: StackOverflowError) { // brackets in brackets, thousands of them
     null
 }
 
-/** The text of field [name]; null: there is none. */
+/** Returns the text of field [name]; null: there is none. */
 internal fun JsonObject.text(name: String): String? = (this[name] as? JsonPrimitive)?.takeIf { it !is JsonNull }?.contentOrNull
 
-/** The object in field [name]; null: there is none. */
+/** Returns the object in field [name]; null: there is none. */
 internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObject
 
-/** Whether field [name] is `true`; null: it is neither that nor `false`. */
+/** Returns the value of field [name]; null if it is neither `true` nor `false`. */
 internal fun JsonObject.flag(name: String): Boolean? = text(name)?.toBooleanStrictOrNull()
 
-/** A time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns; null: this is none, or the zero that stands for none. */
+/**
+ * Reads a time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns; null: this is no time, or zero, which means that there is
+ * none.
+ */
 internal fun JsonObject.rosNanos(): Long? {
     val seconds = (text("secs") ?: text("sec"))?.toLongOrNull() ?: return null
     val nanos = (text("nsecs") ?: text("nanosec"))?.toLongOrNull() ?: return null
@@ -51,5 +54,5 @@ internal fun JsonObject.rosNanos(): Long? {
 
 private const val NANOS_PER_SECOND = 1_000_000_000L
 
-/** What fits into 64 bits as ns. */
+/** The largest time in s that fits into 64 bits as ns. */
 private const val MAX_SECONDS = 9_000_000_000L

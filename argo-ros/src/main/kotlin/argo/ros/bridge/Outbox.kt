@@ -7,23 +7,23 @@ import kotlin.concurrent.withLock
 /**
  * A message for a bridge.
  *
- * @property text what is sent
- * @property isUrgent whether it goes before the others that wait and are not
- * @property functor of the command that it is; null: it is none
- * @property replaces whether it takes the place of those of its [functor] that wait
+ * @property text its text
+ * @property isUrgent whether it goes before waiting messages that are not urgent
+ * @property functor the functor of its command; null: it is no command
+ * @property replaces whether it replaces waiting messages of its [functor]
  */
 internal class Outgoing(val text: String, val isUrgent: Boolean = false, val functor: String? = null, val replaces: Boolean = false) {
     /** Completed when the system has taken the message, or exceptionally if it never will; on any thread. */
     val left = CompletableFuture<Unit>()
 
-    /** Whether it has begun to go out. */
+    /** True if it has begun to go out. */
     @Volatile
     var hasBegun = false
         private set
 
     private var isWithdrawn = false // these two are guarded by this
 
-    /** The message goes out now; false: it has been withdrawn. */
+    /** Marks the message as going out; false: it has been withdrawn. */
     fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }
 
     /** Takes the message back; false: it has begun to go out. */
@@ -64,7 +64,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         waiting.removeAll(replaced.toSet())
     }
 
-    /** Hands the next message over, if the connection takes one. */
+    /** Hands the next message to the connection if it takes one. */
     fun flush() {
         val message = lock.withLock {
             if (isBusy || isClosed) return
@@ -85,7 +85,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         }
     }
 
-    /** Nothing goes out any more. */
+    /** Fails all messages that wait; none goes out any more. */
     override fun close() {
         val left = lock.withLock {
             isClosed = true

@@ -7,8 +7,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A bridge in this program that a test plays: it answers at once, on the thread that asks it. Services and goals succeed, and there is no
- * `rosapi`.
+ * A bridge in this program for tests: it answers at once, on the thread that asks it. Services and goals succeed, and there is no `rosapi`.
  *
  * @param heard takes each message that goes to a topic, and the request or goal of each service and action, with its name
  */
@@ -30,12 +29,12 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     override fun ping() = listener.isAlive()
 
-    /** A node publishes [message], in JSON, on [topic]. */
+    /** Publishes [message], in JSON, on [topic] as a node would. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
 
-    /** The connection ends from the bridge's side. */
+    /** Ends the connection from the bridge's side. */
     fun end() = listener.gone("the bridge has closed the connection")
 
     private fun answer(operation: JsonObject) {
@@ -63,7 +62,7 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
         val service = operation.text("service").orEmpty()
         val isKnown = !service.startsWith("/rosapi/")
         if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // without a reason, which no test need read
+        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // without a reason; no test reads one
         listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
     }
 

@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Who else is on the robot's graph, as `rosapi` sees it: warns if nothing can come of a topic or of a command. Safe for use by several
- * threads.
+ * Asks `rosapi` for the other nodes of the robot's graph, and warns if a topic or a command can have no effect for want of them. Safe for
+ * use by several threads.
  */
 internal class RobotGraph(
     private val mapping: Mapping,
@@ -30,14 +30,14 @@ internal class RobotGraph(
         }
     }
 
-    /** The topic that [rule] publishes on, and its type; null: on none. */
+    /** Returns the topic on which [rule] publishes, and its type; null: on none. */
     private fun topicOf(rule: CommandRule): Pair<String, String>? = when {
         rule.kind == Kind.TOPIC -> rule.target to rule.type
         rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> "${rule.target}/goal" to "${rule.type}Goal"
         else -> null
     }
 
-    /** Warns if [topic] has messages of another type than [type]; then the bridge passes none on, in either direction. */
+    /** Warns if [topic] has another type than [type]: then the bridge passes no messages on, in either direction. */
     private fun compareType(topic: String, type: String) = typeOf(topic).thenApply { known ->
         if (known.isNotEmpty() && rosType(known) != rosType(type)) {
             warn("$topic is of type $known on the robot, and the mapping says $type: its messages do not pass the bridge")
@@ -45,11 +45,11 @@ internal class RobotGraph(
         known
     }
 
-    /** The type of [topic]; empty: nobody uses it. */
+    /** Asks for the type of [topic]; empty: nobody uses it. */
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 
-    /** [topic], of [type], has said nothing for long: warns if nothing can come of it. */
+    /** Looks for the reason why [topic], of [type], has been silent for long, and warns if no message can come. */
     fun explainSilence(topic: String, type: String) {
         compareType(topic, type)
         api.ask("/rosapi/publishers", mapOf("topic" to topic)).whenComplete { answer, trouble ->
@@ -59,9 +59,9 @@ internal class RobotGraph(
     }
 
     /**
-     * A command of [rule] is about to be sent: warns if nobody takes what is published on its topic, at most once in [AGAIN_NANOS].
+     * Warns, before a command of [rule] is sent, if nobody subscribes to its topic, at most once in [AGAIN_NANOS].
      *
-     * @param lost called if its goal reaches nobody, with the reason. In ROS 2 that is no more than probable, and the log has it
+     * @param lost called with the reason if its goal reaches nobody. In ROS 2 that is only probable, so it is only logged
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -73,7 +73,10 @@ internal class RobotGraph(
         }
     }
 
-    /** A topic that is not shown, though the bridge publishes on it, is one that `rosapi` hides. */
+    /**
+     * Looks for subscribers of the rule's topic. If `rosapi` does not show the topic, though the bridge publishes on it, the topic is
+     * hidden and nothing is known.
+     */
     private fun lookForSubscribers(rule: CommandRule) {
         compareType(rule.target, rule.type).thenCompose { type ->
             if (type.isEmpty()) CompletableFuture.completedFuture(null)
@@ -86,7 +89,7 @@ internal class RobotGraph(
         return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
     }
 
-    /** Does [work] if `rosapi` shows topics of an action, as those that a client makes, and no server of it. */
+    /** Does [work] if `rosapi` shows topics of an action, such as those that a client makes, but no server. */
     private fun ifMissing(rule: CommandRule, work: () -> Unit) {
         val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
         isShown.thenCompose { type ->

@@ -4,12 +4,12 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * When the messages of a robot were true, by the platform's clock: by the offset of the robot's clock, or by `/clock` if its time is
- * simulated. Safe for use by several threads.
+ * Finds when the messages of a robot were true, by the platform's clock, from the offset of the robot's clock or, if its time is simulated,
+ * from `/clock`. Safe for use by several threads.
  *
- * @param clockIsThere called with the type of the topic [CLOCK] when there is one, which is to be [shown][show]
- * @param warn takes that the time stamps of a topic are of no use
- * @param tell takes what the ages go by
+ * @param clockIsThere called with the type of the topic [CLOCK] if there is one; the caller [shows][show] its messages
+ * @param warn takes a warning if the time stamps of a topic are of no use
+ * @param tell takes a sentence that names the clock that ages go by
  */
 internal class RobotTime(
     private val clock: LineClock,
@@ -21,7 +21,7 @@ internal class RobotTime(
     private val offset = ClockOffset()
     private val simulated = SimulatedClock()
 
-    /** Whether the robot goes by the topic [CLOCK]. */
+    /** True if the robot goes by the topic [CLOCK]. */
     @Volatile
     private var isSimulated = false
 
@@ -70,25 +70,25 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** A robot whose time is that of [CLOCK] goes by it. A robot with a clock of its own is decades apart from a simulator's. */
+    /** Decides if the robot's time is that of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true
         tell("the robot's time is simulated; ages go by its time stamps and $CLOCK, at the speed of the simulator")
     }
 
-    /** The topic [CLOCK] shows [simNanos] at [nowNanos], by the platform's clock. */
+    /** Notes that the topic [CLOCK] shows [simNanos] at [nowNanos], by the platform's clock. */
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
-        if (isFirst && dueNanos != null) ask() // whether the robot goes by it
+        if (isFirst && dueNanos != null) ask() // finds if the robot goes by it
     }
 
     /**
-     * When something was true that has the time stamp [stampNanos] of the robot and came at [nowNanos], by the platform's clock: not after
-     * it came. What is said to be older than [MAX_AGE_NANOS] has a stamp of another clock, so that nothing is known but when it came.
+     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock; never after [nowNanos], when it
+     * came. A stamp older than [MAX_AGE_NANOS], or far ahead, is another clock's; then the result is [nowNanos].
      *
-     * @param topic what it is of, for messages
+     * @param topic the message's topic, for warnings
      * @param stampNanos null: it has none
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
@@ -118,10 +118,10 @@ internal class RobotTime(
         /** The topic of a simulator's time. */
         const val CLOCK = "/clock"
 
-        /** The oldest message that is believed to be that old, in ns. */
+        /** The greatest age of a message that is believed, in ns. */
         val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
 
-        /** Stamps may be ahead by so much, for clocks are read with errors. */
+        /** Stamps may be ahead by this much, since clocks are read with errors. */
         private val AHEAD_NANOS = TimeUnit.SECONDS.toNanos(1)
         private const val FIRST_ANSWERS = 4
         private val FIRST_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(50)

@@ -25,8 +25,8 @@ import java.util.concurrent.TimeoutException
  * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use
  * by several threads.
  *
- * @param warn takes why nothing can come of a topic, or of a command
- * @param tell takes that nothing can be checked
+ * @param warn takes the reasons why a topic or a command can have no effect
+ * @param tell takes the reason if the mapping cannot be checked
  */
 internal class RobotTypes(
     private val mapping: Mapping,
@@ -38,16 +38,16 @@ internal class RobotTypes(
 
     private val known = ConcurrentHashMap<Question, MessageType>()
     private val unknown = ConcurrentHashMap<Question, String>()
-    private val missing = ArrayList<Question>() // what no service answers; guarded by this, as the next one
+    private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, as the next one
     private var isChecked = false
 
-    /** What the messages of [rule] are made of; null: that is not known. */
+    /** Returns the type of the messages of [rule]; null: it is not known. */
     fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
 
-    /** What the messages, requests or goals of [rule] are made of; null: that is not known. */
+    /** Returns the type of the messages, requests or goals of [rule]; null: it is not known. */
     fun of(rule: CommandRule): MessageType? = known[questionFor(rule)]
 
-    /** Why no command of [rule] can leave the bridge; null: nothing is known against it. */
+    /** Returns the reason why no command of [rule] can leave the bridge; null: none is known. */
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
     private fun questionFor(rule: PerceptRule) = Question(MESSAGE, rule.type)
@@ -62,8 +62,8 @@ internal class RobotTypes(
     /**
      * Asks for the types, and checks the fields and the constant values of the mapping. Types that are described later are checked then.
      *
-     * @param limitMs how long the bridge has to describe its types
-     * @throws MappingException if a field is none, or cannot have its value
+     * @param limitMs the time that the bridge has to describe its types
+     * @throws MappingException if a field does not exist, or cannot have its value
      */
     fun check(limitMs: Long) {
         val questions = (mapping.percepts.map(::questionFor) + mapping.commands.map(::questionFor)).distinct()
@@ -136,10 +136,10 @@ internal class RobotTypes(
             "its type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
-        /** What `rosapi` of ROS 2 means by an answer without a description. */
+        /** The reason if `rosapi` of ROS 2 answers without a description. */
         const val UNKNOWN = "it is not described"
 
-        /** How a bridge says that it has no such type. */
+        /** Parts of the messages with which a bridge says that it has no such type. */
         val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
     }
 }

@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Asks the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so that asking is the
- * only way to find them. Safe for use by several threads.
+ * Asks the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so only asking finds
+ * them. Safe for use by several threads.
  *
  * @param send sends a message to the bridge
  */
@@ -20,7 +20,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     class Answer(val values: JsonObject, val receivedNanos: Long) {
         fun text(name: String): String? = values.text(name)
 
-        /** The texts in the list [name]; null: there is no such list. */
+        /** Returns the texts in the list [name]; null: there is no such list. */
         fun texts(name: String): List<String>? = (values[name] as? JsonArray)?.mapNotNull { (it as? JsonPrimitive)?.content }
     }
 
@@ -28,8 +28,8 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val number = AtomicLong()
 
     /**
-     * Calls [service]. The answer comes on the bridge's thread; there is none, with a [NotKnown], if the call fails or takes longer than
-     * [LIMIT_NANOS].
+     * Calls [service]. The answer completes on the bridge's thread; exceptionally, with a [NotKnown], if the call fails or takes longer
+     * than [LIMIT_NANOS].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
@@ -42,7 +42,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return call
     }
 
-    /** Takes in what a bridge has said at [nowNanos]; false: it is no answer to a question of this object. */
+    /** Takes in a message of the bridge at [nowNanos]; false: it is no answer to a question of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
         val call = calls[id] ?: return true // its time is over, or the link is closed
@@ -54,19 +54,19 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
 
     override fun close() = calls.values.toList().forEach { it.completeExceptionally(NotKnown("")) }
 
-    /** @param reason why, as the bridge has it; empty: it does not say */
+    /** @param reason the bridge's reason; empty: it gives none */
     class NotKnown(reason: String) : Exception(reason) {
-        /** Whether there is no such service, as where `rosapi` does not run. */
+        /** True if there is no such service, since `rosapi` does not run, for example. */
         val isMissing: Boolean get() = MISSING in message.orEmpty()
     }
 
     companion object {
         private const val ID = "argo-api-"
 
-        /** What bridges answer where there is no such service. */
+        /** Part of a bridge's answer if there is no such service. */
         private const val MISSING = "does not exist"
 
-        /** How long an answer is waited for. */
+        /** The longest wait for an answer. */
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10)
     }
 }

@@ -10,11 +10,11 @@ internal class SimulatedClock {
 
     private val samples = ArrayDeque<Sample>()
 
-    /** The newest time that it has shown, and when by the platform's clock; null: it has shown none. */
+    /** The newest time that it has shown, and the platform's time then; null: it has shown none. */
     @get:Synchronized
     val newest: Pair<Long, Long>? get() = samples.lastOrNull()?.let { it.simNanos to it.atNanos }
 
-    /** It shows [simNanos] at [atNanos], by the platform's clock. A time before the one shown last is a new beginning. */
+    /** Notes that it shows [simNanos] at [atNanos], by the platform's clock. If the time goes back, all earlier samples are forgotten. */
     @Synchronized
     fun show(simNanos: Long, atNanos: Long) {
         val last = samples.lastOrNull()
@@ -24,13 +24,13 @@ internal class SimulatedClock {
         if (samples.size > KEPT) samples.removeFirst()
     }
 
-    /** A clock that says nothing stood, and went on at its speed to show [simNanos] at [atNanos]. */
+    /** Fills the gap before [simNanos] at [atNanos]: the clock stood while it was silent, then went on at its speed. */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
         if (began > last.atNanos) samples.addLast(Sample(last.simNanos, began))
     }
 
-    /** The seconds that it shows in one, from the sample [from] on; 1 while that is not known. */
+    /** Returns its speed from the sample [from] on: its seconds per second; 1 while that is not known. */
     private fun speed(from: Int): Double {
         val (first, last) = samples[maxOf(0, from)] to samples.last()
         val took = last.atNanos - first.atNanos
@@ -38,8 +38,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * When it showed [stampNanos] last, by the platform's clock and as seen at [nowNanos]: a time that it has not shown yet may be later.
-     * As long as it stands, it shows its time now. Null: it has shown no time.
+     * Returns the last time, by the platform's clock and as seen at [nowNanos], at which it showed [stampNanos]; it is later than
+     * [nowNanos] for a time that is still to come. A standing clock shows its time now. Null: it has shown no time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {
@@ -59,16 +59,16 @@ internal class SimulatedClock {
     private fun at(sample: Sample, stampNanos: Long, speed: Double) = sample.atNanos + ((stampNanos - sample.simNanos) / speed).toLong()
 
     companion object {
-        /** How often it is asked for, in ms: so much later than it changes is a change of its speed known. */
+        /** The interval at which it is asked for, in ms: a change of its speed is known that much later. */
         const val INTERVAL_MS = 50
 
-        /** How many samples are kept: those of a minute. */
+        /** The number of samples that are kept: those of a minute. */
         private const val KEPT = 1_200
 
-        /** How many samples the present speed is taken from. */
+        /** The number of samples that give the present speed. */
         private const val SHORT = 10
 
-        /** A clock that has shown nothing for so long stands. */
+        /** A clock that has been silent for this time stands. */
         private val STANDS_NANOS = TimeUnit.SECONDS.toNanos(1)
     }
 }

@@ -12,14 +12,14 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * How a topic is subscribed to.
+ * The subscription to a topic.
  *
- * @property throttleMs the least time between two messages that the bridge sends, in ms. It keeps one message for the time when the next may
- *     go (`queue_length` 1), the newest: so what comes is never older than that time, and what comes in between costs no time here
+ * @property throttleMs the least time between two messages that the bridge sends, in ms. In between it keeps only the newest message
+ * (`queue_length` 1), so no message comes older than that time, and those in between cost no time here
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
 
-/** What is subscribed to while the agent has this wish: the topics that its filter does not drop all percepts of, each once. */
+/** Returns the subscriptions while the agent has this wish: each topic once, unless the filter drops all of its percepts. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
     return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
@@ -29,7 +29,7 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     }
 }
 
-/** Whether [filter] drops every percept that [percept] can become. */
+/** Returns true if [filter] drops every percept that [percept] can become. */
 internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): Boolean {
     if (filter.critical.any { isFor(it.rule, percept) }) return false
     val rules = filter.rules.filter { isFor(it, percept) }
@@ -39,7 +39,9 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
     }
 }
 
-/** For how many ms [filter] holds every percept back that [percept] can become, whatever its numbers; null: for none. */
+/**
+ * Returns the time in ms for which [filter] holds back every percept that [percept] can become, whatever its numbers; null: it does not.
+ */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
     if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }
@@ -51,7 +53,7 @@ private fun isFor(rule: Rule, percept: Expression.Compound) =
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
-/** Whether [condition] holds for all percepts that [percept] can become, or for none; null: for some. */
+/** Returns true if [condition] holds for all percepts that [percept] can become, false if for none, null if for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
     if (index >= percept.arguments.size) return false

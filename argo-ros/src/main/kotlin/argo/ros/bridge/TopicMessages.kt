@@ -11,11 +11,11 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and the percepts that they are. Not safe for use by several threads at once.
+ * The newest message of each topic, and their percepts. Not safe for use by several threads at once.
  *
- * @param rules what messages become
- * @param typeOf what the messages of a rule are made of; null: that is not known
- * @param warn takes why a message has no percept of a rule although its conditions may hold, each reason once
+ * @param rules turn messages into percepts
+ * @param typeOf returns the type of a rule's messages; null: it is not known
+ * @param warn takes the reason if a message has no percept of a rule although its conditions may hold, each reason once
  */
 internal class TopicMessages(
     private val rules: List<PerceptRule>,
@@ -28,15 +28,15 @@ internal class TopicMessages(
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<List<String>>>() // of the rules whose types are known
     private var isNew = false
-    private var expiryNanos: Long? = null // when the message changes although none comes
+    private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
-    /** A [message] of [topic] has come at [receivedNanos] that is of [trueNanos], both by the platform's clock. */
+    /** Takes in a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
         newest[topic] = Newest(message, trueNanos, receivedNanos)
         isNew = true
     }
 
-    /** Only [topics] are subscribed to: what the others said is of another time. */
+    /** Forgets the messages of all topics but [topics], the only ones with a subscription. */
     fun keepOnly(topics: Collection<String>) {
         if (newest.keys.retainAll(topics.toSet())) isNew = true
     }
@@ -48,13 +48,13 @@ internal class TopicMessages(
         expiryNanos = null
     }
 
-    /** Whether [take] has something new at [nowNanos]. */
+    /** Returns true if [take] has something new at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean = isNew || expiryNanos?.let { it - nowNanos <= 0 } == true
 
-    /** When there is news though no message comes; null: never. */
+    /** Returns the time of the next news without a message; null: never. */
     fun dueNanos(): Long? = expiryNanos
 
-    /** All that holds at [nowNanos], in the order of the rules. */
+    /** Returns all percepts that hold at [nowNanos], in the order of the rules. */
     fun take(nowNanos: Long): BoardMessage {
         isNew = false
         expiryNanos = null
@@ -85,7 +85,7 @@ internal class TopicMessages(
         }
     }
 
-    /** The fields of [rule] that are bytes. */
+    /** Returns the fields of [rule] that are bytes. */
     private fun bytesIn(rule: PerceptRule): Set<List<String>> {
         bytes[rule]?.let { return it }
         val type = typeOf(rule) ?: return emptySet()
@@ -100,7 +100,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** Reasons may hold numbers of the message, and so be many. */
+        /** The most reasons per rule that are told: with numbers of the message in them there may be many. */
         const val MAX_TOLD = 3
     }
 }

@@ -1,13 +1,13 @@
 package argo.ros.mapping
 
-/** What is read of a line is not what a mapping may have there. */
+/** A line has text at [place] that a mapping may not have there. */
 internal class Refusal(val place: Place, message: String) : Exception(message)
 
 /**
  * Reads a rule from its beginning to its end.
  *
  * @param text the rule
- * @param start where it begins in its file
+ * @param start its beginning in its file
  */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0
@@ -16,13 +16,13 @@ internal class Cursor(private val text: String, private val start: Place) {
         skipBlanks()
     }
 
-    /** Where the next character stands. */
+    /** The place of the next character. */
     val place: Place get() = Place(start.line, start.column + at)
 
-    /** Whether nothing is left. */
+    /** True at the end of the rule. */
     val isAtEnd: Boolean get() = at == text.length
 
-    /** What is left, up to the next blank, for messages. */
+    /** The rest up to the next blank, for messages. */
     val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
 
     /** Takes [symbol] if it is next; a word only if it ends there. */
@@ -35,18 +35,18 @@ internal class Cursor(private val text: String, private val start: Place) {
     /** Takes the first of [symbols] that is next; null: none is. */
     fun takeOneOf(symbols: List<String>): String? = symbols.find(::take)
 
-    /** Takes what [pattern] matches here; null: it does not match. */
+    /** Takes the text that [pattern] matches here; null: it does not match. */
     fun take(pattern: Regex): String? = pattern.matchAt(text, at)?.value?.also { advance(it.length) }
 
-    /** Takes [symbol], or refuses what is there. */
+    /** Takes [symbol], or refuses the text that is there. */
     fun expect(symbol: String, where: String) {
         if (!take(symbol)) throw refusal("expected '$symbol' $where, but found $found")
     }
 
-    /** Takes what [pattern] matches here, or refuses what is there. */
+    /** Takes the text that [pattern] matches here, or refuses the text that is there. */
     fun expect(pattern: Regex, what: String): String = take(pattern) ?: throw refusal("expected $what, but found $found")
 
-    /** What [message] is about stands here. */
+    /** Makes a refusal of the text here, with [message]. */
     fun refusal(message: String) = Refusal(place, message)
 
     private fun advance(by: Int) {

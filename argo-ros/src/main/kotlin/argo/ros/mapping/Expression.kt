@@ -7,10 +7,10 @@ import kotlinx.serialization.json.JsonObject
 
 /** An expression over the fields of a message, or over the arguments of a command. Values are looked up by a [Scope]. */
 internal sealed interface Expression {
-    /** The value; [Value.None] if a field has none, or of another kind than is calculated with. */
+    /** Returns the value; [Value.None] if a field has none, or one with which the expression cannot calculate. */
     fun valueIn(scope: Scope): Value
 
-    /** A number, an atom or a string that is written as such. */
+    /** A literal number, atom or string. */
     data class Constant(val value: Value) : Expression {
         override fun valueIn(scope: Scope) = value
     }
@@ -40,7 +40,7 @@ internal sealed interface Expression {
             value as? Value.None ?: Value.None("$operator calculates with numbers, not with ${value.inWords()}")
     }
 
-    /** A function of [Function]. */
+    /** A call of a [Function]. */
     data class Call(val function: Function, val argument: Expression) : Expression {
         override fun valueIn(scope: Scope): Value {
             val value = argument.valueIn(scope)
@@ -66,7 +66,7 @@ internal sealed interface Expression {
     }
 }
 
-/** All fields that are in this. */
+/** Returns all fields in this expression. */
 internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Constant -> emptyList()
     is Expression.Field -> listOf(this)
@@ -75,13 +75,13 @@ internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Compound -> arguments.flatMap { it.fields() }
 }
 
-/** [path] as a mapping has it: `poses[0].x`. */
+/** Writes [path] as a mapping has it: `poses[0].x`. */
 internal fun written(path: List<String>): String =
     path.reduceOrNull { before, step -> if (step[0].isDigit()) "$before[$step]" else "$before.$step" }.orEmpty()
 
-/** Where the values of an expression come from. */
+/** Looks up the values of an expression's fields. */
 internal fun interface Scope {
-    /** The value at [path]; [Value.None] if there is none. */
+    /** Returns the value at [path]; [Value.None] if there is none. */
     fun valueOf(path: List<String>): Value
 }
 
@@ -124,7 +124,7 @@ internal class MessageScope(private val message: JsonElement, private val bytes:
 
 /** A condition of a rule. */
 internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
-    /** Whether it holds: [Value.TRUE] or [Value.FALSE], or [Value.None] where a value is missing or cannot be compared. */
+    /** Returns [Value.TRUE] if it holds, [Value.FALSE] if it does not, [Value.None] if a value is missing or cannot be compared. */
     fun valueIn(scope: Scope): Value {
         val (a, b) = left.valueIn(scope) to right.valueIn(scope)
         if (a is Value.None) return a
@@ -160,8 +160,8 @@ internal data class Comparison(val left: Expression, val operator: String, val r
 /**
  * The functions that a mapping may use.
  *
- * @property taken what it is for, in words
- * @property of its value; null: it is for something else
+ * @property taken its argument, in words
+ * @property of returns its value; null: it does not take the argument
  */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),
@@ -174,12 +174,12 @@ internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     YAW("a quaternion with the numbers x, y, z and w", ::yawOf);
 
     companion object {
-        /** The function that is written [name]; null: there is none. */
+        /** Returns the function with the name [name]; null: there is none. */
         fun of(name: String): Function? = entries.find { it.name.lowercase() == name }
     }
 }
 
-/** The numbers in an array; what is no number was not measured. */
+/** Returns the numbers in an array; the other items were not measured. */
 private fun Value.numbers(): List<Double> =
     ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { Value.of(it).number() }.orEmpty()
 

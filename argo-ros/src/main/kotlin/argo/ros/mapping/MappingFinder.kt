@@ -8,10 +8,10 @@ import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
-/** What a header of HTTP takes. */
+/** The characters that a header of HTTP takes. */
 private val TOKEN = Regex("[!-~]+")
 
-/** What mappings end with. */
+/** The end of a mapping's file name. */
 internal const val SUFFIX = ".ros.yaml"
 
 /**
@@ -44,7 +44,7 @@ private fun text(source: String, read: () -> String): String = try {
 }
 
 /**
- * The token that the bridge of the mapping [name] wants, from the file `NAME.ros.token` in [directory]; null: there is no such file.
+ * Reads the token that the bridge of the mapping [name] wants from the file `NAME.ros.token` in [directory]; null: there is no such file.
  *
  * @throws MappingException if it cannot be read, or holds no token
  */

@@ -6,8 +6,8 @@ import argo.filters.Problem
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**
- * Reads a mapping. It is YAML, of which this much is used: the keys `percepts` and `commands`, each with a list whose items are plain texts
- * of one line, and comments.
+ * Reads a mapping. It uses a part of YAML: the keys `percepts` and `commands`, each with a list whose items are plain texts of one line,
+ * and comments.
  *
  * @param source the file, for messages
  * @throws MappingException with all problems, if there are any
@@ -49,12 +49,12 @@ internal fun mappingOf(text: String, source: String): Mapping {
 
 private class Item(val text: String, val place: Place)
 
-/** A comment may hold tabulators, and stand behind them. */
+/** A comment may hold tabulators, and follow them. */
 private val COMMENT = Regex("(^|[ \t]+)#.*")
 private val ITEM = Regex("( *)- +(.*)")
 private val KEY = Regex("([A-Za-z_]+) *:(.*)")
 
-/** The item in [line], without a comment; null: it has none. */
+/** Returns the item in [line], without a comment; null: it has none. */
 private fun itemIn(line: String, start: Place): Item? {
     val tabulator = line.replace(COMMENT, "").indexOf('\t')
     if (tabulator >= 0) {
@@ -74,7 +74,7 @@ private fun itemIn(line: String, start: Place): Item? {
     }
 }
 
-/** The key in [line]; null: it is blank. */
+/** Returns the key in [line]; null: it is blank. */
 private fun sectionIn(line: String, place: Place): String? {
     val plain = line.replace(COMMENT, "").trimEnd()
     if (plain.isEmpty() || plain == "---") return null

@@ -8,17 +8,17 @@ import java.math.BigDecimal
 import java.math.BigInteger
 import java.util.Base64
 
-/** A path leads to no field, or a field cannot have a value, as [message] says. */
+/** A path leads to no field, or a field cannot have a value; [message] says which. */
 internal class Unfit(message: String) : Exception(message)
 
 /**
  * The type of a field.
  *
  * @property name a type of ROS 1 or of ROS 2: `float64`, `double`, `geometry_msgs/Vector3`
- * @property length of the list that it is: [SINGLE] if it is none, [ANY], or the number of its items
+ * @property length the number of items if it is a list, [ANY] if that is open; [SINGLE] if it is no list
  */
 internal data class FieldType(val name: String, val length: Int) {
-    /** Whether bridges write it as text in base64. */
+    /** True if bridges write it as text in base64. */
     val isBytes: Boolean get() = length != SINGLE && name in BYTES
 
     override fun toString() = name + if (length == SINGLE) "" else if (length == ANY) "[]" else "[$length]"
@@ -31,7 +31,7 @@ internal data class FieldType(val name: String, val length: Int) {
 }
 
 /**
- * A type of messages, as a robot describes it with all types in it. Does not change.
+ * A type of messages, as a robot describes it with all types in it. Immutable.
  *
  * @property name the type, as its mapping has it
  */
@@ -41,7 +41,7 @@ internal class MessageType private constructor(
     private val types: Map<String, Map<String, FieldType>>,
 ) {
     /**
-     * The type of the field at [path]; null: it is in a type that is not described.
+     * Returns the type of the field at [path]; null: it is in a type that is not described.
      *
      * @throws Unfit if there is no such field
      */
@@ -71,7 +71,7 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /** The parts of [path] that are bytes, which a message has as text; none if the path leads to no field. */
+    /** Returns the parts of [path] that are bytes, which a message has as text; none if the path leads to no field. */
     fun bytesIn(path: List<String>): List<String>? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
@@ -79,7 +79,7 @@ internal class MessageType private constructor(
     }
 
     /**
-     * [value] for the field at [path].
+     * Returns [value] in the form of the field at [path].
      *
      * @throws Unfit if there is no such field, or it cannot have this value: then ROS drops the whole message
      */
@@ -146,7 +146,7 @@ internal class MessageType private constructor(
             listOf("int$bits" to -half..half - BigInteger.ONE, "uint$bits" to BigInteger.ZERO..half + half - BigInteger.ONE)
         }.toMap().let { it + mapOf("byte" to it.getValue("int8"), "char" to it.getValue("uint8"), "octet" to it.getValue("uint8")) }
 
-        /** The type [name] that `rosapi` has described as [answer]; null: it has not. */
+        /** Reads the type [name] from [answer], a description by `rosapi`; null: it has none. */
         fun of(answer: JsonObject, name: String): MessageType? {
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
@@ -170,10 +170,10 @@ internal class MessageType private constructor(
     }
 }
 
-/** [type] without what ROS 2 has between package and name. */
+/** Returns [type] without the part that ROS 2 has between package and name. */
 internal fun rosType(type: String) = type.replace("/msg/", "/")
 
-/** The bytes that a message has as text in base64, as a list of numbers; null: it is no such text, or has more than [MAX_ITEMS]. */
+/** Returns the bytes that a message has as text in base64, as a list of numbers; null: it is no such text, or has more than [MAX_ITEMS]. */
 internal fun bytesOf(value: JsonElement): JsonElement? {
     if (value !is JsonPrimitive || !value.isString) return value
     if (value.content.length > MAX_BASE64) return null

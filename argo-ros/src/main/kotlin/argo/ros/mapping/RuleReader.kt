@@ -9,7 +9,7 @@ private val VARIABLE = Regex("[A-Z][A-Za-z0-9_]*")
 private const val TYPE_IN_WORDS = "a type, as sensor_msgs/Range or sensor_msgs/msg/Range"
 private const val MAX_MS = 86_400_000.0
 
-/** Reads what stands behind a dash below `percepts:`. */
+/** Reads the text behind a dash below `percepts:`. */
 internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val cursor = Cursor(text, start)
     val topic = cursor.expect(TOPIC, "the name of a topic, as /sonar/front")
@@ -28,11 +28,11 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     return rule
 }
 
-/** The fields of its message that this rule uses. */
+/** Returns the fields of its message that this rule uses. */
 internal fun PerceptRule.fields(): List<Expression.Field> =
     percept.fields() + conditions.flatMap { it.left.fields() + it.right.fields() }
 
-/** What a message is to an agent: a [Value.Symbol] if it has this percept, [Value.None] if a value is missing; else [NO_PERCEPT]. */
+/** Returns the percept of a message: a [Value.Symbol]; [Value.None] if a value is missing; [NO_PERCEPT] if a condition does not hold. */
 internal fun PerceptRule.perceptIn(scope: Scope): Value {
     for (condition in conditions) {
         val truth = condition.valueIn(scope)
@@ -41,10 +41,10 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value {
     return percept.valueIn(scope)
 }
 
-/** A condition does not hold. */
+/** The result if a condition does not hold. */
 private val NO_PERCEPT = Value.Text("")
 
-/** Refuses [field] if it is none of the [known] fields of [type]. */
+/** Refuses [field] if it is not among the [known] fields of [type]. */
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
     val name = field.path.first()
     if (name !in known) throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")
@@ -58,7 +58,7 @@ private fun argumentOf(name: String, place: Place, type: String, usual: UsualTyp
     return Expression.Constant(Value.Symbol(name))
 }
 
-/** Whether [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
+/** Returns true if [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
 private fun isNear(one: String, other: String): Boolean {
     if (other.length <= 2 || Math.abs(one.length - other.length) > 1) return false
     val same = one.commonPrefixWith(other).length
@@ -101,7 +101,7 @@ private fun end(cursor: Cursor, expected: String) {
     if (!cursor.isAtEnd) throw cursor.refusal("expected $expected, but found ${cursor.found}")
 }
 
-/** Reads what stands behind a dash below `commands:`. */
+/** Reads the text behind a dash below `commands:`. */
 internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val cursor = Cursor(text, start)
     val literal = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }.readLiteral()
@@ -126,7 +126,7 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
 }
 
-/** Whether [type] is written as an action of ROS 2. */
+/** Returns true if [type] is written as an action of ROS 2. */
 internal fun isRos2Action(type: String) = "/action/" in type
 
 private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action")

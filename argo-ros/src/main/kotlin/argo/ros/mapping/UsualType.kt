@@ -4,7 +4,7 @@ package argo.ros.mapping
  * A type of messages whose fields are known here, so that it has a short form, and other names in a rule on it are atoms.
  *
  * @property fields the names of its outermost fields
- * @property percept the arguments of a percept that is given none
+ * @property percept the arguments of a percept whose rule gives none
  * @property command the fields that the arguments of a command are for, in their order; empty: there is no short form
  */
 internal class UsualType(val fields: Set<String>, val percept: List<String>, val command: List<String>) {
@@ -43,7 +43,7 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
         private fun inPose(path: String, field: String) =
             if (field.startsWith("yaw(")) "yaw($path.orientation)" else "$path.$field"
 
-        /** The usual type that is written [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: it is another. */
+        /** Returns the usual type with the name [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: it is another. */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
         /** Their names, for messages. */

@@ -9,7 +9,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 import java.math.BigDecimal
 
-/** What an expression has for a value. */
+/** The value of an expression. */
 internal sealed interface Value {
     /** A number; neither infinite nor no number. */
     data class Number(val value: Double) : Value
@@ -30,11 +30,11 @@ internal sealed interface Value {
         val TRUE = Symbol("true")
         val FALSE = Symbol("false")
 
-        /** The number, unless it is none or infinite: then a robot has not measured. */
+        /** Makes the value of [number]; none if it is NaN or infinite: then a robot has not measured. */
         fun of(number: Double): Value =
             if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
 
-        /** The value of a field. A `null` is how a bridge writes what is infinite or no number. */
+        /** Makes the value of a field. A bridge writes NaN and infinite numbers as `null`. */
         fun of(json: JsonElement): Value = when (json) {
             JsonNull -> None("it is null, as bridges write what is infinite or no number")
             is JsonPrimitive -> when {
@@ -53,7 +53,7 @@ internal sealed interface Value {
     }
 }
 
-/** The longest list that an argument is made of. Jason compares lists by recursion, and 2,000 items end its stack. */
+/** The length of the longest list in an argument. Jason compares lists by recursion, and 2,000 items end its stack. */
 internal const val MAX_ITEMS = 1_000
 
 /** From here on not each whole number is a double, as Jason's numbers are. */
@@ -62,7 +62,7 @@ private const val EXACT = 9007199254740992.0
 /** Up to here whole numbers are written without a fraction: no integer of ROS is larger. */
 private const val MAX_INTEGER = 18446744073709551615.0
 
-/** The text of this as an argument of a percept, or why an agent cannot have it. */
+/** Returns the text of this as an argument of a percept, or the reason why an agent cannot have it. */
 internal fun Value.asTerm(): Value = when (this) {
     is Value.Number -> Value.Symbol("${GroundTerm.Number(value)}")
     is Value.Text -> Value.Symbol("${GroundTerm.Text(value)}")
@@ -95,21 +95,21 @@ private fun listOf(array: JsonArray): Value {
 /** An item of a list that is infinite or no number: an atom, so that the others keep their places. */
 private const val NOT_MEASURED = "null"
 
-/** The number that this is, if need be the next to it that a double can be; null: it is none. */
+/** Returns the number that this is, rounded to a double; null: it is none. */
 internal fun Value.number(): Double? = when (this) {
     is Value.Number -> value
     is Value.Part -> (json as? JsonPrimitive)?.doubleOrNull
     else -> null
 }
 
-/** The text of a string or an atom, without quotes; null: it is neither. */
+/** Returns the text of a string or an atom, without quotes; null: it is neither. */
 internal fun Value.plainText(): String? = when (this) {
     is Value.Text -> value
     is Value.Symbol -> text.removeSurrounding("'")
     else -> null
 }
 
-/** This for a message to a person. */
+/** Describes this for a message to a person. */
 internal fun Value.inWords(): String = when (this) {
     is Value.Number -> "the number ${GroundTerm.Number(value)}"
     is Value.Text -> "the text \"${value.take(SHOWN)}\""
@@ -124,7 +124,7 @@ internal fun Value.inWords(): String = when (this) {
 
 private const val SHOWN = 40
 
-/** This in a message that is sent. Whole numbers are written without a fraction, since a field may be an integer. */
+/** Returns this as a part of a message that is sent. Whole numbers are written without a fraction, since a field may be an integer. */
 internal fun Value.asJson(): JsonElement = when (this) {
     is Value.Number -> when {
         value != Math.rint(value) || Math.abs(value) > MAX_INTEGER -> JsonPrimitive(value)

@@ -10,18 +10,18 @@ import java.security.MessageDigest
 internal class RefusedServer(message: String) : Exception(message)
 
 /**
- * Where a server listens, and who may use it: `9090`, `0.0.0.0:9090?token=…`.
+ * The address at which a server listens, and the token that it wants: `9090`, `0.0.0.0:9090?token=…`.
  *
  * @property address the network address; the port 0 is any that is free
- * @property token what clients must show; null: every program of this computer may come
+ * @property token the token that clients must show; null: every program of this computer may connect
  */
 internal class Access(val address: InetSocketAddress, private val token: String?) {
     /**
-     * Why a client is refused, in words; null: it is not.
+     * Returns the reason for refusing a client, in words; null: it is accepted.
      *
      * A page of another site can make its browser connect to this computer, but cannot hide its origin, and does not know the token.
      *
-     * @param path what the client asked for, with its query
+     * @param path the path of the client's request, with its query
      * @param authorization the header `Authorization`
      * @param origin the header `Origin`, which browsers send
      */
@@ -62,7 +62,7 @@ internal class Access(val address: InetSocketAddress, private val token: String?
         /**
          * Reads `PORT`, `HOST:PORT` or `HOST:PORT?token=TOKEN`. Without a host it is this computer's own address.
          *
-         * @param token as if it stood in the text; null: it may stand there
+         * @param token the token, given outside of the text; null: the text may have it
          * @throws RefusedServer with the reason
          */
         fun of(text: String, token: String? = null): Access {

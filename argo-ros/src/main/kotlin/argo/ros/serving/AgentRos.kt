@@ -9,7 +9,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Offers [agent]'s boards on a graph: what they say, before its filter, and their actions. Commands of clients go the way of `argo.act`.
+ * Offers [agent]'s boards on a graph: their percepts, before its filter, and their actions. Commands of clients go the way of `argo.act`.
  *
  * @param leave takes the agent off the graph; called once
  */
@@ -32,7 +32,7 @@ internal class AgentRos(
         synchronized(this) {
             val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
             val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics)) }
-            if (board.publishedNanos == message.receivedNanos) return // the filter has let more of it through
+            if (board.publishedNanos == message.receivedNanos) return // the filter has let more of the message through
             board.publishedNanos = message.receivedNanos
             board.publisher.publish(message.texts)
         }

@@ -14,9 +14,9 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * What a client of the rosbridge protocol asks for. [hear] is for one thread at a time.
+ * Carries out the requests of a client of the rosbridge protocol. [hear] is for one thread at a time.
  *
- * @param subscriber what goes out to the client
+ * @param subscriber sends to the client
  * @param leave ends the connection, for a reason
  * @param nanos the time
  */
@@ -31,7 +31,7 @@ internal class Client(
     private val underWay = AtomicInteger()
     private val goals = ConcurrentHashMap.newKeySet<String>()
 
-    /** Takes [text], a message of the client, whatever it is. */
+    /** Takes [text], any message of the client. */
     fun hear(text: String) {
         if (!counts()) return
         val operation = operationIn(text)
@@ -44,7 +44,7 @@ internal class Client(
         }
     }
 
-    /** Counts a message; false: there were too many, and the client is left. */
+    /** Counts a message; false: there were too many, and the client is disconnected. */
     fun counts(): Boolean {
         subscriber.isAlive()
         if (rate.isWithin(nanos())) return true
@@ -60,7 +60,7 @@ internal class Client(
             "call_service" -> call(operation)
             "send_action_goal" -> sendGoal(operation)
             "cancel_action_goal" -> cancel()
-            "advertise", "unadvertise", "set_level", "auth" -> Unit // what is published needs no announcement here
+            "advertise", "unadvertise", "set_level", "auth" -> Unit // publishers need no announcement here
             else -> throw RefusedRequest("the operation $op is not known here")
         }
     }
@@ -87,7 +87,7 @@ internal class Client(
         if (!isTaken) throw RefusedRequest("$topic is one too many: a client has ${Subscriber.MAX_SUBSCRIPTIONS} subscriptions at most")
     }
 
-    /** Clients may leave the first slash of a name away. */
+    /** Adds the first slash of a name, which clients may omit. */
     private fun absolute(name: String) = "/${name.removePrefix("/")}"
 
     private fun numberIn(operation: JsonObject, name: String): Long =
@@ -168,7 +168,7 @@ internal class Client(
 
     private fun goal(action: String, message: JsonObject) {
         val id = message.part("goal_id")?.text("id")?.takeIf { it.isNotEmpty() } ?: graph.goals.newId()
-        graph.target(action) // so that no state is kept of what is none
+        graph.target(action) // so that no state is kept for topics that do not exist
         if (!graph.goals.begin(action, id)) throw RefusedRequest("the goal $id has come before, and is not begun again")
         try {
             act(action, message["goal"], SendOptions.defaults()) { graph.goals.end(action, id, it) }
@@ -182,7 +182,7 @@ internal class Client(
     private fun complain(message: String, id: String?) =
         subscriber.send(operation("status", "level" to "error", "msg" to message, "id" to id))
 
-    /** Messages in a second. */
+    /** Counts the messages of a second. */
     private class Rate(private var startNanos: Long) {
         private var count = 0
 
@@ -200,7 +200,7 @@ internal class Client(
     }
 
     private companion object {
-        /** What the topic of a command ends with. */
+        /** The last part of the topic of a command. */
         const val COMMAND = "command"
         const val QUOTED = 60
         const val MAX_NAME = 500
@@ -211,7 +211,7 @@ internal class Client(
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Of commands that come by a topic, the newest takes the place of those that wait. */
+        /** The newest command of a topic replaces those that wait. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

@@ -14,12 +14,11 @@ import kotlinx.serialization.json.doubleOrNull
 internal class RefusedRequest(message: String) : Exception(message)
 
 /**
- * The command for the action [name] of a participant, with the arguments in [request]: an array, an object with the array `arguments`, the
- * field `data` or no field, or any other object, whose values are the arguments in the order in which they stand. The object of a Twist is
- * two numbers.
+ * Makes the command for the action [name] of a participant, with the arguments in [request]: an array; an object with the array
+ * `arguments`, the field `data` or no field; or another object, whose values are the arguments in their order. A Twist gives two numbers.
  *
- * @param actions those of the participant; null: they are not known
- * @throws RefusedRequest if that is no command, or none of [actions]
+ * @param actions the participant's actions; null: they are not known
+ * @throws RefusedRequest if that is no command, or not among [actions]
  */
 internal fun commandOf(name: String, request: JsonElement?, actions: List<BoardAction>?): String {
     val functor = name.replace("/", "::")
@@ -42,7 +41,7 @@ private fun argumentsIn(request: JsonElement?): List<JsonElement> = when (reques
     is JsonObject -> (request["arguments"] ?: request["data"])?.let(::argumentsIn) ?: twistIn(request) ?: request.values.toList()
 }
 
-/** Plain text of a client that is no term is a string. */
+/** Returns [value] as a term; a client's text that is no term becomes a string. */
 private fun termOf(value: JsonElement): String = when (value) {
     is JsonArray -> value.joinToString(",", "[", "]", transform = ::termOf)
     is JsonObject -> throw RefusedRequest("an argument is a number, a text, true, false or an array of these, not $value")
@@ -67,7 +66,7 @@ private fun twistIn(message: JsonObject): List<JsonElement>? {
     return listOf(forward, turn)
 }
 
-/** The command that the text [written] of a request to `act` is. */
+/** Reads the command in [written], the text of a request to `act`. */
 internal fun writtenCommand(written: String?): String {
     val text = written?.trim().orEmpty()
     if (GroundTerm.ofOrNull(text) is GroundTerm.Structure) return text

@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Actions as ROS 1 has them: goals come by the topic `goal`, and their states and results go out by `status` and `result`. Safe for use by
- * several threads.
+ * Publishes the states and results of goals as actions of ROS 1 do, on the topics `status` and `result`; goals come by the topic `goal`.
+ * Safe for use by several threads.
  */
 internal class GoalTopics(private val topics: Topics) {
     private class Goal(val id: String, var state: Int, var text: String)
@@ -15,12 +15,12 @@ internal class GoalTopics(private val topics: Topics) {
     private val goals = HashMap<String, ArrayDeque<Goal>>() // by action; the last goals of each
     private val number = AtomicLong()
 
-    /** Publishes the states of [action], if they never were: clients take that for the server's being there. */
+    /** Publishes the states of [action] if they never were: by them clients see that the server is there. */
     fun announce(action: String) = synchronized(this) {
         if (topics.newest("$action/$STATUS") == null) report(action)
     }
 
-    /** A goal for [action] has come; false: it had come before, and is not to be carried out again. */
+    /** Notes a goal for [action]; false: it had come before, and is not to be carried out again. */
     fun begin(action: String, id: String): Boolean = synchronized(this) {
         if (goals.size >= MAX_ACTIONS && action !in goals) return false
         val its = goals.getOrPut(action, ::ArrayDeque)
@@ -31,10 +31,10 @@ internal class GoalTopics(private val topics: Topics) {
         true
     }
 
-    /** A new name for a goal that has none. */
+    /** Makes a name for a goal that has none. */
     fun newId(): String = "argo-goal-${number.incrementAndGet()}"
 
-    /** The goal [id] of [action] is over. */
+    /** Publishes that the goal [id] of [action] is over. */
     fun end(action: String, id: String, outcome: Outcome) = synchronized(this) {
         val state = if (outcome.error == null) SUCCEEDED else if (outcome.error == REFUSED) REJECTED else ABORTED
         goals[action]?.find { it.id == id }?.let {
@@ -67,7 +67,7 @@ internal class GoalTopics(private val topics: Topics) {
         private const val STATUS_TYPE = "actionlib_msgs/GoalStatusArray"
         private const val RESULT_TYPE = "argo_msgs/CommandActionResult"
 
-        /** Goals of an action whose states are published. A goal that comes again within so many others is known. */
+        /** The number of an action's goals whose states are kept. A goal that comes again within so many others is recognised. */
         private const val KEPT = 100
         private const val MAX_ACTIONS = 300
 
@@ -84,7 +84,7 @@ internal class GoalTopics(private val topics: Topics) {
     }
 }
 
-/** The response of a service, and the result of an action. */
+/** Makes the response of a service, which is also the result of an action. */
 internal fun resultOf(outcome: Outcome) = JsonObject(
     mapOf("success" to JsonPrimitive(outcome.error == null), "message" to JsonPrimitive(outcome.message)) +
         outcome.error?.let { mapOf("error" to JsonPrimitive(it)) }.orEmpty(),

@@ -5,14 +5,14 @@ import java.util.concurrent.CopyOnWriteArrayList
 
 /** Boards and agents with their topics, services and actions, as clients see them. Safe for use by several threads. */
 internal class Graph(warn: (String) -> Unit) {
-    /** What they publish. */
+    /** Their topics. */
     val topics = Topics(warn)
 
     /** The goals of actions as ROS 1 has them. */
     val goals = GoalTopics(topics)
     private val participants = CopyOnWriteArrayList<Participant>()
 
-    /** Whether nobody takes part. */
+    /** True if nobody takes part. */
     val isEmpty: Boolean get() = participants.isEmpty()
 
     /** The names of the participants, as nodes. */
@@ -28,9 +28,9 @@ internal class Graph(warn: (String) -> Unit) {
     }
 
     /**
-     * What a client means by the service or action [name].
+     * Finds the action that a client means by the service or action [name].
      *
-     * @throws RefusedRequest if that is none
+     * @throws RefusedRequest if there is none
      */
     fun target(name: String): Target {
         val parts = name.trim('/').split('/')
@@ -48,13 +48,13 @@ internal class Graph(warn: (String) -> Unit) {
         null
     }
 
-    /** The types of the services that are known, by their names. */
+    /** Returns the types of the known services, by their names. */
     fun services(): Map<String, String> = participants.distinctBy { it.name }.flatMap { participant ->
         val known = participant.actions.orEmpty().map { "/${participant.name}/${it.name}" to serviceType(it) }
         known + ("/${participant.name}/${Target.ACT}" to ACT_TYPE)
     }.toMap() + RosApiServices.TYPES
 
-    /** The actions that are known. */
+    /** Returns the known actions. */
     fun actions(): List<String> = participants.distinctBy { it.name }.flatMap { participant ->
         participant.actions.orEmpty().map { "/${participant.name}/${it.name}" }
     }
@@ -64,10 +64,10 @@ internal class Graph(warn: (String) -> Unit) {
     companion object {
         const val TRIGGER_TYPE = "std_srvs/Trigger"
 
-        /** `string[] arguments` gives what [TRIGGER_TYPE] does. */
+        /** A request `string[] arguments`, with the response of [TRIGGER_TYPE]. */
         const val COMMAND_TYPE = "argo_msgs/Command"
 
-        /** `string command` gives what [TRIGGER_TYPE] does. */
+        /** A request `string command`, with the response of [TRIGGER_TYPE]. */
         const val ACT_TYPE = "argo_msgs/Act"
     }
 }
@@ -78,7 +78,7 @@ internal class Graph(warn: (String) -> Unit) {
  * @property action its name, with the namespace of its board in front if it has one: `left/stop`
  */
 internal class Target(val participant: Participant, val action: String) {
-    /** Whether the participant has it, as far as is known. */
+    /** True unless the participant is known to lack it. */
     val mayExist: Boolean get() = participant.actions?.any { it.name == action } != false
 
     companion object {

@@ -4,7 +4,7 @@ import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** The types of what is published and called here, described as the node `rosapi` does. */
+/** The types of the topics and services here, described as the node `rosapi` does. */
 internal object MessageTypes {
     private class Field(val name: String, val type: String, val isArray: Boolean)
 
@@ -35,10 +35,10 @@ internal object MessageTypes {
         return Field(name, type.removeSuffix("[]"), type.endsWith("[]"))
     }
 
-    /** [type] and the types of its fields. */
+    /** Returns the descriptions of [type] and of the types of its fields. */
     fun details(type: String): JsonArray = JsonArray(withParts(type).map { (name, fields) -> typedef(name, fields) })
 
-    /** [type] as its file would have it. */
+    /** Returns [type] as its file would have it. */
     fun textOf(type: String): String = withParts(type).entries.joinToString("") { (name, fields) ->
         val head = if (name == type) "" else "================\nMSG: $name\n"
         head + fields.joinToString("") { "${it.type}${if (it.isArray) "[]" else ""} ${it.name}\n" }

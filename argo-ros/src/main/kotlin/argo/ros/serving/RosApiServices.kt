@@ -8,13 +8,13 @@ import kotlinx.serialization.json.JsonPrimitive
 import java.util.concurrent.TimeUnit
 
 /**
- * The services of the node `rosapi` that clients ask for what there is.
+ * The services of the node `rosapi` with which clients explore a graph.
  *
  * @param epochMs the time of day, in ms since 1970
  */
 internal class RosApiServices(private val graph: Graph, private val epochMs: () -> Long) {
     /**
-     * The response of the service [name].
+     * Returns the response of the service [name].
      *
      * @throws RefusedRequest if there is no such service
      */
@@ -68,10 +68,10 @@ internal class RosApiServices(private val graph: Graph, private val epochMs: () 
     companion object {
         const val BASE = "/rosapi/"
 
-        /** What requests call the thing that they are about. */
+        /** The fields of requests, one of which names their subject. */
         private val ASKED = listOf("topic", "service", "type", "node")
 
-        /** What these services are. */
+        /** The types of these services, by name. */
         val TYPES: Map<String, String> = mapOf(
             "topics" to "Topics", "topic_type" to "TopicType", "topics_for_type" to "TopicsForType", "services" to "Services",
             "topics_and_raw_types" to "TopicsAndRawTypes", "service_type" to "ServiceType", "services_for_type" to "ServicesForType",
@@ -80,7 +80,7 @@ internal class RosApiServices(private val graph: Graph, private val epochMs: () 
             "service_response_details" to "ServiceResponseDetails", "get_param_names" to "GetParamNames", "get_time" to "GetTime",
         ).map { (name, type) -> "$BASE$name" to "rosapi/$type" }.toMap()
 
-        /** [type] as ROS 1 writes it. */
+        /** Returns [type] as ROS 1 writes it. */
         fun plain(type: String): String = type.replace("/msg/", "/").replace("/srv/", "/").replace("/action/", "/")
     }
 }

@@ -34,7 +34,8 @@ import java.util.logging.Logger
 /**
  * A server of the rosbridge protocol, version 2, with [graph] behind it. It listens when this is made.
  *
- * A client cannot hurt another, nor a board: what it may send and leave unread is limited, and one that goes beyond is left.
+ * A client cannot hurt another, nor a board: the server limits what it may send and leave unread, and disconnects a client that exceeds a
+ * limit.
  *
  * @throws RefusedServer if the address cannot be had
  */
@@ -64,21 +65,21 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
     /** The port that it listens at. */
     val port: Int get() = server.port
 
-    /** How many connections there are. */
+    /** The number of connections. */
     val connections: Int get() = channels.size
 
-    /** Anybody on the network may cause these. */
+    /** Logs [line], bounded, since anybody on the network may cause it. */
     private fun log(kind: String, line: String) = lines.report(kind) { more -> tell(foreignText(line) + more) }
 
     private fun check() = try {
         val now = System.nanoTime()
         channels.filter { it.isLate(now) }.forEach { it.close() }
         server.connections.forEach { sessionOf(it)?.subscriber?.check() }
-    } catch (broken: Throwable) { // the timer would never look again
+    } catch (broken: Throwable) { // thrown, it would end the timer
         log("check", "the server's look after its clients failed: $broken")
     }
 
-    /** Ends all connections, and gives the port back. Waits for nothing but the end of the server's threads. */
+    /** Ends all connections, and frees the port. Waits only for the end of the server's threads. */
     override fun close() {
         timer.shutdownNow()
         try {
@@ -253,7 +254,7 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
     }
 
     companion object {
-        /** What the library logs of clients and of ports is reported by this class; kept, since loggers are forgotten. */
+        /** Silences the library's log, since this class reports clients and ports; kept, since loggers are garbage collected. */
         private val libraryLog = Logger.getLogger(WebSocket::class.java.packageName).apply { if (level == null) level = Level.OFF }
 
         private const val START_S = 10L
@@ -267,10 +268,10 @@ internal class RosServer(private val access: Access, private val graph: Graph, p
         private const val MAX_HANDSHAKE = 16L * 1024
         private val HANDSHAKE_NANOS = TimeUnit.SECONDS.toNanos(5)
 
-        /** What a client is told for which there is no room. */
+        /** The response to a client for which there is no room. */
         private const val FULL = "HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n"
 
-        /** How many clients there can be at once. */
+        /** The largest number of clients at once. */
         const val MAX_CONNECTIONS = 64
     }
 }

@@ -4,8 +4,8 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.logging.Logger
 
 /**
- * The servers of this program, one for each address that agents ask for: agents that ask for the same one share it, on purpose, so that
- * all of a system are on one graph. Safe for use by several threads.
+ * The servers of this program, one for each address that agents ask for: agents that ask for the same one share it, on purpose, so that all
+ * agents of a system are on one graph. Safe for use by several threads.
  */
 internal object RosServers {
     private class Shared(val graph: Graph, val server: RosServer)
@@ -14,7 +14,7 @@ internal object RosServers {
     private val servers = HashMap<String, Shared>()
 
     /**
-     * Puts what [participant] makes of a graph on the server at [address], as [Access.of] reads it.
+     * Makes a participant by [participant] and adds it to the graph of the server at [address], as [Access.of] reads it.
      *
      * @return the port that it listens at
      * @throws RefusedServer if there can be none
@@ -30,7 +30,7 @@ internal object RosServers {
         return Shared(graph, RosServer(Access.of(address), graph, log::info))
     }
 
-    /** Takes [participant] off the server at [address]; the last one ends it. Waits for nothing. */
+    /** Takes [participant] off the server at [address]; the last one ends it. Does not wait. */
     @Synchronized
     fun leave(address: String, participant: Participant) {
         val shared = servers[address] ?: return
@@ -41,7 +41,7 @@ internal object RosServers {
     }
 }
 
-/** [tell] for each text once, and for some hundred texts at most. */
+/** Wraps [tell] so that it gets each text once, and some hundred texts at most. */
 internal fun onceEach(tell: (String) -> Unit): (String) -> Unit {
     val told = ConcurrentHashMap.newKeySet<String>()
     return { if (told.size < MAX_TOLD && told.add(it)) tell(it) }

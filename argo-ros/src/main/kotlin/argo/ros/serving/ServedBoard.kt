@@ -15,15 +15,15 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A board that is offered without an agent: it is asked for its percepts at an interval, and opened again when it has gone. Each command is
- * sent once at most.
+ * Offers a board without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is sent once
+ * at most.
  *
  * @param port its port, for messages
- * @param intervalMs from one request to the next
- * @param timeoutMs how long an answer may take
+ * @param intervalMs the time from one request to the next
+ * @param timeoutMs the time that an answer may take
  * @param listens whether it sends its percepts unasked
  * @param open opens it
- * @param tell takes what a person should know
+ * @param tell takes a line for a person
  */
 internal class ServedBoard(
     override val name: String,
@@ -62,7 +62,7 @@ internal class ServedBoard(
                 return
             } catch (gone: PortException) {
                 off("${gone.message}")
-            } catch (unforeseen: Throwable) { // nobody would ask the board any more
+            } catch (unforeseen: Throwable) { // thrown, it would end the thread that asks the board
                 off("it failed: $unforeseen")
             }
             try {
@@ -92,7 +92,7 @@ internal class ServedBoard(
             } catch (late: PortTimeoutException) {
                 report("timeout", "/$name: ${late.message}")
             }
-            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // what was late is not caught up with
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // missed requests are not made up for
             if (!listens && !opened.speaksUnasked) waitUntil(due)
         }
     }
@@ -110,7 +110,7 @@ internal class ServedBoard(
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
             // the thread that senses finds it gone
-        } catch (unforeseen: Throwable) { // nobody would send commands any more
+        } catch (unforeseen: Throwable) { // thrown, it would end the thread that sends commands
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()
         }
@@ -127,7 +127,7 @@ internal class ServedBoard(
         val opened = link ?: return done(Outcome("no_port", "the board at port $port is not there now"))
         try {
             opened.send(command, options).outcome.whenComplete { _, trouble -> done(outcomeOf(trouble)) }
-        } catch (unsendable: IllegalArgumentException) { // what fits into no frame
+        } catch (unsendable: IllegalArgumentException) { // text that fits into no frame
             done(Outcome("wrong_arguments", unsendable.message.orEmpty()))
         }
     }
@@ -143,7 +143,7 @@ internal class ServedBoard(
     }
 }
 
-/** What an agent calls the failure [trouble] of a command; null: it was carried out. */
+/** Names the failure [trouble] of a command as an agent does; null: it was carried out. */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble
     return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")

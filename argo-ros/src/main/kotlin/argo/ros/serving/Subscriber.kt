@@ -9,7 +9,7 @@ internal interface ClientSocket {
     /** Sends [text]. */
     fun send(text: String)
 
-    /** Sends a ping that holds [number], which the client sends back when it has read what came before. */
+    /** Sends a ping that holds [number], which the client sends back when it has read all earlier messages. */
     fun ping(number: Long)
 
     /** Ends the connection for [reason]. */
@@ -17,9 +17,9 @@ internal interface ClientSocket {
 }
 
 /**
- * What goes out to one client. Topics are sent in rounds, each of which has what is newest of those that are due, and the next round waits
- * until the client has read the one before. So what a slow client reads is as old as it takes to read one round, and nothing piles up,
- * neither here nor on the network. Safe for use by several threads.
+ * Sends to one client. Topics are sent in rounds: each has the newest messages of the due topics, and the next waits until the client has
+ * read the one before. So a slow client reads messages no older than one round takes, and none pile up, neither here nor on the network.
+ * Safe for use by several threads.
  *
  * @param nanos the time
  * @param random a number that a client cannot know before it has read it
@@ -36,7 +36,7 @@ internal class Subscriber(
     private class Topic {
         val wishes = HashMap<String, Wish>() // by the ids of the subscriptions
         val waiting = ArrayDeque<String>()
-        var name = "" to "" // and what the client calls it
+        var name = "" to "" // and the client's name for the topic
         var throttleNanos = 0L
         var kept = 1
         var sentNanos: Long? = null
@@ -50,7 +50,7 @@ internal class Subscriber(
     private val lock = ReentrantLock()
     private val topics = LinkedHashMap<String, Topic>() // guarded by lock, as all below
     private var subscriptions = 0
-    private var ping: Long? = null // the one that is not answered
+    private var ping: Long? = null // the ping that is not answered
     private var pingedNanos = 0L
     private var heardNanos = nanos()
     private var wakeNanos: Long? = null
@@ -61,8 +61,8 @@ internal class Subscriber(
     /**
      * Subscribes to [topic], or changes the subscription [id]. Of several ids, the shortest interval and the longest queue count.
      *
-     * @param newest what is sent at once
-     * @param asked what the client calls the topic, and finds it by
+     * @param newest the message that is sent at once
+     * @param asked the client's name for the topic, by which it finds it
      * @return false: there are too many subscriptions
      */
     fun subscribe(topic: String, id: String, throttleMs: Long, queueLength: Int, newest: String?, asked: String = topic): Boolean {
@@ -106,7 +106,7 @@ internal class Subscriber(
         sendDue()
     }
 
-    /** Sends [text], an answer, at once. A client that does not read its answers is left. */
+    /** Sends [text], an answer, at once. Disconnects a client that does not read its answers. */
     fun send(text: String): Unit = lock.withLock {
         if (isEnded) return
         socket.send(text)
@@ -130,7 +130,7 @@ internal class Subscriber(
         socket.ping(number)
     }
 
-    /** The client has answered the ping [number]. */
+    /** Notes that the client has answered the ping [number]. */
     fun answered(number: Long) {
         lock.withLock {
             heardNanos = nanos()
@@ -141,10 +141,10 @@ internal class Subscriber(
         sendDue()
     }
 
-    /** The client has said something. */
+    /** Notes that a message of the client has come. */
     fun isAlive() = lock.withLock { heardNanos = nanos() }
 
-    /** Leaves a client that has gone without a word; to be called about once a second. */
+    /** Disconnects a client that has gone without closing the connection. Call it about once a second. */
     fun check(): Unit = lock.withLock {
         if (isEnded) return
         val now = nanos()
@@ -152,7 +152,7 @@ internal class Subscriber(
         if (ping == null && now - heardNanos > IDLE_NANOS) sendPing()
     }
 
-    /** Nothing is sent any more. */
+    /** Stops sending. */
     fun stop() = lock.withLock {
         isEnded = true
         topics.clear()
@@ -178,7 +178,7 @@ internal class Subscriber(
 
     private fun Topic.remainingNanos(now: Long) = sentNanos?.let { it + throttleNanos - now } ?: 0
 
-    /** With an interval, one message goes out in each. */
+    /** Sends the due messages of the topic: with an interval, one in each. */
     private fun Topic.sendDue(now: Long) {
         sentNanos = now
         do {
@@ -196,14 +196,14 @@ internal class Subscriber(
     }
 
     companion object {
-        /** How many subscriptions a client can have. */
+        /** The largest number of a client's subscriptions. */
         const val MAX_SUBSCRIPTIONS = 1_000
 
         /** The longest queue of a subscription, and of results. */
         const val MAX_QUEUE = 100
         private const val MAX_THROTTLE_MS = 86_400_000L
 
-        /** How many characters may be on their way to a client that does not show that it reads them. */
+        /** The most characters on their way to a client that does not show that it reads them. */
         const val MAX_UNREAD = 4L * 1024 * 1024
         private val LOST_NANOS = TimeUnit.SECONDS.toNanos(20)
         private val IDLE_NANOS = TimeUnit.SECONDS.toNanos(20)

@@ -5,12 +5,12 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** Takes what is published. Called by any thread, and returns at once. */
+/** Takes published messages. Called by any thread, and returns at once. */
 internal fun interface TopicReader {
     /**
-     * [operation] was published on [topic].
+     * Takes [operation], which was published on [topic].
      *
-     * @param isEvent whether it counts by itself, so that the next message does not take its place
+     * @param isEvent whether it is an event, which the next message does not replace
      */
     fun published(topic: String, operation: String, isEvent: Boolean)
 }
@@ -18,7 +18,7 @@ internal fun interface TopicReader {
 /**
  * The topics of the graph: the type of each, and its newest message. Safe for use by several threads.
  *
- * @param warn takes what a person should know, each text once
+ * @param warn takes warnings for a person, each text once
  */
 internal class Topics(private val warn: (String) -> Unit) {
     private class Topic(val type: String) {
@@ -57,7 +57,7 @@ internal class Topics(private val warn: (String) -> Unit) {
         return topics.computeIfAbsent(name) { Topic(type) }
     }
 
-    /** The newest message of [topic], which a subscriber gets at once; null: there is none. */
+    /** Returns the newest message of [topic], which a subscriber gets at once; null: there is none. */
     fun newest(topic: String): String? = topics[topic]?.newest
 
     /** Forgets the topics below [base]. */
@@ -66,7 +66,7 @@ internal class Topics(private val warn: (String) -> Unit) {
     }
 
     companion object {
-        /** How many topics there can be, since a board may make up names. */
+        /** The largest number of topics: a board may make up names. */
         const val MAX_TOPICS = 1_000
     }
 }

@@ -13,7 +13,7 @@ import java.util.concurrent.CompletionStage
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 
-/** A client that sends what it likes, at the WebSocket [address]. */
+/** A client that sends anything to the WebSocket [address]. */
 internal class RawClient(address: URI, headers: Map<String, String> = emptyMap()) : WebSocket.Listener, AutoCloseable {
     /** The operations that have come. */
     val heard = ConcurrentLinkedQueue<JsonObject>()
@@ -30,7 +30,7 @@ internal class RawClient(address: URI, headers: Map<String, String> = emptyMap()
         socket.sendText(text, true).get(20, TimeUnit.SECONDS)
     }
 
-    /** The first operation [op] that has come, awaited. */
+    /** Waits for the first operation [op]. */
     suspend fun await(op: String): JsonObject {
         var found: JsonObject? = null
         eventually(LIMIT) { found = heard.find { it.text("op") == op }.shouldNotBeNull() }

@@ -28,7 +28,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.absolute
 
-/** A board that counts its answers, and notes what it does. */
+/** A board that counts its answers, and notes its actions. */
 private class Blinker : Sketch {
     private var count = 0
     val done = ConcurrentLinkedQueue<String>()
@@ -75,7 +75,7 @@ class RosClientsSpec : FunSpec({
     fun isThere(file: Path) =
         if (Files.exists(file)) Enabled.enabled else Enabled.disabled("there is no $file; argo-ros/src/test/clients/install installs it")
 
-    /** Runs a client, and returns what it saw. */
+    /** Runs a client, and returns all that it saw. */
     fun run(vararg command: String): JsonObject {
         val log = Files.createTempFile("ros-client", ".log")
         val process = ProcessBuilder(*command).redirectError(log.toFile()).start()

@@ -35,7 +35,7 @@ class RosServerSpec : FunSpec({
         return await("service_response").also { it.text("id") shouldBe "7" }
     }
 
-    /** The client is served as ever. */
+    /** Checks that the client is still served. */
     suspend fun RawClient.isServed() {
         call("/uno/stop").part("values")?.text("success") shouldBe "true"
         server.says("dist(front,38);")

@@ -21,7 +21,7 @@ private class SlowClient(private val workMs: Long) {
     private var random = 0L
     var answersPings = true
 
-    /** What was handled, each with its time in ms. */
+    /** The messages that were handled, each with its time in ms. */
     val handled = ArrayList<Pair<String, Long>>()
     var ended: String? = null
     val pings = ArrayList<Long>()

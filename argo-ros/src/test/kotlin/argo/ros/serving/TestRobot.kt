@@ -20,13 +20,13 @@ internal class TestRobot(
 
 /** A server at a free port of this computer with [robot] on its graph. */
 internal class TestServer(val robot: TestRobot = TestRobot(), address: String = "0") : AutoCloseable {
-    /** What a person is told. */
+    /** The lines for a person. */
     val log = ConcurrentLinkedQueue<String>()
     val graph = Graph(log::add).apply { add(robot) }
     val server = RosServer(Access.of(address), graph, log::add)
     private val publisher = PerceptPublisher("/${robot.name}", graph.topics)
 
-    /** The robot's board says [message]. */
+    /** Publishes [message] as the robot's board. */
     @Synchronized
     fun says(message: String) = publisher.publish(message)
 

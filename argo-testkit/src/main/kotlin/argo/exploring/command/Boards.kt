@@ -6,7 +6,7 @@ import java.lang.reflect.InvocationTargetException
 import java.lang.reflect.Modifier
 
 /**
- * Describes a board by [text]: its port, and behind it the percepts of each sensor, as in `ttyACM0 dist(front,5..200) line(on)|line(off)|`.
+ * Describes a board by [text]: its port, followed by the percepts of each sensor, as in `ttyACM0 dist(front,5..200) line(on)|line(off)|`.
  *
  * @throws IllegalArgumentException if that is no board
  */

@@ -6,9 +6,9 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * What the arguments of the program ask for.
+ * The program's arguments.
  *
- * @throws IllegalArgumentException if they are no file and options
+ * @throws IllegalArgumentException if they are not a file and options
  */
 internal class ExploreArguments(arguments: List<String>) {
     /** The file of the agents. */
@@ -46,7 +46,7 @@ internal class ExploreArguments(arguments: List<String>) {
     }
 }
 
-/** Describes boards, faults and rules as [options] ask for. */
+/** Describes boards, faults and rules as [options] demand. */
 internal fun Exploration.describedBy(options: ExploreArguments) {
     options.described?.let { describedIn(it) }
     options.boards.forEach { described(it, options.isVersion2) }
@@ -60,7 +60,7 @@ internal fun Exploration.describedBy(options: ExploreArguments) {
     options.time?.let { time = it }
 }
 
-/** The words of [text] are the agent, the sender, the performative and the content, which may have blanks. */
+/** Adds the message in [text]: the agent, the sender, the performative and the content, which may have blanks. */
 private fun Exploration.message(text: String) {
     val words = text.trim().split(Regex("\\s+"), limit = MESSAGE_WORDS)
     require(words.size == MESSAGE_WORDS) {

@@ -16,12 +16,12 @@ import kotlin.system.exitProcess
 fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList(), System.out, System.err))
 
 /**
- * Explores the agents in the file that the first argument names, as the others describe: `--NAME=VALUE`, those of the tool `explore`.
+ * Explores the agents in the file that the first argument names, with the others as options: `--NAME=VALUE`, those of the tool `explore`.
  *
- * @param out where the report goes
- * @param err where the reason goes if nothing is explored
- * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 nothing can be found out, 4 a rule was broken, which no Java
- * machine ends with that cannot start
+ * @param out takes the report
+ * @param err takes the reason if nothing is explored
+ * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken; a Java
+ * machine that cannot start never ends with 4
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {

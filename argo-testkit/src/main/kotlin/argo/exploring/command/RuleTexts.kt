@@ -25,18 +25,18 @@ import jason.asSyntax.Term
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
-/** How a rule is written as an argument: [usage], and [make] with its arguments; null: it does not take these. */
+/** The form of a rule as an argument: [usage], and [make], which returns the rule for its arguments, or null if it does not take them. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }
 
-/** With whole numbers, or none. */
+/** A form with whole numbers, or none. */
 private fun numbers(usage: String, make: (List<Int>) -> Rule?) = RuleText(usage) { terms ->
     val numbers = terms.mapNotNull { (it as? NumberTerm)?.solve()?.toInt() }
     if (numbers.size == terms.size) make(numbers) else null
 }
 
-/** With a list of commands, or none. */
+/** A form with a list of commands, or none. */
 private fun except(usage: String, make: (List<String>) -> Rule) = RuleText(usage) { terms ->
     when (terms.size) {
         0 -> make(emptyList())
@@ -68,7 +68,7 @@ private val RULES: Map<String, RuleText> = listOf(
 ).associateBy { it.usage.substringBefore('(') }
 
 /**
- * The rule that [text] calls, as Jason writes terms: `stopsWhenBlind(stop,[front])`.
+ * Makes the rule that [text], a term of Jason, calls: `stopsWhenBlind(stop,[front])`.
  *
  * @throws IllegalArgumentException if there is no such rule
  */
@@ -84,18 +84,18 @@ internal fun ruleOf(text: String): Rule {
     return requireNotNull(rule.make(call.terms.orEmpty())) { "the rule ${call.functor} is written as ${rule.usage}, not $text" }
 }
 
-/** Whether a rule of this library is made by the function [name]. */
+/** Returns true if the function [name] makes a rule of this library. */
 internal fun isKnownRule(name: String) = name in RULES
 
-/** Whether [name] calls [rule]. */
+/** Returns true if [name] is the function of [rule]. */
 internal fun isNamed(rule: Rule, name: String) = rule is ReadyRule && rule.function == name
 
 internal fun noSuchRule(text: String) = "there is no rule $text; there are ${RULES.values.joinToString { it.usage }}"
 
 private fun pair(terms: List<Term>, make: (Term, Term) -> Rule?): Rule? = if (terms.size == 2) make(terms[0], terms[1]) else null
 
-/** A command or a condition: an atom, a literal, or a text in quotes. */
+/** Returns a command or a condition as text: an atom, a literal, or a text in quotes. */
 private fun word(term: Term) = if (term is StringTerm) term.string else "$term"
 
-/** The commands in the list [term]; null: it is none. */
+/** Returns the commands in the list [term]; null: it is none. */
 private fun words(term: Term): List<String>? = (term as? ListTerm)?.map(::word)

@@ -16,7 +16,7 @@ import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.seconds
 
-/** Why reflexes were carried out: no plan has them sent, so no replay shows it. */
+/** The reasons of reflexes: no plan sends them, so no replay shows why. */
 class WhyReflexSpec : FunSpec({
     val near = """<critical reflex="stop"><predicate>dist</predicate><parameter id="1" operator="LT">15</parameter></critical>"""
     val dark = """<critical reflex="lamp"><predicate>light</predicate><parameter id="0" operator="LT">3</parameter></critical>"""
@@ -27,7 +27,9 @@ class WhyReflexSpec : FunSpec({
         +light(_) : not begun <- +begun; argo.act(forward).
     """.trimIndent()
 
-    /** What is asked of the recording of an agent with a filter of both critical rules while [drive] runs. */
+    /**
+     * Records an agent with a filter of both critical rules while [drive] runs, and returns the answer to a question about the recording.
+     */
     fun <T> whyOf(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit, ask: Why.() -> T): T {
         val file = recordingFile()
         file.parent.resolve("careful.xml").writeText("<PerceptionFilter>$near$dark</PerceptionFilter>")

@@ -17,24 +17,24 @@ import kotlin.time.Duration.Companion.seconds
 internal class ScenarioSensor(
     val space: String?, private val functor: String, private val place: String, val values: List<Int>, private val filter: ScenarioFilter,
 ) {
-    /** What the agent believes. */
+    /** Returns the percept as the agent believes it. */
     fun percept(value: String) = inSpace(space, "$functor($place,$value)")
 
     val isConstant get() = values.distinct().size == 1
 
-    /** Since which phase it has shown what it shows in [phase]. */
+    /** Returns the phase since which it has shown its value in [phase]. */
     fun since(phase: Int): Int = (phase downTo 1).firstOrNull { values[it] != values[it - 1] } ?: 0
 
     fun isNewIn(phase: Int) = phase == 0 || values[phase] != values[phase - 1]
 
-    /** The frame by which what it shows in [phase] came. */
+    /** Returns the frame by which its value in [phase] came. */
     fun cause(phase: Int) = since(phase).let { CausingFrame(space, it, isHeld(it)) }
 
-    /** Whether the filter holds what is new in [phase] back for a part of it: what was new in the phase before has just passed. */
+    /** Returns true if the filter holds a new value of [phase] back for a part of it, since that of the phase before has just passed. */
     fun isHeld(phase: Int): Boolean =
         filter.isRated(phase) && ScenarioFilter.isLong(phase) && isNewIn(phase) && isNewIn(phase - 1)
 
-    /** What the agent perceives in [phase]; [isLate]: at its end, behind what is held back. */
+    /** Returns the value that the agent perceives in [phase]; with [isLate], at its end, when held-back values have passed. */
     fun perceived(phase: Int, isLate: Boolean): Int = if (isLate || !isHeld(phase)) values[phase] else values[phase - 1]
 }
 
@@ -52,24 +52,24 @@ internal enum class ScenarioFilter {
     CHANGED,
     ;
 
-    /** Whether phases are short and long in turn. */
+    /** True if phases are short and long in turn. */
     val isOfRates get() = this == RATED || this == CHANGED
 
-    /** Whether what is new in [phase] may be held back. */
+    /** Returns true if the filter may hold back a new value of [phase]. */
     fun isRated(phase: Int) = this == RATED || this == CHANGED && phase > 1
 
     companion object {
-        /** How often a sensor passes at most in the filter `rated`. */
+        /** The shortest time between two percepts of a sensor that pass the filter `rated`. */
         const val EVERY_MS = 500
 
-        /** Whether [phase] is longer than that; the others are shorter. */
+        /** Returns true if [phase] is longer than that; the others are shorter. */
         fun isLong(phase: Int) = phase % 2 == 1
     }
 }
 
 /**
- * The first frame of a [phase] from the board in the namespace [space]; or, of a percept that was held back, the one in that phase by which
- * it came.
+ * The first frame of a [phase] from the board in the namespace [space]; or, if its percept was held back, the frame in that phase by which
+ * it passed.
  */
 internal data class CausingFrame(val space: String?, val phase: Int, val isHeld: Boolean = false)
 
@@ -78,17 +78,17 @@ internal data class CausingFrame(val space: String?, val phase: Int, val isHeld:
  *
  * @property text the command
  * @property plans the plans that lead to it
- * @property phase in which phase the frame comes on which it is sent; null: it is not sent
- * @property root the frame in which the percept came that began the intention; null: a goal of the program began it
- * @property causes the frames in which all percepts came that it depends on
+ * @property phase the phase of the frame on which it is sent; null: it is not sent
+ * @property root the frame with the percept that began the intention; null: a goal of the program began it
+ * @property causes the frames of all percepts on which it depends
  */
 internal class KnownCommand(
     val text: String, val plans: String, val phase: Int?, val root: CausingFrame?, val causes: Set<CausingFrame>,
 )
 
 /**
- * An agent and a drive of it, both by [seed], for whose commands the frames are known that are the cause. Each frame has the number of its
- * phase, and a number of its own.
+ * An agent and a drive of it, both drawn from [seed]. The frames that cause its commands are known. Each frame has the number of its phase,
+ * and a number of its own.
  */
 internal class WhyScenario(seed: Int) {
     private val random = Random(seed)
@@ -99,7 +99,7 @@ internal class WhyScenario(seed: Int) {
     private val pausesMs = List(phases) { phase ->
         when {
             !filter.isOfRates -> random.nextInt(700, 1300)
-            ScenarioFilter.isLong(phase) -> random.nextInt(1000, 1400) // what was held back has passed for long when the next one begins
+            ScenarioFilter.isLong(phase) -> random.nextInt(1000, 1400) // held-back percepts have passed long before the next one begins
             else -> SHORT_MS
         }
     }
@@ -135,12 +135,12 @@ internal class WhyScenario(seed: Int) {
         val first = sensors[number] // of two plans for the same event only one is chosen
         val limit = random.nextInt(20, 180)
         val other = random.nextInt(20, 180)
-        val isAtOnce = first.values[0] < limit // so that what another board shows is not there yet, or is
+        val isAtOnce = first.values[0] < limit // so that the percepts of another board are there or not yet
         val second = (sensors - decoy).filter { it.space == first.space || it.isConstant && !isAtOnce }.random(random)
         fun isLow(phase: Int) = first.values[phase] < limit
         fun isHigh(phase: Int) = second.perceived(phase, first.isHeld(phase)) > other
 
-        /** The frame of what the second sensor is perceived to show when an event of the first one comes in [phase]. */
+        /** Returns the frame of the second sensor's value that is perceived when an event of the first one comes in [phase]. */
         fun aside(phase: Int) = second.cause(if (second.isHeld(phase) && !first.isHeld(phase)) phase - 1 else phase)
         val both = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) && isHigh(it) }
         val alone = (0 until phases).firstOrNull { first.isNewIn(it) && isLow(it) }
@@ -182,7 +182,7 @@ internal class WhyScenario(seed: Int) {
         }
     }
 
-    /** The step that sends [command] to the first board. */
+    /** Returns the step that sends [command] to the first board. */
     private fun acting(command: String) = "argo.act(${inSpace(spaces.first(), command)})"
 
     private fun polled(number: Int, sensor: ScenarioSensor, limit: Int): KnownCommand {
@@ -198,7 +198,10 @@ internal class WhyScenario(seed: Int) {
     /** Records the drive, and returns the file. */
     fun record(): Path = recorded(program) { drive { _, percept -> percept } }
 
-    /** The commands that arrive up to [seconds] if in the phases [from] to [until] the percepts of the kind of [percept] are that. */
+    /**
+     * Returns the commands that arrive up to [seconds] if [percept] takes the place of percepts of its kind in the phases [from] to
+     * [until].
+     */
     fun sentWith(percept: String, from: Int, until: Int, seconds: Double): List<String> {
         val kind = percept.substringBeforeLast(',')
         val agent = agentOf(program)
@@ -228,17 +231,17 @@ internal class WhyScenario(seed: Int) {
 
 private const val MOST_COMMANDS = 3
 
-/** How long a short phase is: some frames, and shorter than a sensor is held back. */
+/** The length of a short phase: some frames, and shorter than a sensor is held back. */
 private const val SHORT_MS = 300
 
-/** What a command takes on the line, at most. */
+/** The longest time of a command on the line. */
 private val LINE = 40.milliseconds
 
-/** What a board in the namespace [space] says as [text], as the agent believes it. */
+/** Returns [text], a percept of a board in the namespace [space], as the agent believes it. */
 internal fun inSpace(space: String?, text: String) = if (space == null) text else "$space::$text"
 
 /** The phase of this frame. */
 internal val Frame.phase: Int get() = phaseOf(texts)
 
-/** The phase in which a board has shown [texts]. */
+/** Returns the phase in which a board has shown [texts]. */
 internal fun phaseOf(texts: List<String>): Int = texts.first { it.startsWith("phase(") }.removeSurrounding("phase(", ")").toInt()

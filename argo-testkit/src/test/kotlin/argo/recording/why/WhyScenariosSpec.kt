@@ -9,14 +9,14 @@ import java.nio.file.Path
 
 /**
  * In generated scenarios whose cause is known, the answer names the frames that are the cause and no other, and each counterfactual in it
- * holds when the agent is driven so. The property `argo.why.scenarios` is how many are asked about.
+ * holds when the agent is driven so. The property `argo.why.scenarios` is the number of scenarios.
  */
 class WhyScenariosSpec : FunSpec({
     val count = System.getProperty("argo.why.scenarios")?.toInt() ?: 8
 
     fun <T> asking(file: Path, ask: (Why) -> T): T = Recording(file).use { recording -> Why(recording).use(ask) }
 
-    /** The frames that were perceived. */
+    /** Returns the frames that were perceived. */
     fun framesOf(file: Path) = Recording(file).use { recording ->
         val snapshots = recording.cycles("agent").flatMap { it.input.snapshots }.distinctBy { it.port to it.receivedNs }.toList()
         val firstNs = checkNotNull(recording.firstNs)
@@ -65,29 +65,29 @@ class WhyScenariosSpec : FunSpec({
     }
 })
 
-/** A frame of the board on [port], and when its last byte came. */
+/** A frame of the board on [port], with the time of its last byte. */
 private class KnownFrame(val port: String, val phase: Int, val number: Int, val seconds: Double)
 
 /** All frames that an agent perceived, in their order. */
 private class KnownFrames(private val all: List<KnownFrame>) {
-    /** What [frame] may be known as: the first one of its phase, the one by which something comes that was held back, or both. */
+    /** Returns the roles that [frame] may have: the first one of its phase, the one by which a held-back percept passes, or both. */
     fun cause(frame: Frame): Set<CausingFrame> = setOfNotNull(
         CausingFrame(frame.namespace, frame.phase).takeIf { isFirst(frame) },
         CausingFrame(frame.namespace, frame.phase, isHeld = true).takeIf { isHeldUntil(frame) },
     )
 
-    /** Whether [frames] are the [known] ones, all of them and no other. */
+    /** Returns true if [frames] are the [known] ones, all of them and no other. */
     fun are(frames: List<Frame>, known: Set<CausingFrame>): Boolean {
         val causes = frames.map(::cause)
         return causes.all { it.any(known::contains) } && known.all { one -> causes.any { one in it } }
     }
 
-    /** Whether [frame] is the first one of its board in its phase. */
+    /** Returns true if [frame] is the first one of its board in its phase. */
     private fun isFirst(frame: Frame) = firstIn(frame.port, frame.phase)?.number == frame.number
 
     /**
-     * Whether it is by [frame] that a percept passes which is held back since the first frame of the phase before: the newest one when its
-     * time is over, or the next one.
+     * Returns true if a percept that has been held back since the first frame of the phase before passes by [frame]: the newest one when
+     * the percept's time is over, or the next one.
      */
     private fun isHeldUntil(frame: Frame): Boolean {
         if (!ScenarioFilter.isLong(frame.phase)) return false

@@ -12,7 +12,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import kotlin.time.Duration.Companion.seconds
 
-/** Why an agent did what it did, as its replay shows. */
+/** The reasons of an agent's actions, as its replay shows them. */
 class WhySpec : FunSpec({
     val driving = """
         !start.

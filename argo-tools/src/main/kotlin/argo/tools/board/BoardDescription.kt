@@ -11,12 +11,13 @@ import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
 /**
- * What a board is known to be.
+ * The known facts about a board.
  *
- * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not say
- * @property percepts what it has answered to one request
- * @property lost how many actions of its sketch found no room in its memory
- * @property rules how many critical rules it holds; null: it is of version 1
+ * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
+ * itself
+ * @property percepts its answer to one request
+ * @property lost the number of its sketch's actions that found no room in its memory
+ * @property rules the number of critical rules that it holds; null: it is of version 1
  */
 internal class BoardDescription(
     private val protocol: Protocol,
@@ -25,7 +26,7 @@ internal class BoardDescription(
     private val percepts: List<String>,
     private val rules: Int?,
 ) {
-    /** A line for each subject. */
+    /** Returns a line for each subject. */
     fun lines(): List<String> = listOf(
         "a Javino board of ${versionSpoken(protocol)}",
         "actions: " + when {
@@ -33,13 +34,14 @@ internal class BoardDescription(
             actions == null -> "unknown; the board did not describe them in time"
             actions.isEmpty() -> "unknown; its sketch has no table of actions"
             else -> actions.joinToString()
-        } + if (lost == 0) "" else "; $lost more found no room in its memory and are refused, see \"javino.act.full()\" and JavinoSized",
+        } + if (lost == 0) "" else "; $lost more found no room (126 at most, fewer in little memory) and are refused, " +
+            "see \"javino.act.full()\" and JavinoSized",
         "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
     ).map(::printable)
 
-    /** The members of its JSON object. */
+    /** Returns the members of its JSON object. */
     fun members(): Map<String, Any?> = mapOf(
         "board" to "a Javino board of ${versionSpoken(protocol)}",
         "actions" to actions,

@@ -5,12 +5,12 @@ import java.nio.file.Path
 
 /** The options of `replay` for a recording of a board. */
 internal class BoardReplayOptions {
-    /** Whether it begins again at its end. */
+    /** True if it begins again at its end. */
     @Option(names = ["--loop"], description = ["restarts at the end of the recording"])
     var loop = false
         private set
 
-    /** Whether each request is given the next answer. */
+    /** True if each request is given the next answer. */
     @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, ignoring times"])
     var inTurn = false
         private set

@@ -22,8 +22,8 @@ internal class Interruption : AutoCloseable {
     }
 
     /**
-     * Whether the program is ending, or begins to within [LATE_MS]: a signal to all programs of a terminal may end those that a command has
-     * started before this one. For the thread that made this; its interruption is taken then.
+     * Returns true if the program is ending, or begins to within [LATE_MS]: a signal to all programs of a terminal may end those that a
+     * command has started before this one. For the thread that made this; its interruption is taken then.
      */
     fun isEnding(): Boolean = try {
         ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }

@@ -11,7 +11,7 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** The options of a line, as those of `argo.port`; picocli mixes them into a command. */
+/** The options of a line, like those of `argo.port`; picocli mixes them into a command. */
 class LineOptions {
     @Spec(Spec.Target.MIXEE)
     private lateinit var spec: CommandSpec
@@ -28,7 +28,7 @@ class LineOptions {
     )
     private lateinit var protocol: String
 
-    /** How long an answer may take, in ms. */
+    /** The time that an answer may take, in ms. */
     @Option(
         names = ["--timeout"], paramLabel = "MS", defaultValue = "500",
         description = ["how long an answer may take, milliseconds (\${DEFAULT-VALUE})"],
@@ -52,7 +52,7 @@ class LineOptions {
      */
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
-    /** [port], unless agents reach it by another protocol than that of these tools. */
+    /** Returns [port]; refuses one that agents reach by another protocol than that of these tools. */
     private fun inJavino(port: String): String {
         if (port.startsWith("ros:")) spec.refuse("$port is for agents, argo.port(\"$port\"); this command speaks Javino and no ROS")
         return port
@@ -74,7 +74,7 @@ class LineOptions {
     }
 }
 
-/** The version that a link speaks, in words. */
+/** Names the version that a link speaks. */
 internal fun versionSpoken(protocol: Protocol): String = when (protocol) {
     Protocol.AUTO -> "an unknown version"
     Protocol.V1 -> "version 1"

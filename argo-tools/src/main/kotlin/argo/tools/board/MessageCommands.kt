@@ -76,7 +76,7 @@ internal class SendCommand : MessageCommand() {
     }
 
     private companion object {
-        /** A silent port and a board of version 1 look the same to who sends. */
+        /** The sender cannot tell a silent port from a board of version 1. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"
     }

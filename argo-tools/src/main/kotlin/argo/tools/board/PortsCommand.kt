@@ -60,7 +60,7 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Whether the system has no such device. */
+    /** Returns true if the system has no such device. */
     private fun isMissing(path: String) =
         SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
 

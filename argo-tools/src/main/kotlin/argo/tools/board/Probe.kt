@@ -12,8 +12,8 @@ import javino.StrayBytes
 /**
  * The result of probing a port, in words.
  *
- * @property answers whether a Javino board answers; null: unknown
- * @property description null: none was asked for, or there is none
+ * @property answers true if a Javino board answers; null: unknown
+ * @property description null: it was not asked for, or there is none
  */
 internal data class ProbedBoard(
     val result: String,
@@ -25,7 +25,7 @@ internal data class ProbedBoard(
 /**
  * Finds out whether a Javino board answers at a port, at one rate after the other. Opening a port resets most boards.
  *
- * @param rates bits a second, at least one; the first alone counts for a port that has none of its own, such as `sim:robot`
+ * @param rates bits a second, at least one; for a port without rates, such as `sim:robot`, only the first counts
  * @param describes whether the board is asked for its description too
  */
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
@@ -43,7 +43,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
     }
 
-    /** What is at the port [name]; null, after a note in [strays] of what came, if nothing answers at this [rate]. */
+    /** Probes the port [name] at this [rate]; if nothing answers, notes the bytes that came in [strays] and returns null. */
     private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
         val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
         return try {

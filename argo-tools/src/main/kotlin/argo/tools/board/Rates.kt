@@ -37,10 +37,10 @@ internal class Rates {
         kind?.last = percept
     }
 
-    /** Messages a second over the last [RECENT]; null before the second. */
+    /** Returns the messages a second over the last [RECENT]; null before the second. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
-    /** A line for the messages, and one for each kind of percepts. */
+    /** Returns a line for the messages, and one for each kind of percepts. */
     fun summary(): List<String> {
         val total = "${counted(messages, "message")} in ${seconds(lastMs - firstMs)} s" + rate(messages)
         val rows = kinds.map { (name, kind) -> "  $name: ${kind.count}${rate(kind.count)}, last ${kind.last}" }
@@ -49,7 +49,7 @@ internal class Rates {
 
     private fun rate(count: Long) = perSecond(count, firstMs, lastMs)?.let { ", ${decimal(it)} a second" }.orEmpty()
 
-    /** The kinds, with the count and the last percept of each. */
+    /** Returns the kinds, with the count and the last percept of each. */
     fun kinds(): List<Triple<String, Long, String>> = kinds.map { (name, kind) -> Triple(name, kind.count, kind.last) }
 
     private fun perSecond(count: Long, fromMs: Long, toMs: Long): Double? =
@@ -61,10 +61,10 @@ internal class Rates {
         private const val MS_PER_S = 1000.0
         private val NUMBER_ARGUMENT = Regex("""(?<=[(,\[])\s*-?\d+(\.\d+)?([eE][+-]?\d+)?\s*(?=[,)\]])""")
 
-        /** [percept] with `_` for its numbers: `dist(front,_)`. */
+        /** Returns [percept] with `_` for its numbers: `dist(front,_)`. */
         fun kindOf(percept: String): String = NUMBER_ARGUMENT.replace(percept, "_")
 
-        /** Milliseconds as seconds: `12.345`. */
+        /** Writes milliseconds as seconds: `12.345`. */
         fun seconds(ms: Long): String = String.format(Locale.ROOT, "%.3f", ms / MS_PER_S)
 
         fun decimal(value: Double): String = String.format(Locale.ROOT, "%.1f", value)

@@ -8,7 +8,7 @@ import javino.Transport
 import java.io.PrintWriter
 import java.util.concurrent.TimeUnit
 
-/** Shows the bytes that come on [line], whatever they are: a line of output for each line of text, or what comes before a pause. */
+/** Shows all bytes that come on [line]: a line of output for each line of text, or for the bytes before a pause. */
 internal class RawMonitor(private val line: Transport, private val out: PrintWriter, private val paint: Paint) {
     private val start = System.nanoTime()
     private val buffer = ByteArray(BUFFER)

@@ -119,7 +119,7 @@ internal class ReplayCommand : ToolCommand() {
         return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
-    /** Calls [serve] with the name of the port, which is a link while it runs if one was asked for. */
+    /** Calls [serve] with the name of the port. If a link was asked for, the name is the link's, which exists while [serve] runs. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
         val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
@@ -147,7 +147,7 @@ internal class ReplayCommand : ToolCommand() {
         return ExitStatus.DONE
     }
 
-    /** A board that sends unasked starts when the far end is open, or at once where the system does not reveal that. */
+    /** Waits until the far end is open before a board that sends unasked starts; returns at once if the system does not reveal that. */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)
@@ -157,10 +157,10 @@ internal class ReplayCommand : ToolCommand() {
     private companion object {
         const val POLL_MS = 100L
 
-        /** As long as a board takes to start when its port is opened: a serial driver empties the port meanwhile. */
+        /** The time that a board takes to start when its port is opened: a serial driver empties the port meanwhile. */
         const val START_MS = 500L
 
-        /** How much earlier or later a command may be unless an option says so. */
+        /** The time by which a command may be earlier or later, unless an option gives another. */
         const val WITHIN_MS = 100L
     }
 }

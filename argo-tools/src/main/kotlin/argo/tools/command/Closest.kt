@@ -1,10 +1,10 @@
 package argo.tools.command
 
-/** Which of [names] [word] is probably meant to be: one that differs by a letter or two, or only by case; null if there is none. */
+/** Returns the one of [names] that [word] probably means: it differs by a letter or two, or only by case; null if there is none. */
 internal fun closest(word: String, names: Collection<String>): String? =
     names.minByOrNull { distance(word, it) }?.takeIf { distance(word, it) <= if (word.length > LONG) 2 else 1 }
 
-/** How many letters must be added, removed or replaced to make [b] of [a], whatever their case. */
+/** Returns how many letters must be added, removed or replaced to make [b] of [a], whatever their case. */
 private fun distance(a: String, b: String): Int {
     var row = IntArray(b.length + 1) { it }
     for (i in a.indices) {

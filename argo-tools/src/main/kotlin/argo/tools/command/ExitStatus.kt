@@ -16,7 +16,7 @@ internal object ExitStatus {
 /** A command fails; [message] gives a person the reason. */
 internal class ToolException(message: String) : Exception(message)
 
-/** The message of [failure] for a person; null for an unexpected failure. */
+/** Returns the message of [failure] for a person; null for an unexpected failure. */
 internal fun messageOf(failure: Throwable): String? = when (failure) {
     is ToolException, is FilterException -> failure.message
     is NoSuchFileException -> "there is no file ${failure.file}"

@@ -36,7 +36,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
         throw ToolException("$file exists already, and is not overwritten")
     } catch (_: AccessDeniedException) {
         throw ToolException("this user may make no files in the folder ${folderOf(file)}")
-    } catch (refused: FileSystemException) { // as in /proc, or on a disk that is full or read-only
+    } catch (refused: FileSystemException) { // for example in /proc, or on a disk that is full or read-only
         throw ToolException("no files can be made in the folder ${folderOf(file)}${refused.reason?.let { ": $it" }.orEmpty()}")
     }
 }
@@ -44,7 +44,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
 private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent ?: file
 
 /**
- * Checks that [file] is a regular file: a pipe that nobody writes to has no end.
+ * Checks that [file] is a regular file: reading a pipe without a writer never ends.
  *
  * @throws ToolException if not
  */
@@ -54,7 +54,7 @@ internal fun requireFile(file: Path) {
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")
 }
 
-/** The files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
+/** Returns the files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
 }

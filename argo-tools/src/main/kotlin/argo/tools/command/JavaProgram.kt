@@ -2,17 +2,17 @@ package argo.tools.command
 
 import java.nio.file.Path
 
-/** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. Who ends this program ends that one. */
+/** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. If this program ends, so does that one. */
 internal fun runJava(arguments: List<String>): Int = java(arguments).inheritIO().start().awaitEnd()
 
-/** The Java of this program with [arguments], to be started. */
+/** Prepares the Java of this program with [arguments], to be started. */
 internal fun java(arguments: List<String>): ProcessBuilder {
     val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
     // jSerialComm loads a native library, which newer Java machines warn about
     return ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments)
 }
 
-/** Waits until this has ended, and returns its exit status. Who ends this program ends it. */
+/** Waits until this process has ended, and returns its exit status. If this program ends, so does the process. */
 internal fun Process.awaitEnd(): Int {
     val ending = Thread {
         destroy()

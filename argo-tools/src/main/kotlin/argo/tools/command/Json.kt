@@ -6,11 +6,11 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** An object of JSON with [members], whose values are null, truth values, numbers, JSON, lists of these, or else become text. */
+/** Makes a JSON object with [members]; values other than null, truth values, numbers, JSON and lists of these become text. */
 internal fun jsonOf(vararg members: Pair<String, Any?>): JsonObject =
     JsonObject(members.associate { (name, value) -> name to element(value) })
 
-/** An array of JSON of [values], which are as those of [jsonOf]. */
+/** Makes a JSON array of [values], which become JSON as those of [jsonOf] do. */
 internal fun jsonArrayOf(values: List<Any?>): JsonArray = JsonArray(values.map(::element))
 
 private fun element(value: Any?): JsonElement = when (value) {

@@ -41,7 +41,7 @@ private fun file(name: String): Path = try {
 private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
-    // what is missing may be what was taken for an option
+    // the missing argument may be the one that was read as an option
     val isUnknownOption = wrong is MissingParameterException || wrong is UnmatchedArgumentException && wrong.isUnknownOption
     val unknown = if (isUnknownOption) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
     return when {

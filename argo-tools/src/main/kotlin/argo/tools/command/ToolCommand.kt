@@ -51,6 +51,6 @@ internal class Paint(private val enabled: Boolean) {
     private fun paint(code: String, text: String) = if (enabled) "\u001B[${code}m$text\u001B[0m" else text
 }
 
-/** [text] from a board or a file, safe for a terminal: control characters, which could command it, become `\u001B`. */
+/** Makes [text] from a board or a file safe for a terminal: control characters, which could command it, become `\u001B` and the like. */
 internal fun printable(text: String): String =
     if (text.none(Char::isISOControl)) text else text.map { if (it.isISOControl()) "\\u%04X".format(it.code) else "$it" }.joinToString("")

@@ -5,6 +5,6 @@ package argo.tools.command
  * `META-INF/services/argo.tools.command.ToolProvider`.
  */
 interface ToolProvider {
-    /** A new object of a class that picocli takes for a command: a `Callable<Int>` whose result is the exit status. */
+    /** Makes a command for picocli: a `Callable<Int>` whose result is the exit status. */
     fun command(): Any
 }

@@ -5,12 +5,12 @@ import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
 
-/** Checks everything that has kept users from their boards. */
+/** Checks the causes that have kept users from their boards. */
 internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    /** The results of all checks; those of boards too if [probe], which opens the port of a name, is given. */
+    /** Makes all checks and returns their results; also probes boards if [probe], which opens the port of a name, is given. */
     fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
         listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 
@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** The groups are those of the login: a change takes effect with the next one. */
+    /** Checks the user's groups, which are those of the login: a change takes effect with the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null

@@ -27,7 +27,7 @@ internal interface Machine {
 
     val hasSocat: Boolean
 
-    /** The serial devices, or the reason why the driver cannot run. */
+    /** Returns the serial devices, or the reason why the driver cannot run. */
     fun ports(): Result<List<Device>>
 }
 
@@ -66,7 +66,7 @@ internal object ThisMachine : Machine {
         Result.failure(trouble)
     }
 
-    /** The output of a program; null if it does not exist or fails. */
+    /** Returns the output of a program; null if it does not exist or fails. */
     private fun output(vararg command: String): String? = try {
         val process = ProcessBuilder(*command).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         val text = process.inputStream.bufferedReader().readText().trim()

@@ -133,13 +133,13 @@ internal class ExploreCommand : ToolCommand() {
         const val MOST_RUNS = 1_000_000
         const val MOST_SECONDS = 86_400
 
-        /** The exit status if nothing could be found out. */
+        /** The exit status if the exploration could not decide. */
         const val NOTHING_KNOWN = 3
 
         /** The exit status of the exploration's program if it has found a run. */
         const val FOUND_THERE = 4
 
-        /** Its others, with which it has told why. */
+        /** Its other exit statuses; with these it has printed the reason. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

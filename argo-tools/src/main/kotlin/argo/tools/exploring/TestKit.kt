@@ -13,7 +13,7 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
 
 /**
- * [classPath] with the test kit: of a release beside `argo.jar`, of the source tree where Maven has built it.
+ * Returns [classPath] with the test kit, which a release has beside `argo.jar` and the source tree where Maven builds it.
  *
  * @throws ToolException if it is neither there nor on [classPath]
  */
@@ -26,7 +26,7 @@ internal fun withTestKit(classPath: String): String {
     return "$classPath${File.pathSeparator}$kit"
 }
 
-/** The test kit beside [jar], as in a release, or in the source tree that [jar] was built in; null: there is none. */
+/** Returns the test kit beside [jar], as in a release, or in the source tree in which [jar] was built; null: there is none. */
 internal fun bundledTestKit(jar: Path): Path? {
     val file = jar.toAbsolutePath().normalize()
     val built = file.resolve("../../../argo-testkit/target").normalize()
@@ -37,7 +37,7 @@ internal fun bundledTestKit(jar: Path): Path? {
 
 private val ASIDE = listOf("-sources.jar", "-javadoc.jar")
 
-/** The folders and jars on [classPath], those of `folder/`+`*` too, which Java knows and Kotlin's compiler does not. */
+/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java knows and Kotlin's compiler does not. */
 internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
     val folder = entry.removeSuffix("*")
     if (entry == folder) listOf(Path.of(entry))
@@ -45,7 +45,7 @@ internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathS
 }
 
 /**
- * Has `kotlinc` compile [file] into [classes], and returns the name of the class with the functions of the file.
+ * Compiles [file] into [classes] with `kotlinc`, and returns the name of the class with the functions of the file.
  *
  * @throws ToolException if there is no compiler, or it refuses the file
  */
@@ -64,7 +64,7 @@ internal fun compiled(file: Path, classPath: String, classes: Path): String {
     return className(file)
 }
 
-/** The class that holds the functions of the Kotlin file [file]. */
+/** Returns the name of the class that holds the functions of the Kotlin file [file]. */
 private fun className(file: Path): String {
     val inside = file.readLines().firstNotNullOfOrNull { PACKAGE.find(it)?.groupValues?.get(1) }
     return listOfNotNull(inside, "${file.nameWithoutExtension.replaceFirstChar(Char::uppercase)}Kt").joinToString(".")

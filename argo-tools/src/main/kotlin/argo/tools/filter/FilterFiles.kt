@@ -28,7 +28,10 @@ internal fun filterIn(file: Path): PerceptionFilter {
     return file.inputStream().use(read)
 }
 
-/** The files below [folder] that are filters, or meant to be: other XML and JSON files have neither this element nor this name in them. */
+/**
+ * Returns the files below [folder] that are filters, or meant to be: other XML and JSON files have neither this element nor this name in
+ * them.
+ */
 internal fun filtersIn(folder: Path): List<Path> = sourcesIn(folder, MARKS.keys).filter { file ->
     MARKS.getValue(file.extension) in file.readText(Charsets.ISO_8859_1)
 }

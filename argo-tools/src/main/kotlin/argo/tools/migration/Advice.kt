@@ -5,7 +5,7 @@ package argo.tools.migration
  *
  * @property line counted from 1
  * @property column counted from 1; null: it is about the line
- * @property must whether the program behaves differently until this is changed
+ * @property must true if the program behaves differently until this is changed
  * @property what the difference
  */
 internal data class Advice(

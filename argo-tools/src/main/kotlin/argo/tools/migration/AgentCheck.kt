@@ -22,13 +22,13 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     /** The names of the filters that it changes to, with their lines. */
     val filters = ArrayList<Pair<String, Int>>()
 
-    /** Whether it has calls that only programs for other versions need. */
+    /** True if it has calls that only programs for other versions need. */
     val isForOtherVersion: Boolean = calls.any { it.name.startsWith('.') && ArgoActions.actionIn(it.name) != null }
 
-    /** Whether it needs `argo.Arch`. */
+    /** True if it needs `argo.Arch`. */
     val needsArch: Boolean = calls.any { ArgoActions.actionIn(it.name) in ArgoActions.OF_BOARDS }
 
-    /** All advices. */
+    /** Returns all advices. */
     fun advices(): List<Advice> {
         program()
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }
@@ -41,7 +41,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         return advices.all
     }
 
-    /** Finds text that Jason cannot parse, which needs no further checks. */
+    /** Finds text that Jason cannot parse; then no further checks are made. */
     private fun program() {
         val foreign = text.indexOfFirst(::isForeign)
         val last = tokens.lastOrNull()
@@ -190,7 +190,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         advices.change(call.line, what, "source(percept), or no annotation")
     }
 
-    /** An error that no action has, and that is nearly one: others may be of the project's own `.fail`. */
+    /** Advises on a name that is nearly an action's error; names unlike all of them may come from the project's own `.fail`. */
     private fun error(call: Call) {
         val written = call.arguments.singleOrNull()?.singleOrNull()?.takeIf { it.kind == Token.Kind.WORD && !it.isVariable }?.text ?: return
         val meant = closest(written, ArgoActions.ERRORS).takeIf { written !in ArgoActions.ERRORS } ?: return
@@ -210,23 +210,23 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         val BODY_SOURCES = setOf("interoception", "proprioception", "exteroception")
         val PORT_LIKE = Regex("COM\\d+|[Tt][Tt][Yy]\\w+")
 
-        /** From this interval on nanoseconds were meant. */
+        /** An interval of at least this number was meant in nanoseconds. */
         const val MIN_NANOSECONDS = 1_000_000.0
         const val MIN_SLOW_MS = 200.0
 
-        /** The number that [call], one of `argo.limit`, is given. */
+        /** Returns the number in [call], a call of `argo.limit`. */
         fun intervalIn(call: Call): Double? = call.arguments.singleOrNull()?.joinToString("") { it.text }?.toDoubleOrNull()
 
         const val BLANKS = "\t\n\u000B\u000C\r"
 
         fun isForeign(character: Char): Boolean = character < ' ' && character !in BLANKS
 
-        /** Whether a statement that ends with a brace may begin with [first]: a directive, a plan or its label. */
+        /** Returns true if a statement that ends with a brace may begin with [first]: a directive, a plan or its label. */
         fun isStatement(first: Token) = first.kind == Token.Kind.SYMBOL && first.text[0] in "{+-@"
 
         fun mayBeList(argument: List<Token>) = argument.firstOrNull()?.let { it.isSymbol('[') || it.isVariable } == true
 
-        /** The text of an atom or a string without quotes. */
+        /** Returns the text of an atom or a string without quotes. */
         fun nameOf(token: Token): String = token.text.removeSurrounding("\"").removeSurrounding("'")
 
         fun shortName(token: Token): String = nameOf(token).substringAfterLast('/')

@@ -18,8 +18,8 @@ internal data class Token(val kind: Kind, val text: String, val line: Int, val s
 }
 
 /**
- * The tokens of [text] without its comments. Tolerant: unknown characters are symbols, an open string ends with its line, an open comment
- * with the text.
+ * Returns the tokens of [text] without its comments. Tolerant: unknown characters are symbols, an open string ends with its line, an open
+ * comment with the text.
  */
 internal fun tokensOf(text: String): List<Token> {
     val tokens = ArrayList<Token>()
@@ -47,7 +47,7 @@ private val TOKEN = Regex(
  */
 internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
 
-/** All calls in [tokens], including those in arguments of others. */
+/** Returns all calls in [tokens], including those in arguments of others. */
 internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNull { open ->
     if (!tokens[open].isSymbol('(')) return@mapNotNull null
     val first = nameStart(tokens, open)
@@ -55,7 +55,7 @@ internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNul
     else Call(tokens.subList(first, open).joinToString("") { it.text }, tokens[first].line, arguments(tokens, open))
 }
 
-/** The index of the first token of the name in front of [open]: words and dots without blanks between them. */
+/** Returns the index of the first token of the name in front of [open]: words and dots without blanks between them. */
 private fun nameStart(tokens: List<Token>, open: Int): Int {
     var first = open
     while (first > 0) {
@@ -81,7 +81,7 @@ private fun arguments(tokens: List<Token>, open: Int): List<List<Token>> {
     return if (arguments.size == 1 && arguments[0].isEmpty()) emptyList() else arguments
 }
 
-/** The first bracket that closes nothing or one of another kind; else the last one that is never closed; null if all are balanced. */
+/** Returns the first bracket that closes none, or one of another kind; else the last one that is never closed; null if all are balanced. */
 internal fun wrongBracketIn(tokens: List<Token>): Token? {
     val open = ArrayDeque<Token>()
     for (token in tokens.filter { it.kind == Token.Kind.SYMBOL }) {
@@ -91,7 +91,7 @@ internal fun wrongBracketIn(tokens: List<Token>): Token? {
     return open.lastOrNull()
 }
 
-/** The first token of the last belief, goal, plan or directive in [tokens], which are not empty. */
+/** Returns the first token of the last belief, goal, plan or directive in [tokens], which are not empty. */
 internal fun lastStatementIn(tokens: List<Token>): Token {
     var depth = 0
     var first = tokens.first()

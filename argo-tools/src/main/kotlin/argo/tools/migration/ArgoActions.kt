@@ -5,7 +5,7 @@ internal object ArgoActions {
     /** Their names, without a dot. */
     val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record")
 
-    /** The names that exist behind a dot. */
+    /** The names that exist with a dot in front. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
@@ -19,8 +19,8 @@ internal object ArgoActions {
     )
 
     /**
-     * The action's name in a call of ARGO's actions, such as `.argo.port`, in upper or lower case; null for other actions. It need not
-     * [exist][exists].
+     * Returns the action's name in a call of ARGO's actions, such as `.argo.port`, in upper or lower case; null for other actions. The
+     * action need not [exist][exists].
      */
     fun actionIn(called: String): String? {
         val name = called.removePrefix(".")
@@ -31,7 +31,7 @@ internal object ArgoActions {
         }
     }
 
-    /** Whether Jason finds an internal action under the name [called]. */
+    /** Returns true if Jason finds an internal action under the name [called]. */
     fun exists(called: String): Boolean =
         called.removePrefix(".argo.").removePrefix(".") in DOT_NAMES || called.removePrefix("argo.") in NAMES
 }

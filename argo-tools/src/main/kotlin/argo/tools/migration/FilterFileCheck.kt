@@ -15,7 +15,7 @@ import kotlin.io.path.readText
 internal class FilterFileCheck(private val file: Path, private val isForOtherVersion: Boolean) {
     private val advices = Advices("$file")
 
-    /** All advices; none if the file is no filter. */
+    /** Returns all advices; none if the file is no filter. */
     fun advices(): List<Advice> {
         val text = file.readText(Charsets.ISO_8859_1)
         if ("<PerceptionFilter" !in text) return emptyList()

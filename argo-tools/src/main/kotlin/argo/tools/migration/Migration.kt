@@ -15,7 +15,7 @@ internal class Migration(files: List<Path>) {
     private val files = files.flatMap(::expanded).distinct()
     private val kotlinFilters = kotlinFiltersIn(files.filter { it.isDirectory() } + Path.of("src"))
 
-    /** The advices on all files, file by file in the order of the lines. */
+    /** Returns the advices on all files, file by file in the order of the lines. */
     fun advices(): List<Advice> {
         val agents = files.filter { it.extension == "asl" }.map { it to AgentCheck(it, textOf(it)) }
         val needArch = agents.filter { it.second.needsArch }.map { it.first.name }.toSet()
@@ -51,7 +51,7 @@ internal class Migration(files: List<Path>) {
         else -> listOf(file)
     }
 
-    /** Programs are in UTF-8, old ones in ISO 8859-1; the checks need ASCII only. */
+    /** Reads [file] in UTF-8, or in ISO 8859-1 if it is an old program; the checks need ASCII only. */
     private fun textOf(file: Path): String = try {
         file.readBytes().toString(Charsets.UTF_8)
     } catch (unreadable: IOException) {

@@ -5,8 +5,8 @@ import argo.tools.command.closest
 /**
  * An option in a list, such as `baud(9600)` or `urgent`.
  *
- * @property expected what its value is, in words; null: it has none
- * @property accepts whether the text of a value that is no variable is one
+ * @property expected its value, in words; null: it has none
+ * @property accepts returns true if the text, of a value that is no variable, is such a value
  */
 internal class KnownOption(val expected: String?, val accepts: (String) -> Boolean) {
     companion object {
@@ -19,20 +19,20 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
         private fun any(expected: String) = KnownOption(expected) { true }
 
-        /** Those of `argo.port`, and of `port` in `argo.ports`. */
+        /** The options of `argo.port`, and of `port` in `argo.ports`. */
         val OF_PORT: Map<String, KnownOption> = mapOf(
             "baud" to whole(1..20_000_000), "timeout" to whole(1..MAX_MS), "stale" to whole(0..MAX_MS), "boot" to whole(0..MAX_MS),
             "spacing" to whole(0..MAX_MS), "queue" to whole(1..1000), "mode" to oneOf("request", "listen"),
             "protocol" to oneOf("1", "2", "auto"), "as" to any("the name of a namespace"),
         )
 
-        /** Those of `argo.act`. */
+        /** The options of `argo.act`. */
         val OF_ACT: Map<String, KnownOption> = mapOf(
             "timeout" to whole(1..MAX_MS), "urgent" to KnownOption(null) { true }, "latest" to KnownOption(null) { true },
             "port" to any("a port"),
         )
 
-        /** Those of `argo.Arch` in a project file. */
+        /** The options of `argo.Arch` in a project file. */
         val OF_ARCH: Map<String, KnownOption> = mapOf(
             "argo_sensing" to oneOf("fresh", "every", "in_cycle"), "argo_percepts" to whole(1..Int.MAX_VALUE),
             "argo_view" to whole(0..65_535), "argo_record" to any("a file, or last(5)"), "argo_ros" to any("a port number, or an address"),
@@ -71,7 +71,7 @@ private fun Advices.option(name: Token, value: List<Token>, known: KnownOption?,
     }
 }
 
-/** Checks the option of `argo.Arch` that stands at [at] in [tokens] of a project file, if one does. */
+/** Checks the option of `argo.Arch` at [at] in [tokens] of a project file, if there is one. */
 internal fun Advices.archOption(tokens: List<Token>, at: Int) {
     val name = tokens[at]
     if (name.kind != Token.Kind.WORD || !name.text.startsWith("argo_") || tokens.getOrNull(at + 1)?.isSymbol('=') != true) return
@@ -83,10 +83,10 @@ internal fun Advices.archOption(tokens: List<Token>, at: Int) {
     note(name.line, "${name.text} is no option of argo.Arch; an observer of the project may read it", "no change is needed if one does")
 }
 
-/** `probably …; `, if one of [names] is nearly [written]; else nothing. */
+/** Returns `probably …; ` if one of [names] is nearly [written]; else an empty text. */
 internal fun meant(written: String, names: Set<String>): String = closest(written, names)?.let { "probably $it; " }.orEmpty()
 
-/** The items of a list in brackets, which [list] begins with. */
+/** Returns the items of the list in brackets at the beginning of [list]. */
 private fun itemsIn(list: List<Token>): List<List<Token>> {
     val items = ArrayList<ArrayList<Token>>()
     var depth = 0

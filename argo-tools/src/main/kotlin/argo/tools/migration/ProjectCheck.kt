@@ -8,7 +8,7 @@ internal class ProjectCheck(private val file: Path, text: String) {
     private val advices = Advices("$file")
     private val tokens = tokensOf(text)
 
-    /** All advices. [needArch] are the names of the `.asl` files whose agents need `argo.Arch`. */
+    /** Returns all advices. [needArch] are the names of the `.asl` files whose agents need `argo.Arch`. */
     fun advices(needArch: Set<String>): List<Advice> {
         tokens.indices.forEach(::architecture)
         tokens.indices.forEach(::otherArgo)
@@ -37,7 +37,7 @@ internal class ProjectCheck(private val file: Path, text: String) {
         advices.change(tokens[at].line, what, ARCHITECTURE)
     }
 
-    /** Another version's jar holds classes of the same names, and the first on the class path wins. */
+    /** Warns of another version's jar: it holds classes of the same names, and the first on the class path wins. */
     private fun otherArgo(at: Int) {
         val text = tokens[at].text
         if (tokens[at].kind != Token.Kind.STRING || !OTHER_ARGO.containsMatchIn(text)) return
@@ -54,7 +54,7 @@ internal class ProjectCheck(private val file: Path, text: String) {
 
     private class Agent(val name: String, val line: Int, val asl: String, val hasArch: Boolean)
 
-    /** The entries behind `agents:`, each up to its `;`. */
+    /** Returns the entries behind `agents:`, each up to its `;`. */
     private fun agents(): List<Agent> {
         val start = tokens.indices.firstOrNull { words(it, "agents", ":") }?.plus(2) ?: return emptyList()
         val agents = ArrayList<Agent>()

@@ -1,10 +1,10 @@
 package argo.tools.project
 
 /**
- * The text files of a new project, by their paths in it.
+ * Returns the text files of a new project, by their paths in it.
  *
  * @param withTestKit whether the test kit is in its `lib/`
- * @param boards how many boards its agent perceives, 1 or 2
+ * @param boards the number of boards that its agent perceives, 1 or 2
  */
 internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: Int = 1): Map<String, String> {
     val words = mapOf(
@@ -20,7 +20,7 @@ internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: In
 private const val AGENT = "src/agt/robot.asl"
 private const val AGENT_TEST = "src/test/kotlin/RobotSpec.kt"
 
-/** Where the files of every project come from. */
+/** The files of every project, with their resources. */
 private val COMMON = mapOf(
     "README.md" to "README.md",
     ".gitignore" to "gitignore",

@@ -18,7 +18,7 @@ import picocli.CommandLine.Parameters
 import java.math.BigDecimal
 import java.nio.file.Path
 
-/** `recording`: shows what a recording in the MCAP format holds. */
+/** `recording`: shows the contents of a recording in the MCAP format. */
 @Command(
     name = "recording",
     description = [
@@ -96,7 +96,7 @@ internal class RecordingCommand : DataCommand() {
         null // of another program's recording
     }
 
-    /** This time and so many seconds. Null: [seconds] is. */
+    /** Returns the time [seconds] after this one; null if [seconds] is null. */
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
         val ns = nanosOf(it) ?: misuse("$it is no second of a recording")
         this + minOf(ns, Long.MAX_VALUE - this)

@@ -8,10 +8,10 @@ import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** A channel, and how many messages it has from when to when, in seconds since the first message of the recording. */
+/** A channel with the number of its messages, and the times of the first and the last, in seconds since the recording's first message. */
 private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
 
-/** What [recording] holds, in short. */
+/** The contents of [recording], in short. */
 internal class RecordingContents(private val recording: McapReader) {
     private val times = recording.times
     private val seconds = times?.let { (it.last - it.first) / NANOS } ?: 0.0
@@ -32,7 +32,7 @@ internal class RecordingContents(private val recording: McapReader) {
         }
     }
 
-    /** For a person, of a recording in the file [name]. */
+    /** Returns lines for a person on a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
         add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by ${recording.library}, $state".format(seconds))
@@ -67,7 +67,7 @@ internal class RecordingContents(private val recording: McapReader) {
 
     private fun clock(seconds: Double?) = seconds?.let { "%.3f s".format(it) } ?: "-"
 
-    /** [rows] below [head], in columns; nothing without rows. */
+    /** Arranges [rows] below [head] in columns; returns no lines without rows. */
     private fun table(head: List<String>, rows: List<List<String>>): List<String> {
         if (rows.isEmpty()) return emptyList()
         val all = listOf(head) + rows

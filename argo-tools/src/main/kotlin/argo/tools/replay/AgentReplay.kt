@@ -9,8 +9,8 @@ import java.nio.file.Path
 /**
  * Replays the agents of the recording [file].
  *
- * @param from from where on their cycles are shown; null: none is
- * @param until where the replay ends; null: at the end
+ * @param from the moment from which their cycles are shown; null: none is shown
+ * @param until the moment at which the replay ends; null: at the end
  * @param shownAgents the agents that are shown; none: all
  * @param isChecking whether the project's own actions and functions are carried out again
  */
@@ -47,7 +47,7 @@ internal class AgentReplay(
         )
     }
 
-    /** Where the agents begin whose first cycles are missing. */
+    /** Returns the beginnings of the agents whose first cycles are missing. */
     private fun beginnings(recording: Recording) =
         recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
@@ -58,7 +58,7 @@ internal class AgentReplay(
         }.sortedBy { it.cycle.ns }
     }
 
-    /** When [moment] is, in ns of the agents' clock. */
+    /** Returns the time of [moment], in ns of the agents' clock. */
     private fun nsOf(moment: Moment, recording: Recording, firstNs: Long): Long = when (moment) {
         is Moment.Time -> firstNs + minOf(moment.ns, Long.MAX_VALUE - firstNs)
         is Moment.OfCycle -> {
@@ -68,7 +68,7 @@ internal class AgentReplay(
         }
     }
 
-    /** Why [work] could not be done to its end; null: it was. */
+    /** Does [work] and returns the reason if it could not be done to its end; null: it was done. */
     private fun stopping(work: () -> Unit): String? = try {
         work()
         null

@@ -5,7 +5,7 @@ import java.nio.file.Path
 
 /** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
-    /** Whether everything is named that gives another result each time. */
+    /** True if the report names everything that gives another result each time. */
     @Option(
         names = ["--check"],
         description = [
@@ -15,7 +15,7 @@ internal class AgentReplayOptions {
     var isCheck = false
         private set
 
-    /** From where on cycles are printed; null: none is. */
+    /** The moment from which cycles are printed; null: none is printed. */
     @Option(
         names = ["--from"],
         paramLabel = "S|cN",
@@ -25,7 +25,7 @@ internal class AgentReplayOptions {
     var from: Moment? = null
         private set
 
-    /** Where the replay ends; null: at the end. */
+    /** The moment at which the replay ends; null: at the end. */
     @Option(
         names = ["--until"],
         paramLabel = "S|cN",
@@ -49,7 +49,7 @@ internal class AgentReplayOptions {
     var programs: List<String> = emptyList()
         private set
 
-    /** A filter in place of the recorded ones; null: these. */
+    /** A filter in place of the recorded ones; null: the recorded ones. */
     @Option(
         names = ["--filter"],
         paramLabel = "FILE",
@@ -58,10 +58,10 @@ internal class AgentReplayOptions {
     var filter: Path? = null
         private set
 
-    /** Whether agents are run with something else than was recorded. */
+    /** True if agents are run with other programs or another filter than recorded. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
-    /** How much earlier or later the same command may be, in ms. */
+    /** The time by which the same command may be earlier or later, in ms. */
     @Option(
         names = ["--within"],
         paramLabel = "MS",
@@ -70,17 +70,17 @@ internal class AgentReplayOptions {
     var within: Long? = null
         private set
 
-    /** Where Jason and the project's classes are besides here; null: nowhere. */
+    /** The class path with Jason and the project's classes, besides this program's own; null: none. */
     @Option(names = ["--class-path"], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
     var classPath: String? = null
         private set
 
-    /** Whether the result is JSON. */
+    /** True if the result is JSON. */
     @Option(names = ["--json"], description = ["prints JSON"])
     var json = false
         private set
 
-    /** These options without the class path, as arguments. */
+    /** Returns these options without the class path, as arguments. */
     fun arguments(): List<String> = buildList {
         if (isCheck) add("--check")
         if (json) add("--json")

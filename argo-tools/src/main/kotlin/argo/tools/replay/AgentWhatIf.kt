@@ -18,9 +18,9 @@ import java.time.Duration
 /**
  * Runs agents of the recording [file] with other programs or another filter, one after the other.
  *
- * @param programs each `AGENT=FILE`, or a file alone, of the one agent there is
- * @param filter in place of the recorded ones, of all agents if there are no programs; null: these
- * @param within how much earlier or later the same command may be
+ * @param programs each `AGENT=FILE`, or only a file, if there is only one agent
+ * @param filter the filter in place of the recorded ones, for all agents if there are no programs; null: the recorded ones
+ * @param within the time by which the same command may be earlier or later
  */
 internal class AgentWhatIf(
     private val file: Path,
@@ -71,11 +71,11 @@ internal class AgentWhatIf(
 }
 
 /**
- * What [agent] did with [what]: another program, another filter.
+ * The result of [agent] with [what]: another program, another filter.
  *
- * @property recorded how many commands were recorded
- * @property now how many it sent
- * @property problem why it could not be run to the end, for a person; null: it was
+ * @property recorded the number of recorded commands
+ * @property now the number of commands that it sent
+ * @property problem the reason why it could not be run to the end, for a person; null: it was run
  */
 internal class WhatIfResult(
     val agent: String,
@@ -122,15 +122,15 @@ internal class WhatIfResult(
     }
 }
 
-/** What came of that; [damage] has what of the file cannot be read. */
+/** The results of all agents; [damage] names the parts of the file that cannot be read. */
 internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
-    /** What could not be run, a sentence for each. */
+    /** The parts that could not be run or read, a sentence for each. */
     val problems: List<String> get() = damage + results.mapNotNull { it.problem }
 
-    /** Whether all send the commands that were recorded. */
+    /** True if all send the commands that were recorded. */
     val isIdentical: Boolean get() = results.all { it.difference == null }
 
-    /** For a person. */
+    /** Returns the results as lines for a person. */
     fun lines(): List<String> = results.flatMap { it.lines() }
 
     fun json(): JsonObject = jsonOf("identical" to isIdentical, "problems" to problems, "agents" to results.map { it.json() })

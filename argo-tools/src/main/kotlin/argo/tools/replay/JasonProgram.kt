@@ -11,7 +11,7 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readText
 
-/** Whether Jason is on the class path of this program. */
+/** Returns true if Jason is on the class path of this program. */
 internal fun hasJason(): Boolean = try {
     Class.forName("jason.asSemantics.Agent", false, ToolException::class.java.classLoader)
     true
@@ -20,9 +20,9 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Runs the tools with [arguments] in another program, which has Jason and what is on [classPath], and returns its exit status.
+ * Runs the tools with [arguments] in another program, with Jason and [classPath] on its class path, and returns its exit status.
  *
- * @param command what the user has typed for the tools
+ * @param command the command for the tools as the user has typed it
  * @throws ToolException if there is no Jason
  */
 internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
@@ -32,11 +32,11 @@ internal fun runWithJason(command: String, classPath: String?, arguments: List<S
 
 /**
  * Options of a Java machine for a program of seconds, which ends before a better compilation pays, and which needs no threads for its
- * memory. A Java machine that has none of these passes over them.
+ * memory. A Java machine ignores those that it does not have.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** The class path of this program with [classPath] and Jason; null: there is no Jason. */
+/** Returns the class path of this program with [classPath] and Jason; null: there is no Jason. */
 internal fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let(::bundledJason)
     if (classPath == null && jason == null && !hasJason()) return null
@@ -44,8 +44,8 @@ internal fun classPathWithJason(classPath: String?): String? {
 }
 
 /**
- * Why there is no [work] without Jason, for a person, with the classes that there are in the folder [project], and with what of
- * [classPath] is not there.
+ * Explains to a person that there is no [work] without Jason. Names the folders of classes in [project], and the parts of [classPath] that
+ * do not exist.
  */
 internal fun missingJason(
     work: String = "a replay",
@@ -63,8 +63,8 @@ internal fun missingJason(
 }
 
 /**
- * The class path of the samples of a release, beside [jar], or of the source tree that [jar] was built in,
- * which has Jason and what that needs; null: there is none.
+ * Returns the class path of the samples of a release, beside [jar], or of the source tree in which [jar] was built, with Jason and its
+ * dependencies; null: there is none.
  */
 internal fun bundledJason(jar: Path): String? {
     val file = jar.toAbsolutePath().normalize()

@@ -5,18 +5,18 @@ import argo.tools.command.counted
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 
-/** Where the replay of an [agent] begins whose first cycles are missing: behind the [cycle] that began at [ns]. */
+/** The beginning of the replay of an [agent] whose first cycles are missing: after the [cycle] that began at [ns]. */
 internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
 
 /**
- * What came of a replay.
+ * The result of a replay.
  *
- * @property beginnings of the agents whose first cycles are missing
- * @property recordedNs from the first cycle to the last one that was replayed
- * @property elapsedNs what the replay took
- * @property beliefs of the agents that were asked about
+ * @property beginnings those of the agents whose first cycles are missing
+ * @property recordedNs the time from the first cycle to the last one that was replayed
+ * @property elapsedNs the time that the replay took
+ * @property beliefs the beliefs of the agents that were asked about
  * @property shown the cycles that are shown
- * @property problems what could not be replayed, a sentence for each
+ * @property problems the parts that could not be replayed, a sentence for each
  */
 internal class ReplayReport(
     private val agents: List<String>,
@@ -32,16 +32,16 @@ internal class ReplayReport(
 ) {
     private val course = differences.filterNot { it.isOfResult }
 
-    /** The first of each kind of each agent, and how often there are such. */
+    /** The first difference of each kind of each agent, with the number of such differences. */
     private val results = differences.filter { it.isOfResult }.groupBy { it.agent to it.what }.values.map { it.first() to it.size }
 
-    /** Whether the agents did what they had done. */
+    /** True if the agents acted as recorded. */
     val isIdentical: Boolean get() = course.isEmpty()
 
-    /** Whether nothing gave another result. */
+    /** True if nothing gave another result. */
     val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
 
-    /** For a person, of the recording [name]; all that is not deterministic if [isCheck]. */
+    /** Returns lines for a person on the recording [name]; with [isCheck], on everything that is not deterministic. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {

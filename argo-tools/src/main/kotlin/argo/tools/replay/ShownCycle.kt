@@ -4,11 +4,11 @@ import argo.recording.Cycle
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 
-/** A [cycle] of [agent], as it is shown. */
+/** A [cycle] of [agent] in the form in which it is shown. */
 internal class ShownCycle(private val agent: String, val cycle: Cycle) {
     private val commands = cycle.input.calls.flatMap { it.commands }
 
-    /** What came of it, in a line. */
+    /** Describes its course in a line. */
     fun words(): String = cycle.course.run {
         val words = listOfNotNull(
             event?.let { "event $it" },
@@ -20,7 +20,7 @@ internal class ShownCycle(private val agent: String, val cycle: Cycle) {
         "$agent, cycle ${cycle.number}: ${words.joinToString().ifEmpty { "nothing but what entered" }}"
     }
 
-    /** What came of it [seconds] after the first cycle. */
+    /** Returns its course, [seconds] after the first cycle, as JSON. */
     fun json(seconds: Double): JsonObject = cycle.course.run {
         jsonOf(
             "agent" to agent, "cycle" to cycle.number, "seconds" to seconds, "event" to event,

@@ -29,7 +29,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
         return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "$module.MainKt") + words + arguments)
     }
 
-    /** What there is to say without the samples, which list their options themselves. */
+    /** Prints help without the samples, which list their options themselves. */
     private fun help(missing: ToolException): Int {
         spec.commandLine().usage(spec.commandLine().out)
         spec.commandLine().out.println("\nIts options cannot be listed: ${missing.message}")

@@ -9,8 +9,8 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
 /**
- * The class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason: a folder `samples` beside
- * [jar], as in a release, which holds both, or what Maven has built in the source tree that [jar] was built in.
+ * Returns the class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason: a folder `samples`
+ * beside [jar], which holds both in a release, or Maven's output in the source tree in which [jar] was built.
  *
  * @throws ToolException if there are none
  */

@@ -19,7 +19,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `why`: why an agent in a recording sent a command, or did not. */
+/** `why`: explains why an agent in a recording sent a command, or did not. */
 @Command(
     name = "why",
     description = [

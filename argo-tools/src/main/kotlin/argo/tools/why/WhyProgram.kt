@@ -11,10 +11,10 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * What the tool `why` has told.
+ * The answer of the tool `why`.
  *
- * @property lines its sentences; two blanks before one for each cause that it stands behind. Empty: there is no answer
- * @property trouble why there is no answer, or what of the recording is missing; empty: nothing
+ * @property lines its sentences, each indented by two blanks for each cause that it is behind. Empty: there is no answer
+ * @property trouble the reason why there is no answer, or the missing parts of the recording; empty: none
  */
 class Told(val lines: List<String>, val trouble: String)
 
@@ -22,11 +22,11 @@ class Told(val lines: List<String>, val trouble: String)
  * Asks the tool `why` in a Java machine of its own. A program whose agents run cannot replay one of them: the replay sets counters of Jason
  * that all of them share, and takes memory and processor time. One question is answered at a time; any thread may ask.
  *
- * @param patienceS how many seconds an answer may take
+ * @param patienceS the time that an answer may take, in s
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Why [agent] sent the command to a board that it counted as [number], as the recording [file] has it. Waits for the answer.
+     * Asks why [agent] sent the command to a board that it counted as [number], in the recording [file]. Waits for the answer.
      * @throws java.io.IOException if no other program can be started
      */
     @Synchronized
@@ -50,7 +50,7 @@ class WhyProgram(private val patienceS: Long) {
         "java -jar argo.jar why FILE '#$number'"
 
     private companion object {
-        /** Whatever the language of this computer is. */
+        /** The options for output in UTF-8, whatever the language of this computer. */
         val IN_UNICODE = listOf("file", "stdout", "stderr").map { "-D$it.encoding=UTF-8" }
 
         /** The exit status of a program that was ended by SIGKILL. */

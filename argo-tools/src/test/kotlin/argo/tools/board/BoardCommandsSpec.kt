@@ -3,6 +3,7 @@ package argo.tools.board
 import argo.tools.Output
 import argo.tools.argo
 import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
@@ -161,7 +162,7 @@ class BoardCommandsSpec : FunSpec({
         missing.out shouldContain "there is no simulated board"
     }
 
-    test("a board that prints text is told from a silent one, with the bytes and the likely cause") {
+    test("a board that prints text is told from a silent one, with the bytes and the likely cause").config(tags = thorough) {
         val cause = "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print"
         board { it.whenAsked("getPercepts").answerRaw("dist(f,30);\r\n") }.with { port ->
             argo("request", port, "getPercepts", "--boot", "0", "--timeout", "400", "--protocol", "1").err shouldContain cause
@@ -173,7 +174,7 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
-    test("a serial port is probed at one rate after the other").config(enabledOrReasonIf = pairs) {
+    test("a serial port is probed at one rate after the other").config(tags = thorough, enabledOrReasonIf = pairs) {
         PseudoTerminals.open().use { pair ->
             Probe(listOf(9600, 115200)).of(pair.computer().path).result shouldBe "no answer at 9600 and 115200 baud"
         }
@@ -242,7 +243,7 @@ class BoardCommandsSpec : FunSpec({
     test("a board's description says how many actions of its sketch found no room") {
         fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), 0).lines()[1]
         actions(0) shouldBe "actions: ledOn, speed/1"
-        actions(51) shouldContain "ledOn, speed/1; 51 more found no room in its memory and are refused"
+        actions(51) shouldContain "ledOn, speed/1; 51 more found no room (126 at most, fewer in little memory) and are refused"
     }
 
     test("ports tells who holds a port, and does not probe it").config(enabledOrReasonIf = pairs) {
@@ -277,3 +278,5 @@ private fun ((FakeBoard) -> Unit).with(use: (String) -> Unit) = FakeBoard.plugIn
     this(board)
     use(board.port())
 }
+
+private val thorough = setOf(NamedTag("Thorough"))

@@ -37,7 +37,7 @@ class ExploreCommandSpec : FunSpec({
     fun explore(vararg arguments: String, path: String = System.getenv("PATH")): Output =
         run("-cp", classPath, "argo.tools.MainKt", "explore", *arguments, path = path)
 
-    /** Drives on when it gets no percepts, unless it is mended. */
+    /** Writes a robot that drives on when it gets no percepts, unless it is mended. */
     fun robot(isMended: Boolean) = folder.resolve("robot.asl").writeText(
         """
         !start.
@@ -54,7 +54,7 @@ class ExploreCommandSpec : FunSpec({
     val board = arrayOf("--board", "ttyACM0 dist(front,5..200)")
     val blind = arrayOf("--rule", "stopsWhenBlind(stop,[front])")
 
-    /** A `kotlinc` that is the compiler on the class path, in a folder for `PATH`. */
+    /** Makes a `kotlinc` that runs the compiler on the class path, in a folder for `PATH`. */
     fun kotlinc(): Path = folder.resolve("bin").createDirectories().also { bin ->
         val script = bin.resolve("kotlinc")
         script.writeText("#!/bin/sh\nexec '$java' -cp '$classPath' org.jetbrains.kotlin.cli.jvm.K2JVMCompiler -no-stdlib \"$@\"\n")
@@ -96,7 +96,7 @@ class ExploreCommandSpec : FunSpec({
         }
     }
 
-    test("boards and rules in Kotlin") {
+    test("boards and rules in Kotlin").config(tags = thorough) {
         robot(isMended = false)
         folder.resolve("boards.kt").writeText(
             """

@@ -31,7 +31,7 @@ class MigrationSpec : FunSpec({
     }
     fun advices(vararg files: Pair<String, String>) = Migration(listOf(folder(*files))).advices()
 
-    /** The advices on one line of an agent. */
+    /** Returns the advices on one line of an agent. */
     fun of(line: String) = advices("a.asl" to line)
 
     context("without differences there are no advices") {

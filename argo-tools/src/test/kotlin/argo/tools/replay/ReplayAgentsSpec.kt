@@ -59,7 +59,7 @@ class ReplayAgentsSpec : FunSpec({
         after(300.milliseconds)
     }
 
-    /** A recording with this metadata of an agent that reads [program], with a first cycle of this index. */
+    /** Makes a recording with this metadata of an agent that reads [program], whose first cycle has this index. */
     fun made(
         name: String,
         program: String = "!start.",

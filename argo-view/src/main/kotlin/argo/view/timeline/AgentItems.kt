@@ -8,12 +8,12 @@ import argo.recording.Sent
 import argo.recording.Step
 
 /**
- * Makes the items of one agent of its cycles, in their order, and links each with its causes as far as the recording has them.
+ * Makes the items of one agent from its cycles, in their order, and links each with its causes as far as the recording has them.
  *
  * @param agent the place of the agent among those of the recording
- * @param zeroNs when the recording begins, in ns of the agents' clock
+ * @param zeroNs the beginning of the recording, in ns of the agents' clock
  * @param items takes the items of all agents
- * @param outcomes what became of the agent's commands, by their numbers
+ * @param outcomes the outcomes of the agent's commands, by their numbers
  */
 internal class AgentItems(
     private val agent: Int,
@@ -28,7 +28,7 @@ internal class AgentItems(
     private val perceptsOf = HashMap<String, Int>()
     private var lastMail = HashMap<String, Int>()
 
-    /** Adds what happened in [cycle]. */
+    /** Adds the events of [cycle]. */
     fun add(cycle: Cycle) {
         perceive(cycle)
         cycle.input.mail.forEach { mail ->
@@ -128,12 +128,12 @@ internal class AgentItems(
         val GOAL = Regex("^[+-][!?]")
         val SOURCE = Regex("source\\(([^()]*)\\)")
 
-        /** [literal] without its annotations and blanks. */
+        /** Returns [literal] without its annotations and blanks. */
         fun bare(literal: String) = literal.substringBeforeLast("[source").filterNot(Char::isWhitespace)
 
         fun inMs(ns: Long) = "%.1f ms".format(ns / 1e6)
     }
 }
 
-/** The name at the beginning of [literal]. */
+/** Returns the name at the beginning of [literal]. */
 internal fun functor(literal: String) = literal.trim().takeWhile { it.isLetterOrDigit() || it in "_:.~" }

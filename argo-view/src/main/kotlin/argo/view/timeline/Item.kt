@@ -4,10 +4,10 @@ import kotlinx.serialization.Serializable
 
 /** A row of the timeline of an agent, from top to bottom. */
 internal enum class Lane {
-    /** What went over the line: messages of boards, and commands when they had left or the board had acted. */
+    /** The traffic of the line: messages of boards, and commands when they had left or the board had acted. */
     LINE,
 
-    /** What the agent perceived, when its cycle took it. */
+    /** The agent's percepts, when its cycle took them. */
     PERCEPTS,
 
     /** The events that the agent chose. */
@@ -24,16 +24,16 @@ internal enum class Lane {
 }
 
 /**
- * Something at a time in the recording of an agent. Nothing of it changes once the timeline is made.
+ * An event in the recording of an agent. It does not change once the timeline is made.
  *
  * @property id its place in [Timeline.items]
  * @property agent the place of its agent in [Timeline.agents]
- * @property from when it began, in seconds since the beginning of the recording
- * @property until when it ended; null: it took no time
- * @property text what it is, in short
- * @property detail more of it, a line for each thing
+ * @property from its beginning, in seconds since the beginning of the recording
+ * @property until its end; null: it took no time
+ * @property text its short description
+ * @property detail its details, one a line
  * @property isBad whether it is a failure
- * @property causes the ids of what it came of
+ * @property causes the ids of its causes
  * @property command which of the agent's commands it is, counted from 1; null: it is none
  */
 @Serializable

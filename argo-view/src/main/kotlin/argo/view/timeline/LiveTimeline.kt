@@ -9,8 +9,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * The timeline of the last minutes of [agent], which runs: what its recording has at the moment in which the page is opened or asks anew.
- * The newest one is kept, and nothing is done for it while no page asks.
+ * The timeline of the last minutes of [agent], which runs, from its recording at the moment in which the page is opened or asks anew. Only
+ * the newest one is kept, and it costs no work while no page asks.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
@@ -32,7 +32,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
     }
 
-    /** Takes what is recorded now; one page at a time, so that many together cost no more memory. */
+    /** Takes the present recording, for one page at a time, so that many pages cost no more memory. */
     @Synchronized
     private fun taken(): HttpResponse {
         val recording = try {
@@ -55,7 +55,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** Longer is for the recording itself: it would take the robot's computer time and memory. */
+        /** The time that the timeline covers. A longer one would cost the robot's computer time and memory; the recording itself has it. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }

@@ -3,9 +3,12 @@ package argo.view.timeline
 import argo.recording.Place
 import argo.recording.Step
 
-/** Which event each step of an agent's intentions came of, and which step posed a goal. A recording has neither in so many words. */
+/**
+ * Links each step of an agent's intentions with the event that caused it, and each goal with the step that posed it. A recording has
+ * neither link.
+ */
 internal class PlanLinks {
-    /** A plan that was chosen for an event and has made no step yet; [intention] is the one that it belongs to, if that was there. */
+    /** A plan that was chosen for an event and has made no step yet; [intention] is its intention, if that existed. */
     private class Chosen(val event: Int, val plan: Place, val intention: Int?)
 
     private val waiting = ArrayDeque<Chosen>()
@@ -17,19 +20,19 @@ internal class PlanLinks {
     /** The last step that failed; null: none has. */
     var failed: Int? = null
 
-    /** The step that the event of a goal, [trigger], came of; null: it is one that the agent began with, or that came from outside. */
+    /** Returns the step that caused the event of a goal, [trigger]; null: the agent began with the goal, or it came from outside. */
     fun posing(trigger: String): Int? = if (trigger.startsWith('-')) failed else posing[functor(trigger.drop(2))]
 
-    /** The number of the intention of [step]; null: the goal is one of its own. */
+    /** Returns the number of the intention of [step]; null: the goal began an intention. */
     fun intentionOf(step: Int): Int? = intentions[step]
 
-    /** [plan] was chosen for [event]. */
+    /** Notes that [plan] was chosen for [event]. */
     fun chosen(event: Int, plan: Place, intention: Int?) {
         waiting += Chosen(event, plan, intention)
         if (waiting.size > MOST_WAITING) waiting.removeFirst()
     }
 
-    /** The event whose plan [step] is of; null: it is not known. */
+    /** Returns the event for which the plan of [step] was chosen; null: it is not known. */
     fun causeOf(step: Step): Int? {
         val key = step.intention to step.depth
         val found = waiting.find {
@@ -43,14 +46,14 @@ internal class PlanLinks {
         return events[key]
     }
 
-    /** [step], whose item is [id], was carried out. */
+    /** Notes that [step], whose item is [id], was carried out. */
     fun stepped(id: Int, step: Step, text: String) {
         if (!text.startsWith("!!")) intentions[id] = step.intention
         if (text.startsWith('!') || text.startsWith('?')) posing[functor(text.trimStart('!', '?'))] = id
     }
 
     private companion object {
-        /** Plans without a body make no step. */
+        /** The most plans that wait for their first step. Plans without a body never make one. */
         const val MOST_WAITING = 100
     }
 }

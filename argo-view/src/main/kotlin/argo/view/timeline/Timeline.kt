@@ -4,7 +4,7 @@ import argo.recording.replay.Recording
 import kotlinx.serialization.Serializable
 import java.time.Duration
 
-/** What the page draws of a lane between two times: [items], or in their place [heaps] if they are too many. */
+/** The part of a lane between two times that the page draws: [items], or, if they are too many, [heaps]. */
 @Serializable
 internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
 
@@ -12,16 +12,16 @@ internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = 
 @Serializable
 internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
 
-/** An item with all that it came of and all that came of it, the nearest first. */
+/** An item with its causes and its effects, the nearest first. */
 @Serializable
 internal class Related(val item: Item, val causes: List<Item>, val effects: List<Item>)
 
 /**
- * What happened to the agents of a recording, and what each thing came of. Does not change.
+ * The events of a recording's agents, with their causes. Immutable.
  *
  * @property agents their names
- * @property seconds how long the recording is
- * @property items all of it; the place of each is its id
+ * @property seconds the length of the recording
+ * @property items all events; the place of each is its id
  */
 internal class Timeline(val agents: List<String>, val seconds: Double, val items: List<Item>) {
     private val lanes: Map<Pair<Int, Lane>, List<Item>> =
@@ -31,7 +31,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
     private val effects: Map<Int, List<Int>> =
         items.flatMap { item -> item.causes.map { it to item.id } }.groupBy({ it.first }, { it.second })
 
-    /** What there is from [from] to [until], in seconds; of a lane with more than [most] items, so many heaps. */
+    /** Returns the lanes from [from] to [until], in seconds; a lane with more than [most] items as that many heaps. */
     fun between(from: Double, until: Double, most: Int): List<LanePart> =
         lanes.entries.sortedBy { (key, _) -> key.first * Lane.entries.size + key.second.ordinal }.map { (key, all) ->
             val first = all.firstFrom(from - longest.getValue(key))
@@ -48,19 +48,19 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         }
     }
 
-    /** The item [id] and what it is linked with, at most [most] in each direction; null: there is none. */
+    /** Returns the item [id] with its links, at most [most] in each direction; null: there is no such item. */
     fun related(id: Int, most: Int): Related? {
         val item = items.getOrNull(id) ?: return null
         return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
     }
 
-    /** The id of the command of [agent] that it counted as [number]; null: it is not here. */
+    /** Returns the id of the command of [agent] with the agent's [number]; null: it is not here. */
     fun command(agent: String, number: Long): Int? {
         val place = agents.indexOf(agent)
         return lanes[place to Lane.COMMANDS]?.find { it.command == number }?.id
     }
 
-    /** The item before or after [id] in its lane; [id] itself if there is none. */
+    /** Returns the item before or after [id] in its lane; [id] itself if there is none. */
     fun beside(id: Int, isAfter: Boolean): Int? {
         val item = items.getOrNull(id) ?: return null
         val lane = lanes.getValue(item.agent to item.lane)
@@ -76,7 +76,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         return reached.drop(1).map(items::get)
     }
 
-    /** The place of the first item that begins at [time] or later, or later only. */
+    /** Returns the place of the first item that begins at [time] or later; with [isAfter], later than [time]. */
     private fun List<Item>.firstFrom(time: Double, isAfter: Boolean = false): Int =
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 

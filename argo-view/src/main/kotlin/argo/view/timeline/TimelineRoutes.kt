@@ -9,12 +9,12 @@ import kotlinx.serialization.json.Json
 import java.net.URLDecoder
 
 /**
- * Responds to what the page of [timeline] asks for.
+ * Responds to the requests of the page of [timeline].
  *
- * @param name of the recording, or of the agent that runs
- * @param problems what of the recording cannot be read
- * @param why answers why a command was sent
- * @property number of the timeline among those of an agent that runs; 0: it is of a file
+ * @param name the name of the recording, or of the running agent
+ * @param problems the parts of the recording that cannot be read
+ * @param why explains why a command was sent
+ * @property number the number of the timeline among those of a running agent; 0: it is of a file
  */
 internal class TimelineRoutes(
     private val timeline: Timeline,
@@ -25,7 +25,7 @@ internal class TimelineRoutes(
 ) {
     private val contents = Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems, number)
 
-    /** The response to a request for [path]. */
+    /** Returns the response to a request for [path]. */
     fun respond(path: String, parameters: Map<String, String>): HttpResponse = when (path) {
         "/" -> page()
         "/recording" -> json(Contents.serializer(), contents)
@@ -45,7 +45,7 @@ internal class TimelineRoutes(
         return json(ListSerializer(LanePart.serializer()), timeline.between(from, until, most))
     }
 
-    /** The item `id`, or that before or after it, with what it is linked with. */
+    /** Responds with the item `id`, or the one before or after it, and its links. */
     private fun item(parameters: Map<String, String>): HttpResponse {
         val command = parameters["command"]?.toLongOrNull()
         val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)
@@ -70,10 +70,10 @@ internal class TimelineRoutes(
         private const val MOST_ITEMS = 2_000
         private const val MOST_RELATED = 300
 
-        /** The page itself. */
+        /** Responds with the page itself. */
         fun page(): HttpResponse = Site.file("timeline.html", "text/html")
 
-        /** What the page loads from [path]; null: that is no file of it. */
+        /** Responds with the file that the page loads from [path]; null: the page has no such file. */
         fun file(path: String): HttpResponse? = when (path) {
             "/view.css" -> Site.file("view.css", "text/css")
             "/timeline.css" -> Site.file("timeline.css", "text/css")
@@ -83,7 +83,7 @@ internal class TimelineRoutes(
     }
 }
 
-/** The names and values in [query], as it stands in the address; it may be missing. */
+/** Returns the names and values in [query], the part of the address behind `?`, which may be missing. */
 internal fun parametersOf(query: String?): Map<String, String> =
     query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
 

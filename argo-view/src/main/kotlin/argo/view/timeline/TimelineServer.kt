@@ -13,10 +13,10 @@ import java.nio.file.Path
 import java.util.concurrent.Executors
 
 /**
- * Serves the page of [timeline] to browsers on this computer, and what it draws in pieces.
+ * Serves the page of [timeline], and the pieces that it draws, to browsers on this computer.
  *
  * @param file the recording; its name is the title
- * @param problems what of the recording cannot be read
+ * @param problems the parts of the recording that cannot be read
  * @param port 0 to 65535; 0: any that is free
  * @throws IOException if the port cannot be had
  */
@@ -30,7 +30,7 @@ internal class TimelineServer(
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
     private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
 
-    /** Where browsers find it. */
+    /** Its address for browsers. */
     val address: URI = URI("http://127.0.0.1:${server.address.port}/")
 
     init {
@@ -63,7 +63,7 @@ internal class TimelineServer(
         }
     }
 
-    /** Gives the port back. */
+    /** Frees the port. */
     override fun close() {
         server.stop(0)
         threads.shutdownNow()

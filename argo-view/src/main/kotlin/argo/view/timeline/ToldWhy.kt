@@ -10,16 +10,19 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Responds to why a command was sent, in the sentences of the tool `why`. One question is answered at a time, and others are refused
- * meanwhile: they would keep threads that respond to pages. Any thread may ask.
+ * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others meanwhile: they
+ * would hold up threads that respond to pages. Any thread may ask.
  *
- * @param reading calls its argument with the file that the agents are recorded in, or returns null: there is none
+ * @param reading calls its argument with the file of the agents' recording, or returns null if there is none
  */
 internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val program = WhyProgram(PATIENCE_S)
     private val isBusy = AtomicBoolean()
 
-    /** The response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the answer. */
+    /**
+     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the
+     * answer.
+     */
     fun respond(parameters: Map<String, String>): HttpResponse {
         val agent = parameters["agent"]
         val number = parameters["command"]?.toLongOrNull()

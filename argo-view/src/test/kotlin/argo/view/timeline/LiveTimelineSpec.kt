@@ -15,13 +15,13 @@ import java.net.http.HttpClient
 import java.net.http.HttpRequest
 import java.net.http.HttpResponse
 
-/** The timeline of an agent that runs, and what leads to it from the live view. */
+/** The timeline of a running agent, and the links to it from the live view. */
 @Tags("Thorough")
 class LiveTimelineSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
 
-    /** An agent that has stopped before a wall, and has been recorded if [record] is given. */
+    /** Runs [test] with an agent that has stopped before a wall, and that is recorded if [record] is given. */
     suspend fun stopped(record: String?, percepts: String = "dist(front,38);", test: suspend (ViewedMas, FakeBoard) -> Unit) =
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(percepts)

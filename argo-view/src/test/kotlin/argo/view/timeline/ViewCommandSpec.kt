@@ -6,7 +6,7 @@ import picocli.CommandLine
 import java.io.PrintWriter
 import java.io.StringWriter
 
-/** `view` where there is nothing to be shown. */
+/** `view` without anything to show. */
 class ViewCommandSpec : FunSpec({
     test("a recording that is not there is a failure, as of the other tools, and no wrong argument") {
         val err = StringWriter()

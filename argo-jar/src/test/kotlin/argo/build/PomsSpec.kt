@@ -1,0 +1,164 @@
+package argo.build
+
+import io.kotest.assertions.withClue
+import io.kotest.core.NamedTag
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import io.kotest.matchers.string.shouldStartWith
+import java.nio.file.Path
+import kotlin.io.path.copyTo
+import kotlin.io.path.createDirectories
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+
+/** What the Gradle build reads of the POMs, by the program that it reads them with. */
+class PomsSpec : FunSpec({
+    val root = Path.of("..")
+
+    /** What is read of the POMs under [tree], a line for each module, or why they are refused. */
+    fun read(tree: Path, vararg given: String): List<String> {
+        val java = "${System.getProperty("java.home")}/bin/java"
+        val program = root.resolve("buildSrc/src/main/java/argo/build/Poms.java")
+        val process = ProcessBuilder(java, "$program", "$tree", *given).redirectErrorStream(true).start()
+        return process.inputStream.bufferedReader().readLines()
+    }
+
+    fun tree(vararg module: String): Path = tempdir().toPath().apply {
+        resolve("pom.xml").writeText(PARENT)
+        module.forEachIndexed { at, text ->
+            resolve("m$at").createDirectories().resolve("pom.xml").writeText("<project><parent/>$text</project>")
+        }
+    }
+
+    fun dependency(text: String) = read(tree("<dependencies><dependency>$text</dependency></dependencies>", "")).joinToString("\n")
+
+    test("all modules of this repository are read, in the order of Maven, and their group and version") {
+        val pom = root.resolve("pom.xml").readText()
+        val modules = Regex("<module>(.+)</module>").findAll(pom).map { it.groupValues[1] }.toList()
+        modules shouldContainAll listOf("javino-java", "argo-arch", "argo-jar", "samples")
+        val read = read(root)
+        read.first() shouldBe "argo ${Regex("<version>(.+)</version>").find(pom)!!.groupValues[1]}"
+        read.drop(1).map { it.substringAfter("[name=").substringBefore(",") } shouldBe modules
+    }
+
+    mapOf(
+        "" to "[api]", "<scope>provided</scope>" to "[compileOnly, testImplementation]", "<scope>runtime</scope>" to "[runtimeOnly]",
+        "<scope>test</scope>" to "[testImplementation]",
+    ).forEach { (scope, configurations) ->
+        test("Gradle's $configurations is Maven's scope ${scope.ifEmpty { "compile" }}") {
+            dependency("<groupId>g</groupId><artifactId>a</artifactId><version>1</version>$scope") shouldContain
+                "Dependency[configurations=$configurations, group=g, name=a, version=1, isModule=false, excluded=[]]"
+        }
+    }
+
+    test("a managed library has its version and exclusions from the parent, unless the module names a version") {
+        dependency("<groupId>g</groupId><artifactId>managed</artifactId>") shouldContain
+            "name=managed, version=2.0, isModule=false, excluded=[x:y]"
+        dependency("<groupId>g</groupId><artifactId>managed</artifactId><version>3</version>") shouldContain
+            "name=managed, version=3, isModule=false, excluded=[x:y]"
+    }
+
+    test("what all modules need and what only tests need is read too") {
+        dependency("<groupId>g</groupId><artifactId>a</artifactId><version>1</version>").let {
+            it shouldContain "name=for-all, version=4"
+            it shouldContain "configurations=[testImplementation], group=g, name=for-tests, version=5"
+        }
+    }
+
+    test("a module that needs another one depends on its project") {
+        dependency("<groupId>\${project.groupId}</groupId><artifactId>m1</artifactId>") shouldContain
+            "group=of.this, name=m1, version=0.9, isModule=true"
+    }
+
+    test("a given property replaces the one of the POM") {
+        val tree = tree("", "<dependencies><dependency><groupId>g</groupId><artifactId>managed</artifactId></dependency></dependencies>")
+        read(tree, "managed.version=7").joinToString() shouldContain "name=managed, version=7"
+    }
+
+    test("the group of the libraries is one property for Gradle") {
+        val read = read(root, "argo.group=org.example.robots")
+        read.first() shouldStartWith "org.example.robots "
+        read.joinToString("\n") shouldNotContain "group=argo,"
+        read.joinToString("\n") shouldContain "group=org.example.robots, name=argo-arch, version"
+    }
+
+    test("the group of the libraries is one property for Maven, and the POMs that others get have neither it nor a parent")
+        .config(tags = setOf(NamedTag("Thorough"))) {
+            val tree = tempdir().toPath()
+            val modules = Regex("<module>(.+)</module>").findAll(root.resolve("pom.xml").readText()).map { it.groupValues[1] }
+            (modules + "").forEach { root.resolve(it).resolve("pom.xml").copyTo(tree.resolve(it).createDirectories().resolve("pom.xml")) }
+            val maven = listOf(
+                "mvn", "-o", "-q", "-B", "-f", "$tree/pom.xml", "verify", "-pl", "argo-arch", "-am",
+                "-Dmaven.test.skip=true", "-Dargo.group=org.example.robots",
+            )
+            val process = ProcessBuilder(maven).redirectErrorStream(true).start()
+            val said = process.inputStream.readBytes().decodeToString()
+            withClue(said) { process.waitFor() shouldBe 0 }
+            val pom = tree.resolve("argo-arch/target/flattened-pom.xml").readText()
+            pom shouldContain "<groupId>org.example.robots</groupId>\n      <artifactId>javino-java</artifactId>\n      <version>"
+            listOf("\${", "<parent>", "<scope>test</scope>").forEach { pom shouldNotContain it }
+        }
+
+    test("folders of sources and resources besides the usual ones are read") {
+        fun execution(id: String, vararg folders: String) = "<execution><id>$id</id><configuration><sourceDirs>" +
+            folders.joinToString("") { "<sourceDir>$it</sourceDir>" } + "</sourceDirs></configuration></execution>"
+        val build = "<build><resources><resource><directory>src/main/resources</directory></resource>" +
+            "<resource><directory>\${project.basedir}</directory><includes><include>demo/**</include></includes></resource>" +
+            "<resource><directory>rules</directory><targetPath>filters</targetPath></resource></resources><plugins><plugin><executions>" +
+            execution("compile", "src/main/kotlin", "src/more/kotlin") + execution("test-compile", "src/test/kotlin", "../m1/src/shared") +
+            "</executions></plugin></plugins></build>"
+        val read = read(tree(build, "")).joinToString("\n")
+        read shouldContain "sources=[src/more/kotlin], testSources=[../m1/src/shared], " +
+            "resources=[Resource[folder=demo, target=demo], Resource[folder=rules, target=filters]]"
+    }
+
+    mapOf(
+        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><type>zip</type>" to "<type>zip for the dependency a",
+        "<groupId>g</groupId><artifactId>a</artifactId><version>1</version><scope>system</scope>" to "<scope>system for the dependency a",
+        "<groupId>g</groupId><artifactId>a</artifactId>" to "g:a has no version",
+        "<groupId>g</groupId><artifactId>a</artifactId><version>\${none}</version>" to "there is no property none",
+    ).forEach { (text, reason) ->
+        test("it is not left out in silence, but refused with its file: $reason") {
+            val said = dependency(text)
+            said shouldContain reason
+            said shouldContain "m0/pom.xml"
+            said shouldNotContain "Module["
+        }
+    }
+
+    test("the settings of this build find the modules and Kotlin's version where the POM has them") {
+        val settings = root.resolve("settings.gradle.kts").readText()
+        val patterns = Regex("Regex\\(\"(.+?)\"\\)").findAll(settings).map { it.groupValues[1] }.toList()
+        val pom = root.resolve("pom.xml").readText()
+        patterns.associateWith { pattern -> Regex(pattern).findAll(pom).count() } shouldBe
+            mapOf("<kotlin.version>(.+)</kotlin.version>" to 1, "<module>(.+)</module>" to read(root).size - 1)
+    }
+
+    test("a new project's Gradle build fetches its plugins from where this one does") {
+        val repositories = Regex("pluginManagement \\{\\s+repositories \\{ (.+?) }")
+        fun repositories(file: String) = repositories.find(root.resolve(file).readText())?.groupValues?.get(1)
+        repositories("settings.gradle.kts") shouldBe "mavenCentral()"
+        repositories("argo-tools/src/main/resources/argo/tools/project/settings.gradle") shouldBe "mavenCentral()"
+    }
+})
+
+private const val PARENT = """<project>
+  <groupId>of.this</groupId><version>0.9</version>
+  <modules><module>m0</module><module>m1</module></modules>
+  <properties><managed.version>2.0</managed.version></properties>
+  <dependencyManagement><dependencies>
+    <dependency>
+      <groupId>g</groupId><artifactId>managed</artifactId><version>${'$'}{managed.version}</version>
+      <exclusions><exclusion><groupId>x</groupId><artifactId>y</artifactId></exclusion></exclusions>
+    </dependency>
+    <dependency><groupId>${'$'}{project.groupId}</groupId><artifactId>m1</artifactId><version>${'$'}{project.version}</version></dependency>
+  </dependencies></dependencyManagement>
+  <dependencies><dependency><groupId>g</groupId><artifactId>for-all</artifactId><version>4</version></dependency></dependencies>
+  <profiles><profile><id>tests</id><dependencies>
+    <dependency><groupId>g</groupId><artifactId>for-tests</artifactId><version>5</version><scope>test</scope></dependency>
+  </dependencies></profile></profiles>
+</project>"""

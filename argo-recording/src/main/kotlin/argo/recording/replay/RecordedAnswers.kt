@@ -1,0 +1,172 @@
+package argo.recording.replay
+
+import argo.boundary.InternalCall
+import argo.recording.Call
+import argo.recording.Cycle
+import argo.recording.End
+import argo.recording.KeyFrame
+import argo.recording.Mail
+import argo.recording.agent.Begun
+import argo.recording.agent.UnrecordableTerm
+import argo.recording.agent.WatchedKind
+import argo.recording.agent.bound
+import argo.recording.agent.callFailure
+import jason.JasonException
+import jason.asSemantics.Unifier
+import jason.asSyntax.Term
+import java.util.concurrent.Callable
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+
+/** Takes what differs from a recording: the kind, what was recorded, what came now, and the cause if that is known. */
+internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
+
+/**
+ * What was recorded, for an agent that is to do what it did; it notes where that does something else.
+ *
+ * @param isChecking whether the project's own actions and functions are carried out again, to compare what they give
+ * @param found takes what differs
+ */
+internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
+    private val open = Begun()
+    private val left = LinkedBlockingQueue<Runnable>()
+    private var calls: MutableList<Call> = ArrayList()
+    private val taken = ArrayList<Call>()
+    private var sent: MutableList<Mail> = ArrayList()
+    private var underWay: Call? = null
+    private lateinit var cycle: Cycle
+
+    /** The recorded calls that the agent has made again in this cycle, in its order. */
+    val repeated: List<Call> get() = taken
+
+    /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
+    val projectCalls = LinkedHashSet<String>()
+
+    override val suspending: String get() = underWay?.let(::described).orEmpty()
+
+    override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
+        if (start != null) open.restore(start.begun, timers.mapValues { (_, work) -> { _: End -> work.call() } })
+    }
+
+    override fun next(cycle: Cycle) {
+        this.cycle = cycle
+        calls = cycle.input.calls.toMutableList()
+        taken.clear()
+        sent = cycle.course.mail.toMutableList()
+    }
+
+    override fun carryOut(cycle: Cycle) = cycle.input.ends.forEach(::carryOut)
+
+    private fun carryOut(end: End) {
+        if (end.number != 0) {
+            if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
+            return
+        }
+        val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
+        if (work != null) return work.run()
+        found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
+    }
+
+    override fun boardOf(percept: String) = cycle.input.boards[percept]
+
+    override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
+        val recorded = take(call.name, call.args)
+        if (recorded == null) {
+            foundCall(normal("$call"))
+            return if (code == WatchedKind.OUTSIDE || !isChecking) false else live(call.un)
+        }
+        if (code != WatchedKind.OUTSIDE) projectCalls += call.name
+        if (code == WatchedKind.SUSPENDING) return if (isChecking) live(call.un) else unresumed(call)
+        if (code == WatchedKind.PROJECT && isChecking) compare(recorded, call, live)
+        return answer(recorded, call) { suspend ->
+            val around = underWay
+            underWay = recorded
+            suspend()
+            underWay = around
+        }
+    }
+
+    private fun unresumed(call: InternalCall): Any {
+        found(
+            "call", null, normal("$call"),
+            "the project's action ${call.name} has a thread resume its intention, and only --check carries it out again",
+        )
+        return false
+    }
+
+    /** Carries the project's own action out again, and compares what it gives. */
+    private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
+        val un = call.un.clone()
+        val now = try {
+            when (val result = live(un)) {
+                is Iterator<*> -> result.asSequence().take(recorded.answers.size).map { bound(call, it as Unifier) }.toList().toString()
+                true -> listOf(bound(call, un)).toString()
+                else -> NOT_TRUE
+            }
+        } catch (failed: JasonException) {
+            "${callFailure(failed)}"
+        } catch (broken: RuntimeException) {
+            "$broken"
+        }
+        val before = recorded.failure?.toString() ?: if (recorded.answers.isEmpty()) NOT_TRUE else recorded.answers.toString()
+        if (normal(before) == normal(now)) return
+        found("${Difference.RESULT}${recorded.name}", normal(before), normal(now), notRecorded(recorded.name, "action"))
+    }
+
+    override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {
+        val recorded = take(name, args)?.valueOrFailure()
+        if (recorded == null) {
+            foundCall("$name(${args.joinToString(",")})")
+            return if (isOfProject && !isChecking) Double.NaN else live()
+        }
+        if (isOfProject) projectCalls += name
+        if (isOfProject && isChecking) {
+            val (before, now) = "$recorded" to "${live()}"
+            if (now != before) found("${Difference.RESULT}$name", before, now, notRecorded(name, "function"))
+        }
+        return recorded
+    }
+
+    /** The agent makes a call [now] that was not recorded; where Jason ended the cycle it might have followed. */
+    private fun foundCall(now: String) {
+        if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
+    }
+
+    private fun notRecorded(name: String, kind: String) =
+        "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or what a thread changes"
+
+    /** The recorded call of [name] with [args]; it is taken once. */
+    private fun take(name: String, args: Array<Term>): Call? {
+        val texts = compared(args.asList())
+        val index = calls.indexOfFirst { it.isOf(name, texts) }
+        return if (index < 0) null else calls.removeAt(index).also(taken::add)
+    }
+
+    override fun begun(work: BegunWork) {
+        val number = open.begin(work.complete)
+        if (work.kind == CALL && underWay?.number != number) found("number of a call", "${underWay?.number}", "$number", null)
+    }
+
+    override fun left(work: Runnable) {
+        left += work
+    }
+
+    override fun sent(mail: Mail): Mail? = sent.removeFirstOrNull()
+
+    override fun refused(what: String, why: UnrecordableTerm) =
+        found("the $what", why.message, null, "a recording cannot hold ${why.message}, so the replay ends here")
+
+    override fun cycleFinished() {
+        calls.firstOrNull()?.let { found("call", described(it), null, null) }
+    }
+
+    private fun described(call: Call) = normal("${call.name}(${call.args.joinToString(",")})")
+
+    private companion object {
+        const val CALL = "call"
+
+        /** How long work of a thread of the project's is waited for that was left in the recorded cycle. */
+        const val THREAD_PATIENCE_S = 5L
+        const val NOT_TRUE = "false"
+    }
+}

@@ -1,0 +1,263 @@
+package argo.build;
+
+import java.io.File;
+import java.io.FileInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.xpath.XPath;
+import javax.xml.xpath.XPathExpressionException;
+import javax.xml.xpath.XPathFactory;
+import javax.xml.xpath.XPathNodes;
+import org.w3c.dom.Element;
+import org.xml.sax.SAXException;
+
+/**
+ * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It fails on a dependency, a
+ * plugin of the compiler or a pattern of resources that it does not know, since Gradle would build without it. Plugins of Maven are not
+ * read: a build.gradle.kts does what they do.
+ */
+public final class Poms {
+    /** Prints what Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
+    public static void main(String[] arguments) {
+        Map<String, String> given = new HashMap<>();
+        Arrays.stream(arguments).skip(1).map(it -> it.split("=", 2)).forEach(it -> given.put(it[0], it[1]));
+        Poms poms = new Poms(new File(arguments[0]), given);
+        System.out.println(poms.group() + " " + poms.version());
+        poms.modules().forEach(it -> System.out.println(poms.module(it)));
+    }
+
+    /**
+     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module's.
+     *
+     * @param isLibrary whether it is published
+     * @param isSerialized whether it is compiled with Kotlin's plugin for serialization
+     * @param processors the coordinates of Java's annotation processors
+     */
+    public record Module(
+            String name,
+            boolean isLibrary,
+            boolean isSerialized,
+            List<Dependency> dependencies,
+            List<String> processors,
+            List<String> sources,
+            List<String> testSources,
+            List<Resource> resources,
+            List<Resource> testResources) {}
+
+    /**
+     * A dependency, in the configurations of Gradle that mean its scope.
+     *
+     * @param excluded the libraries that it does not bring, as {@code group:name}
+     */
+    public record Dependency(
+            List<String> configurations,
+            String group,
+            String name,
+            String version,
+            boolean isModule,
+            List<String> excluded) {
+        public String coordinates() {
+            return group + ":" + name + ":" + version;
+        }
+    }
+
+    /** A folder of resources, and the folder on the class path that they are put into, empty for its top. */
+    public record Resource(String folder, String target) {}
+
+    private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
+    // of type pom: no library, but a module that is built before
+    private static final String DEPENDENCIES =
+            "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
+    private static final String UNKNOWN =
+            "*[not(self::groupId|self::artifactId|self::version|self::scope|self::exclusions)]"
+                    + "|scope[.!='compile' and .!='provided' and .!='runtime' and .!='test']";
+    private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
+
+    private final File root;
+    private final Map<String, String> given;
+    private final Element parent;
+
+    /**
+     * Reads the POM in the folder {@code root}.
+     *
+     * @param given values of properties that replace those in the POM
+     */
+    public Poms(File root, Map<String, String> given) {
+        this.root = root;
+        this.given = given;
+        this.parent = pom(root);
+    }
+
+    public String group() {
+        return text("groupId");
+    }
+
+    public String version() {
+        return text("version");
+    }
+
+    /** The text of an element of the parent, which a path leads to, such as {@code licenses/license/name}. */
+    public String text(String path) {
+        return text(parent, path, parent);
+    }
+
+    /** The value of a property of the parent, such as {@code jason.version}. */
+    public String property(String name) {
+        return resolved("${" + name + "}", parent);
+    }
+
+    /** The modules in the order of the parent. */
+    public List<String> modules() {
+        return at(parent, "modules/module").map(Element::getTextContent).toList();
+    }
+
+    /** The module of the folder {@code name}, or what else has a POM there. */
+    public Module module(String name) {
+        Element pom = pom(new File(root, name));
+        Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
+        refuse(pom, "a compiler's plugin", "//compilerPlugins/plugin[.!='kotlinx-serialization']");
+        return new Module(
+                name,
+                at(pom, "properties/maven.install.skip").findAny().isEmpty(),
+                at(pom, "//compilerPlugins/plugin").findAny().isPresent(),
+                poms.flatMap(it -> at(it, DEPENDENCIES))
+                        .map(it -> dependency(it, pom))
+                        .toList(),
+                at(pom, "//annotationProcessorPaths/path")
+                        .map(it -> dependency(it, pom).coordinates())
+                        .toList(),
+                sources(pom, "compile", "src/main/"),
+                sources(pom, "test-compile", "src/test/"),
+                resources(pom, "build/resources/resource", "src/main/resources"),
+                resources(pom, "build/testResources/testResource", "src/test/resources"));
+    }
+
+    private Dependency dependency(Element it, Element pom) {
+        String group = text(it, "groupId", pom);
+        String name = text(it, "artifactId", pom);
+        refuse(it, "for the dependency " + name, UNKNOWN);
+        List<Element> declared = Stream.concat(
+                        Stream.of(it),
+                        at(parent, "dependencyManagement/dependencies/dependency")
+                                .filter(each -> text(each, "groupId", parent).equals(group)
+                                        && text(each, "artifactId", parent).equals(name)))
+                .toList();
+        String scope = at(it, "scope").map(Element::getTextContent).findAny().orElse("compile");
+        return new Dependency(
+                switch (scope) {
+                    case "provided" -> List.of("compileOnly", "testImplementation");
+                    case "runtime" -> List.of("runtimeOnly");
+                    case "test" -> List.of("testImplementation");
+                    default -> List.of("api"); // as Maven does: what a library's users compile with, too
+                },
+                group,
+                name,
+                declared.stream()
+                        .flatMap(each -> at(each, "version"))
+                        .findFirst()
+                        .map(each -> resolved(each.getTextContent(), pom))
+                        .orElseThrow(() ->
+                                new IllegalStateException(group + ":" + name + " has no version in " + place(pom))),
+                group.equals(group()) && modules().contains(name),
+                declared.stream()
+                        .flatMap(each -> at(each, "exclusions/exclusion"))
+                        .map(each -> text(each, "groupId", pom) + ":" + text(each, "artifactId", pom))
+                        .toList());
+    }
+
+    /** What an execution of Kotlin's compiler has besides the usual folders. */
+    private List<String> sources(Element pom, String execution, String usual) {
+        return at(
+                        pom,
+                        "//execution[id='" + execution + "']/configuration/sourceDirs/sourceDir[not(starts-with(.,'"
+                                + usual + "'))]")
+                .map(it -> resolved(it.getTextContent(), pom))
+                .toList();
+    }
+
+    /** The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**}. */
+    private List<Resource> resources(Element pom, String path, String usual) {
+        refuse(pom, "with patterns", path + "[includes]/directory[.!='${project.basedir}']");
+        refuse(pom, "that is not a folder", path + "/includes/include[substring-before(.,'/**')='']");
+        Stream<Resource> parts = at(pom, path + "/includes/include")
+                .map(it -> it.getTextContent().replace("/**", ""))
+                .map(part -> new Resource(part, part));
+        Stream<Resource> folders = at(pom, path + "[not(includes) and directory!='" + usual + "']")
+                .map(it -> {
+                    Stream<Element> target = at(it, "targetPath");
+                    return new Resource(
+                            text(it, "directory", pom),
+                            target.map(Element::getTextContent).findAny().orElse(""));
+                });
+        return Stream.concat(parts, folders).toList();
+    }
+
+    private String text(Element it, String path, Element pom) {
+        return at(it, path)
+                .findFirst()
+                .map(each -> resolved(each.getTextContent(), pom))
+                .orElseThrow(() -> new IllegalStateException(
+                        "there is no " + path + " in a <" + it.getTagName() + "> of " + place(pom)));
+    }
+
+    private String resolved(String text, Element pom) {
+        return PROPERTY.matcher(text).replaceAll(match -> Matcher.quoteReplacement(value(match.group(1), pom)));
+    }
+
+    private String value(String name, Element pom) {
+        if (name.startsWith("project.")) {
+            return text(name.substring("project.".length()));
+        }
+        return Stream.concat(
+                        Stream.ofNullable(given.get(name)),
+                        Stream.of(pom, parent)
+                                .flatMap(it -> at(it, "properties/" + name))
+                                .map(Element::getTextContent))
+                .findFirst()
+                .map(it -> resolved(it, pom))
+                .orElseThrow(() -> new IllegalStateException("there is no property " + name + " for " + place(pom)));
+    }
+
+    private static void refuse(Element it, String thing, String path) {
+        at(it, path).findFirst().ifPresent(found -> {
+            throw new IllegalStateException(
+                    "the Gradle build does not know <" + found.getTagName() + ">" + found.getTextContent() + " " + thing
+                            + " in " + place(it) + "; buildSrc/src/main/java/argo/build/Poms.java reads it");
+        });
+    }
+
+    private static Element pom(File folder) {
+        File file = new File(folder, "pom.xml");
+        try (InputStream bytes = new FileInputStream(file)) {
+            return DocumentBuilderFactory.newDefaultInstance()
+                    .newDocumentBuilder()
+                    .parse(bytes, file.getPath())
+                    .getDocumentElement();
+        } catch (IOException | SAXException | ParserConfigurationException reason) {
+            throw new IllegalStateException(file + " cannot be read: " + reason.getMessage(), reason);
+        }
+    }
+
+    private static String place(Element it) {
+        return it.getOwnerDocument().getDocumentURI();
+    }
+
+    private static Stream<Element> at(Element it, String path) {
+        try {
+            XPathNodes found = XPATH.evaluateExpression(path, it, XPathNodes.class);
+            return StreamSupport.stream(found.spliterator(), false).map(Element.class::cast);
+        } catch (XPathExpressionException reason) {
+            throw new IllegalArgumentException(path, reason);
+        }
+    }
+}

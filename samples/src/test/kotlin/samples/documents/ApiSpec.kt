@@ -1,0 +1,50 @@
+package samples.documents
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.string.shouldContain
+import org.jetbrains.kotlin.abi.tools.AbiFilters
+import org.jetbrains.kotlin.abi.tools.AbiTools
+import java.io.File
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.exists
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+
+/**
+ * The public API of each library is in `<library>/api/<library>.api`, so that a change of it is seen. With `-Dargo.write.api=true` the
+ * files are written.
+ */
+class ApiSpec : FunSpec({
+    val root = Path.of("..").toRealPath()
+    val onClassPath = System.getProperty("java.class.path").split(File.pathSeparator).map { File(it).canonicalFile }
+
+    /** The classes of a library, of a Maven or a Gradle build. */
+    fun classes(library: String): List<File> = onClassPath.filter { it.startsWith(root.resolve(library).toFile()) }
+        .flatMap { place -> place.walk().filter { it.extension in setOf("class", "jar") } }
+
+    libraries(root).forEach { library ->
+        test("the public API of $library is the one in its file") {
+            val files = classes(library)
+            withClue("$library is not on the class path") { files.shouldNotBeEmpty() }
+            val api = buildString { AbiTools.getInstance().printJvmDump(this, files, AbiFilters.EMPTY) }
+            val file = root.resolve("$library/api/$library.api")
+            if (System.getProperty("argo.write.api") == "true") file.apply { parent.createDirectories() }.writeText(api)
+            val kept = if (file.exists()) file.readText().lines() else emptyList()
+            withClue("if this change is meant, and stands in CHANGELOG.md: $UPDATE") {
+                (api.lines() - kept.toSet()).map { "new: $it" }.shouldBeEmpty()
+                (kept - api.lines().toSet()).map { "gone: $it" }.shouldBeEmpty()
+            }
+            api shouldContain "public "
+        }
+    }
+})
+
+/** The modules under [root] that `./argo install` installs. */
+internal fun libraries(root: Path): List<String> = Regex("<module>(.+?)</module>").findAll(root.resolve("pom.xml").readText())
+    .map { it.groupValues[1] }.filterNot { "<maven.install.skip>true" in root.resolve("$it/pom.xml").readText() }.toList()
+
+private const val UPDATE = "mvn -o -pl samples -am test -Dtest=ApiSpec -Dsurefire.failIfNoSpecifiedTests=false -Dargo.write.api=true"
