@@ -256,8 +256,8 @@ private class RuleGenerator(private val random: Random) {
 
 /** The board in Java and the board's library in C, in the same conversations. */
 class LibraryDifferentialSpec : FunSpec({
-    test("both send the same frames and carry out the same commands, whatever arrives").config(tags = thorough)
-        .config(enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
+    test("both send the same frames and carry out the same commands, whatever arrives")
+        .config(tags = thorough, enabledOrReasonIf = { LibraryBoards.available }, timeout = 10.minutes) {
             val played = mutableListOf<Pair<String, List<String>>>()
             repeat(CONVERSATIONS) { number ->
                 val board = SessionBoard()
