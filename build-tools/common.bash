@@ -80,7 +80,7 @@ build() {
   local all module log=$logs/build.log changed=''
   IFS=$'\n' read -r -d '' -a all < <(modules) || true
   all=("${all[@]/#/$here/}") # those alone: a project that "new" has made may lie beside them
-  local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples")
+  local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples" "$here/experiment")
   for module; do
     local stamp=$logs/built-$module
     if [ -f "$stamp" ] && compgen -G "$here/$module/target/*.jar" >/dev/null &&

@@ -18,7 +18,7 @@ root_doc = "README"
 include_patterns = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "docs/*.md", "javino-arduino/README.md", "javino-arduino/extras/*.md",
     "javino-arduino/simulator/README.md", "javino-arduino/vectors/README.md", "javino-python/README.md",
-    "samples/*/README.md",
+    "samples/*/README.md", "experiment/README.md",
 ]
 exclude_patterns = ["**/target", "**/build", ".*"]
 myst_heading_anchors = 4  # as GitHub has them

@@ -10,7 +10,7 @@ import jason.asSyntax.Term
  * Returns the board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
  * @throws ArgumentException if there are other options
  */
-internal fun boardIn(call: BoardAction.Call): Board? {
+internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val port = portIn(optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]")) ?: return null
     return call.arch.io.board(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.io))
 }

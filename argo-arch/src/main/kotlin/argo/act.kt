@@ -33,7 +33,7 @@ import argo.acting.requireCommand
  * with `error(act_failed)` if it could not carry the command out.
  */
 @Suppress("ClassName")
-open class act : BoardAction("argo.act", 1..2) {
+open class act : BoardInternalAction("argo.act", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {

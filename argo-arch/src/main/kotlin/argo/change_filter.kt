@@ -25,7 +25,7 @@ import java.util.logging.Logger
  * `error(bad_filter)` for a refused file, with all its problems in the message.
  */
 @Suppress("ClassName")
-open class change_filter : BoardAction("argo.change_filter", 1..2) {
+open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
     private val reported = HashSet<Pair<String, PerceptionFilter>>() // Jason makes an instance for each agent
 
     override fun run(call: Call) {

@@ -10,7 +10,7 @@ import argo.calls.wholeNumber
  * Fails the plan with `error(wrong_arguments)`, `error(unknown_board)` if the agent perceives no board on P, or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class limit : BoardAction("argo.limit", 1..2) {
+open class limit : BoardInternalAction("argo.limit", 1..2) {
     override fun run(call: Call) {
         val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
             ?: throw ArgumentException("the sensing interval is a whole number of ms from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")

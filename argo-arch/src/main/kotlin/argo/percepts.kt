@@ -9,7 +9,7 @@ import argo.calls.ArgumentException
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class percepts : BoardAction("argo.percepts", 1..1) {
+open class percepts : BoardInternalAction("argo.percepts", 1..1) {
     override fun run(call: Call) {
         val open = when (call.args[0].toString()) {
             "open" -> true

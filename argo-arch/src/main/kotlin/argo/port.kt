@@ -23,7 +23,7 @@ import jason.asSyntax.VarTerm
  * agent without [Arch], `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class port : BoardAction("argo.port", 1..2) {
+open class port : BoardInternalAction("argo.port", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {

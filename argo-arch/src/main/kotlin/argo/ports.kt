@@ -1,7 +1,6 @@
 package argo
 
 import argo.calls.ArgumentException
-import argo.calls.Failure
 import argo.connecting.PortOptions
 import argo.connecting.WantedPort
 import jason.asSyntax.ListTerm
@@ -22,7 +21,7 @@ import jason.asSyntax.Term
  * also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class ports : BoardAction("argo.ports", 1..1) {
+open class ports : BoardInternalAction("argo.ports", 1..1) {
     override val suspends get() = true
 
     override fun run(call: Call) {

@@ -10,7 +10,7 @@ import jason.asSyntax.StringTerm
  * Fails the plan with `error(not_recording)` if the agent has no recording, `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class record : BoardAction("argo.record", 1..1) {
+open class record : BoardInternalAction("argo.record", 1..1) {
     override fun run(call: Call) {
         val why = call.args[0].let { if (it is StringTerm) it.string else "$it" }
         val isKept = call.arch.observers.count { it.recordWanted(why) } > 0

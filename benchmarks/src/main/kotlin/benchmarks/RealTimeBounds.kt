@@ -2,9 +2,9 @@ package benchmarks
 
 import javino.virtual.BoardTimes
 import javino.virtual.Bounded
+import javino.virtual.BoundsCase
 import javino.virtual.BoundsRun
 import javino.virtual.Closest
-import javino.virtual.Course
 import javino.virtual.checkBounds
 import java.util.Locale
 import kotlin.random.Random
@@ -25,7 +25,7 @@ internal fun bounds(): Boolean {
         val board = if (hasRules) "rules on the board" else "no rules on the board"
         println("the example at $baud baud, $board: the longest of $EXCHANGES_OF_AN_EXAMPLE exchanges")
         val random = Random(SEED)
-        val run = BoundsRun(Course(baud, EXAMPLE, intervalMs = 50, percepts = 10, digits = 3, hasRules), random)
+        val run = BoundsRun(BoundsCase(baud, EXAMPLE, intervalMs = 50, percepts = 10, digits = 3, hasRules), random)
         run.use { while (it.exchanges < EXCHANGES_OF_AN_EXAMPLE) it.step() }
         run.closest.entries.sortedBy { it.key }.forEach { (what, found) -> println(row(what, found)) }
     }

@@ -8,7 +8,6 @@ import picocli.CommandLine.Option
 import samples.carrier.ThreeBoardsCommand
 import samples.collision.CollisionCommand
 import samples.delegation.DelegationCommand
-import samples.experiment.ExperimentCommand
 import samples.fleet.FleetCommand
 import samples.lamp.BlinkCommand
 import samples.lamp.TwoBoardsCommand
@@ -18,8 +17,7 @@ import kotlin.system.exitProcess
 
 /**
  * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` runs the sample
- * `collision`, and `experiment` runs the experiment, which is not among the samples. The property `argo.command` has the words that the
- * user has typed before the name of the command.
+ * `collision`. The property `argo.command` has the words that the user has typed before the name of the command.
  */
 fun main(args: Array<String>) {
     val (commands, arguments) = program(args)
@@ -31,7 +29,6 @@ internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     val rest = args.drop(1).toTypedArray()
     return when (args.firstOrNull()) {
         "demo" -> commandLine(CollisionCommand(), "demo") to rest
-        "experiment" -> commandLine(ExperimentCommand(), "experiment") to rest
         else -> commandLine(Samples(), "sample") to args
     }
 }

@@ -24,12 +24,12 @@ import jason.asSyntax.Atom
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 import jason.bb.BeliefBase
+import javino.wire.BoardAction
 import javino.wire.BoardAction.ANY
 import javino.wire.ReflexOutcome
 import java.util.concurrent.atomic.AtomicReference
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
-import javino.wire.BoardAction as RegisteredAction
 
 /**
  * A board that an agent perceives or has perceived: the beliefs about it, the snapshots that are still to be perceived, its filter and its
@@ -91,7 +91,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     )
 
     /** The actions that it has registered, the newest of each name; null: they are not known. Any thread. */
-    val actions: List<RegisteredAction>?
+    val actions: List<BoardAction>?
         get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
     /** Returns true if it has registered an action of the name and number of arguments of [command]. Any thread. */

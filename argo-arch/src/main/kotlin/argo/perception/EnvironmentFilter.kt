@@ -1,7 +1,5 @@
 package argo.perception
 
-import argo.Arch
-import argo.architectures
 import argo.filters.PerceptionFilter
 import argo.platform.Platform
 import argo.platform.Waker
@@ -11,7 +9,7 @@ import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 
 /**
- * Filters the percepts that an agent without [Arch] gets from its Jason environment. `argo.change_filter` puts it in front of the agent's
+ * Filters the percepts that an agent without `argo.Arch` gets from its Jason environment. `argo.change_filter` puts it in front of the agent's
  * architectures when the agent chooses a filter for the first time.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {

@@ -1,8 +1,6 @@
 package argo.platform
 
-import argo.Arch
 import argo.boundary.Boundary
-import argo.calls.whole
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
@@ -16,7 +14,7 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The platform of an [Arch]: its time, its threads and its ports. [system] is the machine's; a test can pass one with a time of its own.
+ * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine's; a test can pass one with a time of its own.
  *
  * All functions may be called by any thread.
  */

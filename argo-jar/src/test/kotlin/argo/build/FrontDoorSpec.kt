@@ -56,7 +56,7 @@ class FrontDoorSpec : FunSpec({
     test("what one command has built, with other modules, the next one does not build again until it changes") {
         val tree = tempdir().toPath()
         tree.resolve("pom.xml").writeText("<module>one</module>\n<module>two</module>\n")
-        listOf("one", "two", "samples").forEach { name ->
+        listOf("one", "two", "samples", "experiment").forEach { name ->
             tree.resolve(name).resolve("src").createDirectories()
             tree.resolve(name).resolve("target").createDirectories().resolve("$name.jar").writeText("")
             tree.resolve(name).resolve("pom.xml").writeText("")

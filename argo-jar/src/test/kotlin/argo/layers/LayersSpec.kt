@@ -11,7 +11,12 @@ import com.tngtech.archunit.library.dependencies.SliceAssignment
 import com.tngtech.archunit.library.dependencies.SliceIdentifier
 import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
+import java.nio.file.Path
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readText
 
 /** Each package knows only those that it may: the table in CONTRIBUTING.md, and the order of packages in docs/architecture.md. */
 class LayersSpec : FunSpec({
@@ -102,6 +107,11 @@ class LayersSpec : FunSpec({
                     },
                 ).check(product)
         }
+        test("imports, for its comments too, no package that it does not know") {
+            order.flatMap { (name, below) ->
+                importedBy(name).filterNot { (_, known) -> known in below + name || known.startsWith("argo.filters") }
+            }.shouldBeEmpty()
+        }
         test("does not know how bytes move") {
             noClasses().that().resideInAnyPackage("argo", *order.keys.toTypedArray())
                 .should().dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
@@ -173,3 +183,9 @@ class LayersSpec : FunSpec({
         }
     }
 })
+
+/** The packages of ARGO that the sources of package [name] import, each with the file that does; classes do not show imports of comments. */
+private fun importedBy(name: String): List<Pair<String, String>> =
+    Path.of("../argo-arch/src/main/kotlin", *name.split('.').toTypedArray()).listDirectoryEntries("*.kt").flatMap { file ->
+        Regex("""(?m)^import (argo(?:\.[a-z]\w*)*)\.\w+""").findAll(file.readText()).map { file.name to it.groupValues[1] }
+    }

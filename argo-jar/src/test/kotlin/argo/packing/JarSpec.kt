@@ -31,6 +31,10 @@ class JarSpec : FunSpec({
         jar.classes.filterNot { name -> OWN_NAMES.any { name.startsWith(it) } }.shouldBeEmpty()
     }
 
+    test("the board for tests is not in it") {
+        own.filter { it.startsWith("javino/sim/FakeBoard") }.shouldBeEmpty()
+    }
+
     test("whatever ARGO's classes name is in it, in Java or in Jason") {
         val there = jar.classes.toSet()
         own.flatMap { names(jar.entries.getValue("$it.class")) }.toSet()

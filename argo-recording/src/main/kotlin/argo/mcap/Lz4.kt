@@ -6,6 +6,9 @@ import java.nio.ByteOrder
 /**
  * The compression that MCAP calls `lz4`: frames of LZ4 (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md), of independent blocks
  * without checksums, since a chunk has its own. For one thread.
+ *
+ * Frames of other programs, such as those of the libraries in C++ and Python, have blocks that repeat bytes of the blocks before. The Java
+ * library lz4-java refuses these frames, so it cannot be used here.
  */
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)

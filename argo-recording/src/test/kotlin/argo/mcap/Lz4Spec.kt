@@ -42,6 +42,13 @@ class Lz4Spec : FunSpec({
         compressed(cycles.encodeToByteArray()).size shouldBeLessThan cycles.length / 3
     }
 
+    test("a block that repeats bytes of the block before is read, as other programs write them") {
+        val stored = byteArrayOf(15, 0, 0, -0x80) + "dist(front,38);".encodeToByteArray()
+        val repeating = byteArrayOf(9, 0, 0, 0) + byteArrayOf(0x0B, 15, 0) + 0x50 + "end()".encodeToByteArray() // 15 bytes from 15 before
+        val frame = byteArrayOf(0x04, 0x22, 0x4D, 0x18, 0x40, 0x40, -0x40) + stored + repeating + ByteArray(4)
+        decompressed(frame, 35).decodeToString() shouldBe "dist(front,38);dist(front,38);end()"
+    }
+
     test("damaged bytes fail with a failure of the format, or give as many bytes") {
         val data = "dist(front,38);dist(front,39);dist(front,40);temp(21.5)".repeat(9).encodeToByteArray()
         val frame = compressed(data)

@@ -44,7 +44,7 @@ private class HandlesFailures : ReadyRule("handles failures") {
 
 private class StaysSmall(private val intentions: Int, private val beliefs: Int, private val events: Int) :
     ReadyRule("stays small", intentions, beliefs, events) {
-    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<Mind>()
+    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<MindSize>()
         .firstOrNull { it.intentions > intentions || it.beliefs > beliefs || it.events > events }
         ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
 }

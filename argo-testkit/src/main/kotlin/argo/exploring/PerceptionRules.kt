@@ -99,7 +99,7 @@ private class StopsWhenBlind(
 
 private class ReactsTo(private val percept: String, private val commands: List<String>, private val within: Duration) :
     ReadyRule("reacts to $percept", percept, commands, within) {
-    private val condition = Condition(percept)
+    private val condition = PerceivedFormula(percept)
 
     override fun breachIn(run: Run, agent: String): Breach? {
         val entries = run.of(agent)
@@ -120,7 +120,7 @@ private class ReactsTo(private val percept: String, private val commands: List<S
 
 private class NeverSends(private val commands: List<String>, private val percept: String, private val after: Duration) :
     ReadyRule("never sends ${commands.joinToString()} while $percept", commands, percept, after) {
-    private val condition = Condition(percept)
+    private val condition = PerceivedFormula(percept)
 
     override fun breachIn(run: Run, agent: String): Breach? {
         val entries = run.of(agent)
@@ -134,7 +134,7 @@ private class NeverSends(private val commands: List<String>, private val percept
 }
 
 /** A condition on an agent's percepts. */
-private class Condition(text: String) {
+private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
     /** Returns the messages with which it begins to hold, each with the one with which that ends; null: it holds at the end. */

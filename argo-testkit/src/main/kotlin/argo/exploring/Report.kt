@@ -48,7 +48,7 @@ private fun lineOf(entry: TraceEntry): String? = when (entry) {
     is Waits -> "${entry.agent} has waited since ${inMs(entry.since)} with ${entry.intention}"
     is Stopped -> "${entry.agent} is stopped"
     is NeverRests -> entry.what
-    is Received, is Perceived, is Mind -> null
+    is Received, is Perceived, is MindSize -> null
 }
 
 private fun timeOf(at: Duration): String = inMs(at).padStart(COLUMN)

@@ -57,7 +57,8 @@ data class Ended(
 data class PortChanged(override val at: Duration, override val agent: String, val port: String, val status: String) : AgentEntry
 
 /** The numbers of an agent's beliefs, intentions and events after a reasoning cycle. Recorded if they have changed. */
-data class Mind(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) : AgentEntry
+data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
+    AgentEntry
 
 /** The agent's [intention] waits, at the same step since [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry

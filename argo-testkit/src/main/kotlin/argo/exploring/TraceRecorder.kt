@@ -52,7 +52,7 @@ internal class TraceRecorder(private val mas: TestMas) {
 
     /** Records the numbers of an agent's beliefs, intentions and events after each of its cycles. */
     private inner class MindWatch(val agent: TestAgent) : AgArch(), Transparent {
-        private var last: Mind? = null
+        private var last: MindSize? = null
         private var waiting = emptyMap<String, Pair<String, Duration>>()
         private var said = 0
         private var isStopped = false
@@ -63,7 +63,7 @@ internal class TraceRecorder(private val mas: TestMas) {
             messages.drop(said).forEach { record(Said(now, agent.name, it)) }
             said = messages.size
             val c = agent.ts.c
-            val mind = Mind(now, agent.name, agent.ts.ag.bb.size(), intentionsOf(c).size, c.events.size)
+            val mind = MindSize(now, agent.name, agent.ts.ag.bb.size(), intentionsOf(c).size, c.events.size)
             if (mind != last?.copy(at = now)) record(mind)
             last = mind
             waiting = waitingIn(c).associate { (key, words) -> key to (waiting[key] ?: (words to now)) }

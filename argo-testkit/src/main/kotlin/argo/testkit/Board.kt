@@ -17,8 +17,8 @@ import javino.PortInterruptedException
 import javino.PortPermissionException
 import javino.Transport
 import javino.sim.FakeBoard
+import javino.sim.LineRecording
 import javino.sim.MemoryLine
-import javino.sim.Recording
 import javino.sim.ReplayBoard
 import javino.wire.WireFrame
 import java.nio.file.Path
@@ -135,12 +135,12 @@ class Board internal constructor(private val time: VirtualTime) {
      * command. Its other settings have no effect then, except for those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
-    fun replays(recording: Recording): Board = apply {
+    fun replays(recording: LineRecording): Board = apply {
         program = ReplayBoard.of(recording, time).tellingCommandsTo { replayed += Arrival(it, now) }
     }
 
     /** It [replays] the recording in [file], as `monitor --record` of ARGO's tools writes it. */
-    fun replays(file: Path): Board = replays(Recording.read(file))
+    fun replays(file: Path): Board = replays(LineRecording.read(file))
 
     /**
      * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the

@@ -99,7 +99,8 @@ class RulesSpec : FunSpec({
             run(listOf(Waits(20.seconds, "robot", "go at .wait", 1.seconds))), 7000,
         ),
         Case(
-            staysSmall(5, 50, 5), run(listOf(Mind(0.seconds, "robot", 50, 5, 5))), run(listOf(Mind(3.seconds, "robot", 51, 1, 1))), 3000,
+            staysSmall(5, 50, 5), run(listOf(MindSize(0.seconds, "robot", 50, 5, 5))),
+            run(listOf(MindSize(3.seconds, "robot", 51, 1, 1))), 3000,
         ),
         Case(handlesFailures(), run(emptyList()), run(listOf(FailedUnhandled(2.seconds, "robot", "No failure event"))), 2000),
         Case(staysAlive(), run(emptyList()), run(listOf(Stopped(2.seconds, "robot"))), 2000),

@@ -45,7 +45,7 @@ internal class SeededDrives(val source: String, val agents: List<String>, privat
 
         /** The samples, and the agent of the experiment. */
         val ALL: List<SeededDrives> = listOf(
-            SeededDrives("$SAMPLES/experiment/experiment.mas2j", listOf("robot"), robot),
+            SeededDrives("../experiment/agent/experiment.mas2j", listOf("robot"), robot),
             SeededDrives("$SAMPLES/collision/collision.mas2j", listOf("robot")) {
                 robot()
                 message("robot", "boss", "achieve", "halt")

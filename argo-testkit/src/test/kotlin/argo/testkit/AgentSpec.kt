@@ -11,8 +11,8 @@ import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
+import javino.sim.LineRecording
 import javino.sim.MemoryLine
-import javino.sim.Recording
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration
@@ -108,7 +108,7 @@ class AgentSpec : FunSpec({
     }
 
     test("commands that leave for a played recording have their times") {
-        val drive = Recording(listOf(Recording.Entry(0, Recording.Direction.IN, "dist(f,1);")))
+        val drive = LineRecording(listOf(LineRecording.Entry(0, LineRecording.Direction.IN, "dist(f,1);")))
         agentOf("!start.\n+!start <- argo.port(ttyACM0); .wait(2000); argo.act(go).") { board.replays(drive) }.use { robot ->
             robot.shouldSend("go", within = 5.seconds)
             robot.arrivals.single().at shouldBeGreaterThan 2.seconds
@@ -215,7 +215,7 @@ class AgentSpec : FunSpec({
     }
 
     test("what a board said once is said again, at its times") {
-        val recording = Recording.read(
+        val recording = LineRecording.read(
             """
             javino-recording 1
             0	out	getPercepts
@@ -228,7 +228,7 @@ class AgentSpec : FunSpec({
             robot.shouldSend("front").shouldNotSend("stop", during = 4.seconds)
             robot.shouldSend("stop", within = 2.seconds).shouldSendNothingElse(during = 10.seconds)
         }
-        shouldThrow<IllegalArgumentException> { agent("robot.asl") { board.replays(Recording(emptyList())) } }.message shouldContain
+        shouldThrow<IllegalArgumentException> { agent("robot.asl") { board.replays(LineRecording(emptyList())) } }.message shouldContain
             "nothing"
     }
 

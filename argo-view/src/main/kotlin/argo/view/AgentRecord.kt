@@ -19,7 +19,7 @@ import kotlin.concurrent.withLock
  */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
     /** The agent's beliefs and intentions. */
-    val mind = MindWatch({ Mind.of(agent) }, log, agent::nanos)
+    val mind = MindWatch({ MindState.of(agent) }, log, agent::nanos)
 
     private val lock = ReentrantLock()
     private val commands = CommandRecord()
@@ -28,7 +28,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var lastReceived: Long? = null
     private var filter: PerceptionFilter? = null
     private val reflexes = HashMap<CriticalRule, EndedReflex>()
-    private var lastPerception: Perception? = null
+    private var lastPerception: PerceptionTime? = null
     private var counts = Counts(0, 0, 0, 0)
     private var changes = 0L
     private val printed = PrintRecord(agent::nanos) { changing {} }
@@ -61,7 +61,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     override fun messagePerceived(message: PerceivedMessage) = changing {
         counts = counts.copy(handOvers = counts.handOvers + 1)
         val now = agent.nanos()
-        lastPerception = Perception(now, now - message.receivedNanos)
+        lastPerception = PerceptionTime(now, now - message.receivedNanos)
     }
 
     override fun commandIssued(command: IssuedCommand) = changing { commands.issued(command) }
@@ -114,7 +114,7 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
 internal class Recorded(
     val counts: Counts,
     val filter: PerceptionFilter?,
-    val lastPerception: Perception?,
+    val lastPerception: PerceptionTime?,
     val unseen: List<PerceivedMessage>,
     val ports: Map<String, PortChange>,
     val commands: CommandsState,
@@ -126,7 +126,7 @@ internal class Recorded(
 internal class PortChange(val status: String, val reason: String?, val nanos: Long)
 
 /** A message was perceived at [nanos], [delayNanos] after its last byte. */
-internal class Perception(val nanos: Long, val delayNanos: Long)
+internal class PerceptionTime(val nanos: Long, val delayNanos: Long)
 
 /** The numbers of messages that came and that were perceived, of commands that were done or failed, and of cycles. */
 internal data class Counts(val frames: Long, val handOvers: Long, val commands: Long, val cycles: Long)

@@ -10,7 +10,7 @@ import java.util.logging.Logger
  * @param look returns the mind; called by the agent's thread only
  * @param nanos a clock in ns that never goes back
  */
-internal class MindWatch(private val look: () -> Mind, private val log: Logger, private val nanos: () -> Long) {
+internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
     /** True if somebody watches. */
     @Volatile
     var isWatched = false
@@ -57,7 +57,7 @@ internal class MindWatch(private val look: () -> Mind, private val log: Logger, 
     }
 
     /** An agent's mind as it was seen at [nanos]. */
-    class Seen(val nanos: Long, val mind: Mind)
+    class Seen(val nanos: Long, val mind: MindState)
 
     companion object {
         /** The least time between two looks, in ns. */

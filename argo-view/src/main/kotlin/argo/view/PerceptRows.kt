@@ -36,7 +36,7 @@ internal class PerceptRows {
             val before = rows[key]
             val words = shown(text)
             val since = if (before?.text == words) before.sinceNanos else message.receivedNanos
-            val course = before?.course ?: Course()
+            val course = before?.course ?: RecentNumbers()
             course.add(NUMBER.findAll(words).take(MAX_NUMBERS).map { it.value.toDouble() }.toList(), message.receivedNanos)
             rows[key] = Row(message, words, fate(text, message.unreadable, kept, shape in standIns), since, course)
         }
@@ -65,11 +65,11 @@ internal class PerceptRows {
         return shown to more.values.sum()
     }
 
-    /** Returns the courses of the first [MAX_COURSES] sensors with numbers until [now]: [Course.values] by their keys. */
+    /** Returns the courses of the first [MAX_COURSES] sensors with numbers until [now]: [RecentNumbers.values] by their keys. */
     fun courses(now: Long): Map<String, List<List<Double?>>> =
         rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }.entries.take(MAX_COURSES).associate { it.toPair() }
 
-    private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long, val course: Course) {
+    private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long, val course: RecentNumbers) {
         val port = message.portName
         val board = message.namespace
         val seenNanos = message.receivedNanos

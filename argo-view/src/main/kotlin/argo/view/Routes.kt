@@ -25,7 +25,7 @@ internal class Routes(private val agent: ObservedAgent) {
         "/filters" to Route("GET") { filters() },
         "/explain" to Route("GET") { explain(it.query.orEmpty()) },
         "/filter" to Route("POST") { request -> request.read<FilterRequest> { changeFilter(it.name) } },
-        "/percepts" to Route("POST") { request -> request.read<PerceptsRequest> { perceive(it.open) } },
+        "/percepts" to Route("POST") { request -> request.read<PerceivingRequest> { perceive(it.open) } },
         "/command" to Route("POST") { request -> request.read<CommandRequest> { act(it.command) } },
     )
 
@@ -125,7 +125,7 @@ internal class Routes(private val agent: ObservedAgent) {
     private class CommandRequest(val command: String)
 
     @Serializable
-    private class PerceptsRequest(val open: Boolean)
+    private class PerceivingRequest(val open: Boolean)
 
     companion object {
         /** The length of the longest request body that is read. */

@@ -125,7 +125,7 @@ internal class StateComposer(
         )
     }
 
-    private fun sensors(ports: List<ObservedPort>, last: Perception?, now: Long): SensorState {
+    private fun sensors(ports: List<ObservedPort>, last: PerceptionTime?, now: Long): SensorState {
         val byName = ports.associateBy { it.name.removeSurrounding("\"") } // a name is a literal
         val (percepts, more) = rows.state(now) { name -> isSilent(byName[name] ?: ports.find { it.isInUse }) }
         return SensorState(

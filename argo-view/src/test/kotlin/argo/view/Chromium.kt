@@ -18,7 +18,7 @@ internal class Chromium : AutoCloseable {
     private val driver = start()
 
     /** Tests the page of [address] in a window of its own, whose size and preferences are those of a new one. */
-    fun show(address: URI, test: Page.() -> Unit) {
+    suspend fun show(address: URI, test: suspend Page.() -> Unit) {
         val before = driver.windowHandles
         driver.switchTo().newWindow(WindowType.WINDOW)
         (before - driver.windowHandle).forEach { driver.switchTo().window(it).close() }

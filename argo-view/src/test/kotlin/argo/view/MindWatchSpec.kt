@@ -16,12 +16,12 @@ private const val MS = 1_000_000L
 class MindWatchSpec : FunSpec({
     var now = 0L
     val log = Logger.getLogger("argo.view.test").apply { useParentHandlers = false }
-    fun watch(base: BeliefBase) = MindWatch({ Mind.of(base) }, log) { now }.also { now = 0 }
+    fun watch(base: BeliefBase) = MindWatch({ MindState.of(base) }, log) { now }.also { now = 0 }
     fun base(vararg beliefs: String) = DefaultBeliefBase().apply { beliefs.forEach { add(parseLiteral(it)) } }
 
     test("nobody looks: nothing is read") {
         var reads = 0
-        val watch = MindWatch({ reads++; Mind.of(base()) }, log) { now }
+        val watch = MindWatch({ reads++; MindState.of(base()) }, log) { now }
         repeat(100) { watch.cycleFinished() }
         reads shouldBe 0
     }
@@ -43,7 +43,7 @@ class MindWatchSpec : FunSpec({
 
     test("the watch looks ten times in a second, however many cycles there are") {
         var reads = 0
-        val watch = MindWatch({ reads++; Mind.of(base()) }, log) { now }.apply { isWatched = true }
+        val watch = MindWatch({ reads++; MindState.of(base()) }, log) { now }.apply { isWatched = true }
         now = 0
         repeat(1000) { watch.cycleFinished(); now += MS }
         reads shouldBe 10

@@ -38,7 +38,7 @@ class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
 
-    fun shown(answer: String, test: Page.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+    suspend fun shown(answer: String, test: suspend Page.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
         board.lenient().whenAsked("getPercepts").answer(answer)
         ViewedMas().use { mas ->
             mas.file("front.xml", FRONT)
@@ -138,7 +138,7 @@ class PageSpec : FunSpec({
             await { texts("#filters [aria-pressed=true]") == listOf("front") }
             press("none")
             await { texts("#filters [aria-pressed=true]") == listOf("none") && texts("#sensors .chip") == listOf("kept", "kept") }
-            eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }
+            mas.awaitBelief("bob", "dist(b,90)")
             mas.file("front.xml", "<PerceptionFilter><filter/></PerceptionFilter>")
             press("front")
             await { text("#problem").contains("predicate") }
@@ -184,7 +184,7 @@ class PageSpec : FunSpec({
             val figures = text("#figures")
             mas.achieve("bob", "start")
             mas.achieve("bob", "long")
-            eventually({ mas.beliefs("bob") }) { "dist(f,38)" in mas.beliefs("bob") }
+            mas.awaitBelief("bob", "dist(f,38)")
             text("#figures") shouldBe figures
             press("Unfreeze page")
             await { texts("#commands .text").size > 2 && text("#notice").isEmpty() }
@@ -235,7 +235,7 @@ class PageSpec : FunSpec({
             ViewedMas().use { mas ->
                 mas.file("front.xml", FRONT)
                 mas.agent("bob", AGENT)
-                eventually({ board.received() }) { "hello" in board.received() }
+                board.awaitMessage("hello", 20_000)
                 val view = mas.viewOf("bob")
                 OtherSite("$ATTACK('${view.resolve("command")}')").use { other ->
                     chromium.show(other.address) {

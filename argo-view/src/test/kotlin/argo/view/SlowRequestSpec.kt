@@ -1,5 +1,6 @@
 package argo.view
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import java.net.Socket
@@ -23,12 +24,12 @@ class SlowRequestSpec : FunSpec({
             val unfinished = List(24) { Socket(server.address.host, server.address.port) }
             unfinished.forEach { it.getOutputStream().write(begin.toByteArray()) }
             try {
-                eventually({ "${threads(agent)} threads" }) { threads(agent) == unfinished.size }
+                eventually(LIMIT) { threads(agent) shouldBe unfinished.size }
                 now.set(RequestThreads.MAX_WAIT_NANOS / 5)
                 val page = CompletableFuture.supplyAsync { server.address.get("/bob/").statusCode() }
-                eventually({ "no page" }) {
+                eventually(LIMIT) {
                     server.closeStalled()
-                    page.isDone
+                    page.isDone shouldBe true
                 }
                 page.get() shouldBe 200
             } finally {

@@ -5,6 +5,7 @@ import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
 import argo.observing.WatchedRule
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.asSemantics.Circumstance
@@ -33,12 +34,12 @@ class StalledBrowserSpec : FunSpec({
                 browser.receiveBufferSize = 1024
                 browser.connect(InetSocketAddress("127.0.0.1", server.address.port))
                 browser.getOutputStream().write("GET /bob/events HTTP/1.1\r\nHost: ${server.address.authority}\r\n\r\n".toByteArray())
-                eventually({ "no browser" }) { pages.isWatched }
-                eventually({ "it still watches" }) {
+                eventually(LIMIT) { pages.isWatched shouldBe true }
+                eventually(LIMIT) {
                     pages.publish(LARGE, isLast = false)
                     now.addAndGet(RequestThreads.MAX_WAIT_NANOS / 100)
                     server.closeStalled()
-                    !pages.isWatched
+                    pages.isWatched shouldBe false
                 }
             }
         } finally {

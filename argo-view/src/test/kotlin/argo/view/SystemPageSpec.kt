@@ -54,7 +54,7 @@ class SystemPageSpec : FunSpec({
     }
 
     /** Runs [test] with a robot on its way to a wall, and a scout with two boards. */
-    fun system(test: Page.(ViewedMas, List<FakeBoard>) -> Unit) {
+    suspend fun system(test: suspend Page.(ViewedMas, List<FakeBoard>) -> Unit) {
         val boards = listOf("robot", "left", "right").map { FakeBoard.plugIn(it).lenient() }
         val begin = System.nanoTime()
         fun metres() = 2 - (System.nanoTime() - begin) / 1e9 / 40

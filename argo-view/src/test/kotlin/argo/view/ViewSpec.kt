@@ -1,7 +1,9 @@
 package argo.view
 
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldNotContain
@@ -36,7 +38,11 @@ private const val FRONT = """
 """
 
 class ViewSpec : FunSpec({
-    fun watched(program: String = LOOKS, answer: String = "dist(f,38);dist(b,90);light(4);", test: (ViewedMas, FakeBoard, URI) -> Unit) =
+    suspend fun watched(
+        program: String = LOOKS,
+        answer: String = "dist(f,38);dist(b,90);light(4);",
+        test: suspend (ViewedMas, FakeBoard, URI) -> Unit,
+    ) =
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(answer)
             ViewedMas().use { mas ->
@@ -94,7 +100,7 @@ class ViewSpec : FunSpec({
 
     test("a page that is opened later is told what an idle agent believes") {
         watched("likes(tea).\n!start.\n+!start <- +ready.") { mas, _, address ->
-            eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+            mas.awaitBelief("bob", "ready")
             Watcher(address).use { watcher ->
                 watcher.await { it.beliefs.beliefs.map { belief -> belief.text }.containsAll(listOf("likes(tea)", "ready")) }
             }
@@ -127,9 +133,9 @@ class ViewSpec : FunSpec({
                 watcher.await { it.filter?.words.orEmpty().endsWith(warning) }
                 address.post("filter", """{"name":null}""").statusCode() shouldBe 200
                 watcher.await { it.filter == null && it.sensors.percepts.all { p -> p.fate == "kept" } && it.sensors.percepts.size == 3 }
-                eventually({ mas.beliefs("bob") }) { "dist(b,90)" in mas.beliefs("bob") }
+                mas.awaitBelief("bob", "dist(b,90)")
                 address.post("filter", """{"name":"front"}""").statusCode() shouldBe 200
-                eventually({ mas.beliefs("bob") }) { "dist(b,90)" !in mas.beliefs("bob") }
+                eventually(LIMIT) { mas.beliefs("bob") shouldNotContain "dist(b,90)" }
             }
         }
     }
@@ -266,7 +272,7 @@ class ViewSpec : FunSpec({
     test("a page that is opened later is told the course of each number meanwhile") {
         watched { _, board, address ->
             fun messages() = board.received().count { it == "getPercepts" }
-            eventually(::messages) { messages() > 60 } // 20 ms each, so the course has values of two half seconds at least
+            eventually(LIMIT) { messages() shouldBeGreaterThan 60 } // 20 ms each, so the course has values of two half seconds at least
             Watcher(address).use { watcher ->
                 val courses = watcher.await { it.courses != null }.courses.shouldNotBeNull()
                 courses.values.map { it.single().last { value -> value != null } } shouldBe listOf(38.0, 90.0, 4.0)
@@ -328,7 +334,7 @@ class ViewSpec : FunSpec({
                     bob.get("").statusCode() shouldBe 200
                 }
                 mas.kill("bob")
-                eventually(::viewThreads) { viewThreads().isEmpty() }
+                eventually(LIMIT) { viewThreads().shouldBeEmpty() }
                 ServerSocket(port, 1, InetAddress.getByName("127.0.0.1")).close()
             }
         }
@@ -376,7 +382,7 @@ class ViewSpec : FunSpec({
                 val frames = AtomicInteger()
                 board.whenAsked("getPercepts").answer { "light(${frames.incrementAndGet()});" + FILLING }
                 Watcher(address).use { watcher ->
-                    eventually({ board.received().size }) { board.received().count { it.startsWith("seen") } > 50 }
+                    eventually(LIMIT) { board.received().count { it.startsWith("seen") } shouldBeGreaterThan 50 }
                     val now = frames.get()
                     val light = Regex("""light\((\d+)\)""")
                     watcher.await { state ->
@@ -424,9 +430,9 @@ class ViewSpec : FunSpec({
         watched { mas, _, address ->
             val asked = AtomicInteger()
             mas.agentView("bob").show { null.also { asked.incrementAndGet() } }
-            eventually({ mas.beliefs("bob") }) { "light(4)" in mas.beliefs("bob") }
+            mas.awaitBelief("bob", "light(4)")
             asked.get() shouldBe 0
-            Watcher(address).use { eventually(asked::get) { asked.get() > 0 } }
+            Watcher(address).use { eventually(LIMIT) { asked.get() shouldBeGreaterThan 0 } }
         }
     }
 
@@ -435,7 +441,7 @@ class ViewSpec : FunSpec({
             val watchers = (1..12).map { Watcher(address).apply { await { true } } }
             address.get("events").statusCode() shouldBe 503
             watchers.forEach(Watcher::close)
-            eventually({ "no room" }) { "200" in address.raw("GET ${address.path}events HTTP/1.1", "Host: ${address.authority}") }
+            eventually(LIMIT) { address.raw("GET ${address.path}events HTTP/1.1", "Host: ${address.authority}") shouldContain "200" }
         }
     }
 
@@ -447,7 +453,7 @@ class ViewSpec : FunSpec({
                 watcher.await { it.ended }
                 watcher.awaitEnd()
             }
-            eventually(::viewThreads) { viewThreads().isEmpty() }
+            eventually(LIMIT) { viewThreads().shouldBeEmpty() }
             ServerSocket(address.port, 1, InetAddress.getByName("127.0.0.1")).close()
         }
     }
@@ -457,7 +463,7 @@ class ViewSpec : FunSpec({
             (1..50).forEach { mas.agent("bob$it", "likes(tea).") }
             val watchers = (1..50 step 5).map { Watcher(mas.viewOf("bob$it")).apply { await { true } } }
             (1..50).forEach { mas.kill("bob$it") }
-            eventually(::viewThreads) { viewThreads().isEmpty() }
+            eventually(LIMIT) { viewThreads().shouldBeEmpty() }
             watchers.forEach(Watcher::close)
         }
     }
@@ -466,7 +472,7 @@ class ViewSpec : FunSpec({
         ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
             ViewedMas().use { mas ->
                 mas.agent("bob", "!start.\n+!start <- +ready.", view = "${taken.localPort}")
-                eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+                mas.awaitBelief("bob", "ready")
                 mas.log shouldContain "argo_view=${taken.localPort}: port ${taken.localPort} cannot be had"
             }
         }
@@ -477,7 +483,7 @@ class ViewSpec : FunSpec({
             test("argo_view=$word") {
                 ViewedMas().use { mas ->
                     mas.agent("bob", "!start.\n+!start <- +ready.", view = word)
-                    eventually({ mas.beliefs("bob") }) { "ready" in mas.beliefs("bob") }
+                    mas.awaitBelief("bob", "ready")
                     mas.log shouldContain "a view has the number of a port from 0 to 65535"
                     viewThreads() shouldBe emptyList()
                 }

@@ -1,11 +1,15 @@
 package argo.view
 
 import argo.Arch
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.shouldBe
 import jason.asSemantics.Intention
 import jason.asSyntax.ASSyntax
 import jason.infra.local.RunLocalMAS
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
+import kotlinx.coroutines.runBlocking
 import java.net.URI
 import java.nio.file.Files
 import java.nio.file.Path
@@ -16,6 +20,10 @@ import java.util.logging.Logger
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
+
+/** Until then what a test waits for has happened, on any machine. */
+internal val LIMIT = 20.seconds
 
 /** A real Jason in this process, for agents with live views. One at a time. */
 internal class ViewedMas : AutoCloseable {
@@ -67,6 +75,9 @@ internal class ViewedMas : AutoCloseable {
     fun beliefs(name: String): Set<String> =
         mas.getAg(name).ts.ag.bb.asSequence().map { it.copy().apply { clearAnnots() }.toString() }.toSet()
 
+    /** Returns when agent [name] believes [belief]. */
+    suspend fun awaitBelief(name: String, belief: String) = eventually(LIMIT) { beliefs(name) shouldContain belief }
+
     /** Returns the view of agent [name], as a project gets it. */
     fun agentView(name: String): AgentView =
         generateSequence(mas.getAg(name).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>()
@@ -80,7 +91,7 @@ internal class ViewedMas : AutoCloseable {
 
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
-        eventually({ mas.ags.keys }) { mas.ags.isEmpty() }
+        runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
         Logger.getLogger("").removeHandler(handler)
         Files.walk(directory).use { files -> files.sorted(Comparator.reverseOrder()).forEach(Files::delete) }
     }

@@ -15,7 +15,7 @@ internal object Bench {
     val simulator: Path = home.resolve("javino-arduino/build/simulator")
 
     /** The folder of the published agent. */
-    val agents: Path = home.resolve("samples/experiment")
+    val agents: Path = home.resolve("experiment/agent")
 
     /** Returns the compiled sketch, which need not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")

@@ -3,7 +3,7 @@ package javino.session;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import javino.wire.FrameKind;
-import javino.wire.PerceptReader;
+import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
@@ -27,7 +27,7 @@ final class Requests {
     private static final int SMOOTHING = 4;
 
     private final long quietNanos;
-    private final PerceptReader reader = new PerceptReader();
+    private final PerceptDecoder reader = new PerceptDecoder();
     private final AnswerParts parts = new AnswerParts();
     private long asked; // requests in this session
     private long answered; // requests up to the last that was asked when an answer came
@@ -133,7 +133,7 @@ final class Requests {
         Optional<String> text;
         try {
             text = answer.items() == null ? Optional.empty() : reader.read(answer.items(), limit);
-        } catch (PerceptReader.TooLongException e) {
+        } catch (PerceptDecoder.TooLongException e) {
             listener.dropped();
             return;
         }

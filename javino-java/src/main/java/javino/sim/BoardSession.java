@@ -60,7 +60,7 @@ public final class BoardSession {
     private final BoardProgram program;
     private final Capacity capacity;
     private final Line line;
-    private final BoardRules rules;
+    private final HeldRules rules;
 
     // guarded by this
     private final PerceptWriter writer;
@@ -75,7 +75,7 @@ public final class BoardSession {
         this.program = program;
         this.capacity = capacity;
         this.line = line;
-        rules = new BoardRules(capacity.rules());
+        rules = new HeldRules(capacity.rules());
         writer = new PerceptWriter(capacity.shapes());
     }
 
@@ -275,7 +275,7 @@ public final class BoardSession {
 
     /** Looks at the sensors: the reflex of each rule that begins to be met is carried out, and the computer informed. */
     public void look(String percepts) throws PortException, InterruptedException {
-        for (BoardRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
+        for (HeldRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());
             send(FrameKind.CRITICAL, new CriticalReport(beginning.number(), outcome, beginning.percept()).payload());
         }

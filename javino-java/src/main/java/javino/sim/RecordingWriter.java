@@ -5,7 +5,7 @@ import java.io.Writer;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Writes a {@link Recording} as it comes about; what was written is there even if the program is killed. Safe on any thread.
+ * Writes a {@link LineRecording} as it comes about; what was written is there even if the program is killed. Safe on any thread.
  */
 public final class RecordingWriter implements AutoCloseable {
     private final Writer out;
@@ -21,11 +21,11 @@ public final class RecordingWriter implements AutoCloseable {
     public RecordingWriter(Writer out, long nowNanos) throws IOException {
         this.out = out;
         startNanos = nowNanos;
-        line(Recording.HEADER);
+        line(LineRecording.HEADER);
     }
 
     /** Adds a message at {@code nowNanos}; one that is earlier than the last counts as of the same time. */
-    public synchronized void add(long nowNanos, Recording.Direction direction, String message) throws IOException {
+    public synchronized void add(long nowNanos, LineRecording.Direction direction, String message) throws IOException {
         latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
         line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));
     }

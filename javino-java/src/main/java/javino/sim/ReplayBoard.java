@@ -9,7 +9,7 @@ import javino.Transport;
 
 /**
  * A board that sends what a board sent once, from a recording: the port {@code replay:FILE}, or
- * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(Recording.read(file)))}.
+ * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
  * <p>If the recorded board was asked for its percepts, it answers each request with what that board had said by then, counted from the
  * first request, and with the last of it when the recording is over. Else it says everything unasked at its time, counted from the opening
@@ -18,7 +18,7 @@ import javino.Transport;
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
 
-    private final List<Recording.Entry> said;
+    private final List<LineRecording.Entry> said;
     private final boolean asked;
     private final boolean inTurn;
     private final boolean repeated;
@@ -26,7 +26,7 @@ public final class ReplayBoard implements SimulatedBoard {
     private final LineClock clock;
 
     private ReplayBoard(
-            List<Recording.Entry> said,
+            List<LineRecording.Entry> said,
             boolean asked,
             boolean inTurn,
             boolean repeated,
@@ -41,7 +41,7 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /** A board that goes by the machine's clock. */
-    public static ReplayBoard of(Recording recording) {
+    public static ReplayBoard of(LineRecording recording) {
         return of(recording, LineClock.system());
     }
 
@@ -49,8 +49,8 @@ public final class ReplayBoard implements SimulatedBoard {
      * @param clock what the recording's times are of
      * @throws IllegalArgumentException if the board says nothing in the recording
      */
-    public static ReplayBoard of(Recording recording, LineClock clock) {
-        List<Recording.Entry> said = recording.received();
+    public static ReplayBoard of(LineRecording recording, LineClock clock) {
+        List<LineRecording.Entry> said = recording.received();
         if (said.isEmpty()) {
             throw new IllegalArgumentException("the recording holds nothing that a board said");
         }

@@ -126,7 +126,7 @@ class BoardVectorsSpec : FunSpec({
         if (case["met"].isNull()) {
             rule shouldBe null
         } else {
-            case["percepts"].texts().map { BoardRules.isMet(rule, PerceptTerm.of(it)) } shouldBe
+            case["percepts"].texts().map { HeldRules.isMet(rule, PerceptTerm.of(it)) } shouldBe
                 case["met"].items().map { it.jsonPrimitive.boolean }
         }
     }

@@ -5,7 +5,7 @@ import javino.FrameDecoder
 import javino.Transport
 import javino.wire.CommandItem
 import javino.wire.FrameKind
-import javino.wire.PerceptReader
+import javino.wire.PerceptDecoder
 import javino.wire.WireDecoder
 import javino.wire.WireFrame
 
@@ -13,7 +13,7 @@ import javino.wire.WireFrame
 internal class ComputerEnd(private val line: Transport) {
     private val arrived = ArrayDeque<WireFrame>()
     private val decoder = WireDecoder(true, Long.MAX_VALUE / 2, { NONCE }) { arrived += it }
-    private val reader = PerceptReader()
+    private val reader = PerceptDecoder()
     private var number = 0
 
     fun write(bytes: ByteArray) = line.write(bytes, 0, bytes.size, LIMIT_MILLIS)

@@ -13,7 +13,7 @@ import javino.wire.BoardAction
 import javino.wire.CommandItem
 import javino.wire.FrameKind
 import javino.wire.NONCE
-import javino.wire.PerceptReader
+import javino.wire.PerceptDecoder
 import javino.wire.Welcome
 import javino.wire.WireDecoder
 import javino.wire.WireFrame
@@ -51,7 +51,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
 
 /** Names what a board sends so that boards can be compared: answers by their text, capacities not at all. */
 private class Observer {
-    private val reader = PerceptReader()
+    private val reader = PerceptDecoder()
     private var parts = ""
     private var nonce = 0
 

@@ -13,10 +13,10 @@ import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortFaultException
 import javino.Protocol
-import javino.sim.Recording.Direction.CRITICAL
-import javino.sim.Recording.Direction.IN
-import javino.sim.Recording.Direction.OUT
-import javino.sim.Recording.Direction.REFLEX
+import javino.sim.LineRecording.Direction.CRITICAL
+import javino.sim.LineRecording.Direction.IN
+import javino.sim.LineRecording.Direction.OUT
+import javino.sim.LineRecording.Direction.REFLEX
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
@@ -24,7 +24,9 @@ import java.util.concurrent.locks.Condition
 
 class ReplayBoardSpec : FunSpec({
     val asked =
-        Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")))
+        LineRecording(
+            listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);"), entry(150, IN, "dist(8);"), entry(250, IN, "dist(7);")),
+        )
 
     test("a request is answered with what had been said by then, counted from the first request, and with the last at the end") {
         val clock = HandClock()
@@ -36,8 +38,11 @@ class ReplayBoardSpec : FunSpec({
     }
 
     test("what the board reported and did of its own accord is no answer") {
-        val recording = Recording(listOf(entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);light(3);"), entry(60, CRITICAL, "dist(2);"),
-            entry(60, REFLEX, "stop")))
+        val recording = LineRecording(
+            listOf(
+                entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);light(3);"), entry(60, CRITICAL, "dist(2);"), entry(60, REFLEX, "stop"),
+            ),
+        )
         val clock = HandClock()
         plugged(ReplayBoard.of(recording, clock)) { link ->
             clock.millis.set(100_000)
@@ -67,14 +72,14 @@ class ReplayBoardSpec : FunSpec({
     }
 
     test("what a board said unasked it says unasked") {
-        val spoken = Recording(listOf(entry(0, IN, "dist(9);"), entry(0, IN, "dist(8);")))
+        val spoken = LineRecording(listOf(entry(0, IN, "dist(9);"), entry(0, IN, "dist(8);")))
         plugged(ReplayBoard.of(spoken).repeated()) { link -> link.listen(LIMIT_MS).text() shouldStartWith "dist(" }
     }
 
     test("it speaks version 2, takes commands in it, and sends more than one frame holds") {
         val commands = LinkedBlockingQueue<String>()
         val long = (1..60).joinToString("") { "dist($it);" }
-        val board = ReplayBoard.of(Recording(listOf(entry(0, OUT, "getPercepts"), entry(1, IN, long)))).tellingCommandsTo(commands::put)
+        val board = ReplayBoard.of(LineRecording(listOf(entry(0, OUT, "getPercepts"), entry(1, IN, long)))).tellingCommandsTo(commands::put)
         plugged(board, LinkSettings.defaults().withProtocol(Protocol.V2).withBaud(115_200)) { link ->
             link.request("getPercepts", LIMIT_MS).text() shouldBe long
             link.sendAndAwait("speed(3)", LIMIT_MS)
@@ -84,7 +89,7 @@ class ReplayBoardSpec : FunSpec({
 
     test("in version 1 a long answer comes in several messages, each of whole percepts") {
         val long = (1..60).joinToString("") { "dist($it);" }
-        plugged(ReplayBoard.of(Recording(listOf(entry(0, IN, long)))).inTurn(), LinkSettings.defaults().withBaud(115_200)) { link ->
+        plugged(ReplayBoard.of(LineRecording(listOf(entry(0, IN, long)))).inTurn(), LinkSettings.defaults().withBaud(115_200)) { link ->
             val first = link.request("getPercepts", LIMIT_MS).text()
             first shouldStartWith "dist("
             first.last() shouldBe ';'
@@ -110,7 +115,7 @@ class ReplayBoardSpec : FunSpec({
 
 private const val LIMIT_MS = 10_000
 
-private fun entry(millis: Long, direction: Recording.Direction, message: String) = Recording.Entry(millis, direction, message)
+private fun entry(millis: Long, direction: LineRecording.Direction, message: String) = LineRecording.Entry(millis, direction, message)
 
 private fun plugged(board: ReplayBoard, settings: LinkSettings = LinkSettings.defaults(), use: (Link) -> Unit) {
     SimulatedBoards.plugIn("replayed", board)

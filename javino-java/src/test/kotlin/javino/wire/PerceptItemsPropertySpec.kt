@@ -30,7 +30,7 @@ class PerceptItemsPropertySpec : FunSpec({
         checkAll(500, Arb.list(percepts, 1..8), Arb.of(0, 1, 5, 30, 126), Arb.list(Arb.boolean(), 8..8), Arb.int(0..200)) {
                 answers, capacity, lost, claimed ->
             val board = PerceptWriter(capacity)
-            val computer = PerceptReader()
+            val computer = PerceptDecoder()
             answers.forEachIndexed { i, texts ->
                 val items = board.items(texts, if (i % 3 == 0) minOf(claimed, computer.known()) else computer.known())
                 if (!lost[i]) computer.read(items, LIMIT).get() shouldBe texts.joinToString("")
@@ -41,14 +41,14 @@ class PerceptItemsPropertySpec : FunSpec({
     test("a computer whose session begins anew is understood when it knows nothing") {
         checkAll(200, percepts, percepts) { first, second ->
             val board = PerceptWriter(126)
-            PerceptReader().read(board.items(first, 0), LIMIT)
-            PerceptReader().read(board.items(second, 0), LIMIT).get() shouldBe second.joinToString("")
+            PerceptDecoder().read(board.items(first, 0), LIMIT)
+            PerceptDecoder().read(board.items(second, 0), LIMIT).get() shouldBe second.joinToString("")
         }
     }
 
     test("a text that is known crosses as its digits") {
         val board = PerceptWriter(126)
-        val computer = PerceptReader()
+        val computer = PerceptDecoder()
         val texts = listOf("dist(f,123);", "light(f,95);")
         computer.read(board.items(texts, 0), LIMIT)
         board.items(texts, computer.known()) shouldBe "\u0080\u0002\u0012\u003F\u0095\u00FF"
@@ -57,7 +57,7 @@ class PerceptItemsPropertySpec : FunSpec({
     test("items that are cut or damaged give a text or none, and never throw") {
         checkAll(1_000, percepts, Arb.int(0..2_000), texts(1..1)) { texts, at, octet ->
             val board = PerceptWriter(126)
-            val computer = PerceptReader()
+            val computer = PerceptDecoder()
             computer.read(board.items(texts, 0), LIMIT)
             val items = board.items(texts, computer.known())
             val cut = at % (items.length + 1)
@@ -70,7 +70,7 @@ class PerceptItemsPropertySpec : FunSpec({
 
     test("any bytes as items do no harm, and what cannot be read leaves nothing known") {
         checkAll(5_000, texts(0..40)) { items ->
-            val computer = PerceptReader()
+            val computer = PerceptDecoder()
             if (computer.read(items, LIMIT).isEmpty) computer.known() shouldBe 0
         }
     }
@@ -78,11 +78,11 @@ class PerceptItemsPropertySpec : FunSpec({
     test("an answer whose items stand for more than the limit is given up there, and what it taught stays") {
         val texts = (0 until 126).joinToString("") { "${it.toChar()}\u00ff" + "a".repeat(255) }
         val bomb = texts + "\u0080\u007e".repeat(32_768) // a gigabyte
-        val computer = PerceptReader()
-        shouldThrow<PerceptReader.TooLongException> { computer.read(bomb, LIMIT) }
+        val computer = PerceptDecoder()
+        shouldThrow<PerceptDecoder.TooLongException> { computer.read(bomb, LIMIT) }
         computer.known() shouldBe 126
         computer.read("\u0080\u0002", LIMIT).get() shouldBe "a".repeat(510)
-        shouldThrow<PerceptReader.TooLongException> { computer.read("\u0080\u0002", 509) }
+        shouldThrow<PerceptDecoder.TooLongException> { computer.read("\u0080\u0002", 509) }
     }
 })
 

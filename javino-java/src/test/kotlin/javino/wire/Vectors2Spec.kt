@@ -43,7 +43,7 @@ class Vectors2Spec : FunSpec({
 
     for ((name, case) in Vectors2.cases("percepts")) test("percepts: $name") {
         val board = PerceptWriter(case["shapes"].number())
-        val computer = PerceptReader()
+        val computer = PerceptDecoder()
         for (answer in case["answers"].items().map { it.jsonObject }) {
             val texts = answer["texts"].texts()
             board.items(texts, answer["known"].number()) shouldBe answer["itemsHex"].octets()
@@ -52,7 +52,7 @@ class Vectors2Spec : FunSpec({
     }
 
     for ((name, case) in Vectors2.cases("void")) test("void: $name") {
-        val computer = PerceptReader()
+        val computer = PerceptDecoder()
         for (answer in case["answers"].items().map { it.jsonObject }) {
             val texts = if (answer["texts"].isNull()) null else answer["texts"].texts().joinToString("")
             computer.read(answer["itemsHex"].octets(), LIMIT).orElse(null) shouldBe texts

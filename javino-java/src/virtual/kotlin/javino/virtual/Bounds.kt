@@ -22,7 +22,7 @@ internal enum class Bounded(val words: String) {
  * @property intervalMs the sensing interval
  * @property percepts how many the board has besides those that are measured by, each with a number of so many [digits]
  */
-internal data class Course(
+internal data class BoundsCase(
     val baud: Int, val times: BoardTimes, val intervalMs: Int, val percepts: Int, val digits: Int, val hasRules: Boolean,
 ) {
     val byteNanos: Long = LineSettings(baud).byteNanos()
@@ -32,7 +32,7 @@ internal data class Course(
         private val RATES = listOf(9_600, 19_200, 57_600, 115_200, 500_000, 1_000_000)
 
         /** Any within what the bounds assume. */
-        fun random(random: Random): Course {
+        fun random(random: Random): BoundsCase {
             val hasRules = random.nextBoolean()
             val times = BoardTimes(
                 loop = random.nextLong(if (hasRules) 500 else 50, 20_000) * MICROS,
@@ -41,13 +41,13 @@ internal data class Course(
                 ruleSensors = random.nextLong(20, 3_000) * MICROS,
                 isSteady = random.nextInt(4) == 0,
             )
-            return Course(RATES.random(random), times, random.nextInt(10, 200), random.nextInt(30), random.nextInt(1, 5), hasRules)
+            return BoundsCase(RATES.random(random), times, random.nextInt(10, 200), random.nextInt(30), random.nextInt(1, 5), hasRules)
         }
     }
 }
 
 /** The bounds of docs/real-time.md for [course], in ns; the computer takes no time. */
-internal class Bounds(private val course: Course) {
+internal class Bounds(private val course: BoundsCase) {
     private val times = course.times
     private val look = if (course.hasRules) times.ruleSensors else 0
     private val loop = times.loop + look

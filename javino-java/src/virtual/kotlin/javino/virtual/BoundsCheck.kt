@@ -12,7 +12,7 @@ internal fun checkBounds(exchanges: Int, seed: Long): Map<Bounded, Closest> {
     var made = 0
     while (made < exchanges) {
         val random = Random(courses.nextLong())
-        val run = BoundsRun(Course.random(random), random)
+        val run = BoundsRun(BoundsCase.random(random), random)
         run.use { while (it.exchanges < EXCHANGES_OF_A_COURSE) it.step() }
         made += run.exchanges
         run.closest.forEach { (what, found) -> closest.merge(what, found) { one, other -> if (one.share < other.share) other else one } }

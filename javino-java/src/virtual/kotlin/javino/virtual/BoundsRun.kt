@@ -14,14 +14,14 @@ import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
 /** How close what was measured came to its bound; times in ns. */
-internal class Closest(val measured: Long, val bound: Long, val course: Course) {
+internal class Closest(val measured: Long, val bound: Long, val course: BoundsCase) {
     val share: Double get() = measured.toDouble() / bound
 
     override fun toString() = "$measured of $bound ns, $course"
 }
 
 /** Makes exchanges on [course] in virtual time, and compares the times that they take with their bounds. */
-internal class BoundsRun(private val course: Course, private val random: Random) : AutoCloseable {
+internal class BoundsRun(private val course: BoundsCase, private val random: Random) : AutoCloseable {
     private var escapes = 0
     private var alarm: Pair<Long, () -> Unit>? = null
     private val sketch = Sketch()

@@ -11,7 +11,7 @@ import java.util.logging.Logger
 import java.util.logging.StreamHandler
 
 /** The log of Jason, ARGO and the agents during a run, one line each: `[robot] port "sim:robot" is on`. */
-internal object Logs {
+object Logs {
     /** Sends it to [out]. */
     fun to(out: PrintStream) {
         LogManager.getLogManager().reset()

@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  * @param inPlace whether [out] is a terminal, on which the line is rewritten
  * @param charset the character set of [out]
  */
-internal class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
+class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "
     private val lock = ReentrantLock()
     private var isOver = false

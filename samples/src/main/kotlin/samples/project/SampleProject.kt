@@ -8,10 +8,10 @@ import java.net.URL
 import kotlin.io.path.toPath
 
 /**
- * One of the Jason projects of this module: `collision` is `collision/collision.mas2j` on the class path, with its agents beside it.
+ * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it.
  * Changes of a command line are made here, after the project has been read.
  */
-internal class SampleProject(name: String) {
+class SampleProject(name: String) {
     private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
         "the project $name is not on the class path: $name/$name.mas2j is missing beside the samples' classes"
     }

@@ -46,7 +46,8 @@ class CommandCheck(private val root: Path) {
         val rest = words.drop(1)
         return when (verb) {
             !in verbs -> "./argo has no $verb, it has: ${verbs.joinToString()}"
-            "demo", "experiment" -> sample(words)
+            "demo" -> sample(words)
+            "experiment" -> experiment(rest)
             "sample" -> if (rest.isEmpty()) null else sample(rest)
             "tools" -> tool(rest)
             "new" -> if (rest.isEmpty()) null else tool(words)
@@ -64,8 +65,16 @@ class CommandCheck(private val root: Path) {
         refusal(commands, arguments.asList())
     }
 
+    /** Its program is in a module that needs this one. */
+    private fun experiment(options: List<String>): String? =
+        unheardOf(
+            root.resolve("experiment/src/main/kotlin/experiment/ExperimentCommand.kt"),
+            options.filter { it.startsWith("--") }.map { "\"${it.substringBefore('=')}\"" },
+        )
+
     private fun tool(words: List<String>): String? = when (words.firstOrNull()) {
-        "demo", "experiment" -> sample(words)
+        "demo" -> sample(words)
+        "experiment" -> experiment(words.drop(1))
         "sample" -> sample(words.drop(1))
         else -> refusal(TOOLS(), words)
     }

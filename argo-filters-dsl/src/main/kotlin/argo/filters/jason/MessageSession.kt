@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.matching.CriticalPercept
 import argo.filters.matching.Explanation
 import argo.filters.matching.FilterSession
-import argo.filters.matching.Perception
+import argo.filters.matching.FilteredPercepts
 import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
@@ -42,7 +42,7 @@ class MessageSession(
     /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs], without doing it. */
     fun explain(text: String, nowMs: Long): Explanation = session.explain(text, nowMs)
 
-    private fun literals(texts: Perception<String>): MessagePerception {
+    private fun literals(texts: FilteredPercepts<String>): MessagePerception {
         val critical = texts.critical.flatMap { found -> read(found.percept).map { CriticalPercept(found.rule, it) } }
         val unreadable = LinkedHashSet<String>()
         val believable = texts.kept.flatMap { text -> read(text).also { if (it.isEmpty()) unreadable += text } }
@@ -62,7 +62,7 @@ class MessageSession(
  * @property unreadable the kept texts of which no part could be read
  */
 class MessagePerception internal constructor(
-    val texts: Perception<String>,
+    val texts: FilteredPercepts<String>,
     val percepts: List<Literal>,
     val seen: List<Literal>,
     val critical: List<CriticalPercept<Literal>>,

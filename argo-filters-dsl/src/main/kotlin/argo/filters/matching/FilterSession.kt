@@ -13,7 +13,7 @@ import argo.filters.PerceptionFilter.OnSwitch
 class FilterSession<P : Any> internal constructor(private val textOf: (P) -> String) {
     private var matcher: PerceptMatcher? = null
     private var rates = RateMemory<P>(null)
-    private var last = Perception<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
+    private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, P> = emptyMap()
 
     /** The active filter, or null: everything is kept. */
@@ -31,11 +31,11 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         frozen = if (next != null && filter.onSwitch == OnSwitch.FREEZE) hiddenBy(next) else emptyMap()
         rates = RateMemory(filter)
         matcher = next
-        last = Perception(last.received, last.kept, last.seen, last.critical, null)
+        last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
 
     /** Returns the agent's perception at [nowMs], if [percepts] are its whole picture of the world. Text that is not a percept is kept. */
-    fun perceive(percepts: List<P>, nowMs: Long): Perception<P> {
+    fun perceive(percepts: List<P>, nowMs: Long): FilteredPercepts<P> {
         last = perceive(java.util.List.copyOf(percepts), matcher, nowMs)
         return last
     }
@@ -44,7 +44,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
      * Returns the agent's perception at [nowMs] if no newer percepts have come and held-back ones are due; null if none is due. It is the
      * last perception with the due percepts in place of those that were let through before.
      */
-    fun due(nowMs: Long): Perception<P>? {
+    fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
         return if (nowMs < due) null else perceive(last.received, nowMs)
     }
@@ -59,15 +59,15 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return if (hold == null) Explanation.of(matcher, found) else Explanation.heldBack(matcher, found, hold, nowMs)
     }
 
-    private fun perceive(percepts: List<P>, matcher: PerceptMatcher?, nowMs: Long): Perception<P> {
-        if (matcher == null) return Perception(percepts, percepts, percepts, emptyList(), null)
+    private fun perceive(percepts: List<P>, matcher: PerceptMatcher?, nowMs: Long): FilteredPercepts<P> {
+        if (matcher == null) return FilteredPercepts(percepts, percepts, percepts, emptyList(), null)
         val holds = ArrayList<Hold<P>>()
         val passed =
             if (rates.isEmpty) percepts.filterNot { matcher.drops(textOf(it)) }
             else percepts.mapNotNull { decide(matcher, it, nowMs, holds) }.distinct()
         val seen = if (holds.isEmpty()) passed else passed.filter(percepts.toHashSet()::contains)
         val kept = if (frozen.isEmpty()) passed else passed + stillFrozen(passed)
-        return Perception(percepts, kept, seen, criticalOf(percepts, matcher), holds.minOfOrNull { it.dueMs })
+        return FilteredPercepts(percepts, kept, seen, criticalOf(percepts, matcher), holds.minOfOrNull { it.dueMs })
     }
 
     private fun criticalOf(percepts: List<P>, matcher: PerceptMatcher): List<CriticalPercept<P>> {

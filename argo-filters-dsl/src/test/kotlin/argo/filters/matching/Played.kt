@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 
 /** A session that remembers its last perception, so that a test reads as the session was used. */
 class Played<P : Any>(private val session: FilterSession<P>) {
-    private lateinit var last: Perception<P>
+    private lateinit var last: FilteredPercepts<P>
 
     val filter get() = session.filter
     val seen get() = last.seen

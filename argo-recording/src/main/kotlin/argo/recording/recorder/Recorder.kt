@@ -1,7 +1,7 @@
 package argo.recording.recorder
 
 import argo.boundary.Boundary
-import argo.boundary.Inbox
+import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
@@ -68,7 +68,7 @@ internal class Recorder(
     /** What has ended, and the work that another thread has left with it. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
-    private val inbox = Inbox<Arrived>(agent::wakeUntil)
+    private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
     private var running: Running? = null
     private var isRefused = false

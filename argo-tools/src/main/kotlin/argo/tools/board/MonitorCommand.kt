@@ -14,7 +14,7 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
-import javino.sim.Recording.Direction
+import javino.sim.LineRecording.Direction
 import javino.sim.RecordingWriter
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin

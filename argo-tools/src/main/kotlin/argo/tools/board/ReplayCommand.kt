@@ -19,8 +19,8 @@ import javino.PortException
 import javino.PortInterruptedException
 import javino.Transports
 import javino.serial.SerialPorts
+import javino.sim.LineRecording
 import javino.sim.PseudoTerminals
-import javino.sim.Recording
 import javino.sim.ReplayBoard
 import picocli.CommandLine.ArgGroup
 import picocli.CommandLine.Command
@@ -96,7 +96,7 @@ internal class ReplayCommand : ToolCommand() {
     private fun serveBoard(): Int {
         if (file.extension == "mcap") throw ToolException("$file is no recording of agents: it does not begin as an MCAP file")
         board.link?.let(::requireNew)
-        val recording = Recording.read(file)
+        val recording = LineRecording.read(file)
         val replayed = board(recording)
         if (!PseudoTerminals.available()) {
             throw ToolException(
@@ -110,7 +110,7 @@ internal class ReplayCommand : ToolCommand() {
         }
     }
 
-    private fun board(recording: Recording): ReplayBoard {
+    private fun board(recording: LineRecording): ReplayBoard {
         val replayed = try {
             ReplayBoard.of(recording).tellingCommandsTo { out.println("command: ${printable(it)}"); out.flush() }
         } catch (empty: IllegalArgumentException) {

@@ -10,7 +10,6 @@ import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.messageOf
 import argo.tools.command.printable
-import argo.tools.command.sourcesIn
 import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path

@@ -11,9 +11,9 @@ import picocli.CommandLine.Unmatched
 import java.nio.file.Path
 import java.util.concurrent.Callable
 
-/** A command of the samples' program, which gets all arguments as they are. */
+/** A command of the program in [module], `samples` or `experiment`, which gets [words] and then all arguments as they are. */
 @Command
-internal abstract class SampleProgramCommand(private vararg val words: String) : Callable<Int> {
+internal abstract class SampleProgramCommand(private val module: String, private vararg val words: String) : Callable<Int> {
     @Spec
     private lateinit var spec: CommandSpec
 
@@ -22,11 +22,11 @@ internal abstract class SampleProgramCommand(private vararg val words: String) :
 
     override fun call(): Int {
         val classPath = try {
-            samplesClassPath(ownJar() ?: Path.of(""))
+            samplesClassPath(ownJar() ?: Path.of(""), module)
         } catch (missing: ToolException) {
             return if (arguments.any { it in HELP }) help(missing) else throw missing
         }
-        return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "samples.MainKt") + words + arguments)
+        return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "$module.MainKt") + words + arguments)
     }
 
     /** Prints help without the samples, which list their options themselves. */
@@ -46,7 +46,7 @@ internal abstract class SampleProgramCommand(private vararg val words: String) :
     name = "demo",
     description = ["A robot drives at a wall and its agent stops it; no hardware needed. --help lists its options."],
 )
-internal class DemoCommand : SampleProgramCommand("demo")
+internal class DemoCommand : SampleProgramCommand("samples", "demo")
 
 /** `experiment`: the published experiment. */
 @Command(name = "experiment", description = ["Makes all runs of the published experiment and a report. --help lists its options."])
@@ -54,4 +54,4 @@ internal class ExperimentCommand : SampleProgramCommand("experiment")
 
 /** `sample NAME`: any sample. */
 @Command(name = "sample", description = ["Runs the sample of the name that follows. --help lists the samples."])
-internal class SampleCommand : SampleProgramCommand()
+internal class SampleCommand : SampleProgramCommand("samples")

@@ -9,16 +9,16 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.readText
 
 /**
- * Returns the class path of the samples, which are not in `argo.jar`, since they need Jason: a folder `samples` beside [jar], as in a
- * release, or Maven's output in the source tree in which [jar] was built.
+ * Returns the class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason: a folder `samples`
+ * beside [jar], which holds both in a release, or Maven's output in the source tree in which [jar] was built.
  *
  * @throws ToolException if there are none
  */
-internal fun samplesClassPath(jar: Path): String {
+internal fun samplesClassPath(jar: Path, module: String): String {
     val file = jar.toAbsolutePath().normalize()
     val release = file.resolveSibling("samples")
     if (release.isDirectory() && release.listDirectoryEntries("*.jar").isNotEmpty()) return "$release${File.separator}*"
-    val built = file.resolve("../../../samples/target").normalize()
+    val built = file.resolve("../../../$module/target").normalize()
     val libraries = built.resolve("run.classpath")
     if (!libraries.exists()) {
         throw ToolException(

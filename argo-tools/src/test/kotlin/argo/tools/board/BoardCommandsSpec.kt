@@ -20,8 +20,8 @@ import javino.LinkSettings
 import javino.Protocol
 import javino.Transports
 import javino.sim.FakeBoard
+import javino.sim.LineRecording
 import javino.sim.PseudoTerminals
-import javino.sim.Recording
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
@@ -130,7 +130,7 @@ class BoardCommandsSpec : FunSpec({
             again.status shouldBe 1
             again.err shouldContain "$file exists already, and is not overwritten"
         }
-        val recording = Recording.read(file)
+        val recording = LineRecording.read(file)
         recording.received().map { it.message() } shouldContainExactly listOf("dist(f,3);", "dist(f,4);")
         recording.isOfRequests shouldBe true
         argo("request", "replay:$file", "getPercepts").out shouldBe "dist(f,3);\n"

@@ -8,8 +8,8 @@ import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import javino.sim.LineRecording
 import javino.sim.PseudoTerminals
-import javino.sim.Recording
 import java.io.BufferedReader
 import java.nio.file.LinkOption
 import java.nio.file.Path
@@ -38,7 +38,7 @@ class InterruptionSpec : FunSpec({
             process.waitFor(LIMIT_S, TimeUnit.SECONDS) shouldBe true
             process.exitValue() shouldBe TERMINATED
         }
-        Recording.read(recorded).received().first().message() shouldBe "dist(f,1);"
+        LineRecording.read(recorded).received().first().message() shouldBe "dist(f,1);"
     }
 
     test("a replay that is interrupted takes its pseudo-terminal away").config(enabledOrReasonIf = pairs) {

@@ -10,7 +10,7 @@ import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import javino.sim.Recording
+import javino.sim.LineRecording
 import java.io.StringReader
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
@@ -45,7 +45,7 @@ class NewCommandSpec : FunSpec({
         new("two-eyed", "--boards", "2", "--testkit-jar", "$kit").status shouldBe 0
         val project = folder.resolve("two-eyed")
         listOf("eyes", "lamp").forEach { project.resolve("sketch/two_eyed_$it/two_eyed_$it.ino").exists() shouldBe true }
-        listOf("drive", "lamp").forEach { Recording.read(project.resolve("recordings/$it.rec")).isOfRequests shouldBe true }
+        listOf("drive", "lamp").forEach { LineRecording.read(project.resolve("recordings/$it.rec")).isOfRequests shouldBe true }
         project.resolve("README.md").readText() shouldNotContain "@"
         argo("check-agent", "$project").out shouldContain "0 things must change, 0 notes"
     }
@@ -90,7 +90,7 @@ class NewCommandSpec : FunSpec({
     test("the files hold no placeholder, and the recording can be replayed") {
         val files = projectFiles(ProjectName("a-b"), withTestKit = true)
         files.values.filter { Regex("@[A-Z_]+@") in it }.shouldBeEmpty()
-        val recording = Recording.read(StringReader(files.getValue("recordings/drive.rec")), "drive.rec")
+        val recording = LineRecording.read(StringReader(files.getValue("recordings/drive.rec")), "drive.rec")
         recording.isOfRequests shouldBe true
         files.keys shouldContain "src/test/kotlin/RobotSpec.kt"
     }

@@ -14,21 +14,23 @@ class SamplesPlaceSpec : FunSpec({
     test("a release has the samples beside its jar") {
         val release = tempdir().toPath()
         release.resolve("samples").createDirectories().resolve("samples.jar").writeText("")
-        samplesClassPath(release.resolve("argo.jar")) shouldBe release.resolve("samples").toString() + File.separator + "*"
+        samplesClassPath(release.resolve("argo.jar"), "samples") shouldBe release.resolve("samples").toString() + File.separator + "*"
     }
 
-    test("in the sources they are where Maven has built them") {
-        val tree = tempdir().toPath()
-        val target = tree.resolve("samples/target").createDirectories()
-        target.resolve("run.classpath").writeText("a.jar${File.pathSeparator}b.jar\n")
-        samplesClassPath(tree.resolve("argo-jar/target/argo.jar")) shouldBe
-            listOf("${target.resolve("classes")}", "a.jar", "b.jar").joinToString(File.pathSeparator)
+    listOf("samples", "experiment").forEach { module ->
+        test("in the sources $module is where Maven has built it") {
+            val tree = tempdir().toPath()
+            val target = tree.resolve("$module/target").createDirectories()
+            target.resolve("run.classpath").writeText("a.jar${File.pathSeparator}b.jar\n")
+            samplesClassPath(tree.resolve("argo-jar/target/argo.jar"), module) shouldBe
+                listOf("${target.resolve("classes")}", "a.jar", "b.jar").joinToString(File.pathSeparator)
+        }
     }
 
     test("where there are none it is said where they were looked for, and how to get them") {
         val alone = tempdir().toPath()
         alone.resolve("samples").createDirectories()
-        val refused = shouldThrow<ToolException> { samplesClassPath(alone.resolve("argo.jar")) }
+        val refused = shouldThrow<ToolException> { samplesClassPath(alone.resolve("argo.jar"), "samples") }
         refused.message shouldContain "${alone.resolve("samples")}"
         refused.message shouldContain "mvn package"
     }

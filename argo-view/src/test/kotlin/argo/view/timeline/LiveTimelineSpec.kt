@@ -2,7 +2,6 @@ package argo.view.timeline
 
 import argo.view.Chromium
 import argo.view.ViewedMas
-import argo.view.eventually
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
@@ -23,13 +22,13 @@ class LiveTimelineSpec : FunSpec({
     val chromium by autoClose(lazy { Chromium() })
 
     /** Runs [test] with an agent that has stopped before a wall, and that is recorded if [record] is given. */
-    fun stopped(record: String?, percepts: String = "dist(front,38);", test: (ViewedMas, FakeBoard) -> Unit) =
+    suspend fun stopped(record: String?, percepts: String = "dist(front,38);", test: suspend (ViewedMas, FakeBoard) -> Unit) =
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer(percepts)
             ViewedMas().use { mas ->
                 mas.file("filters/near.xml", FILTER)
                 mas.agent("bob", PROGRAM, options = listOfNotNull(record?.let { "argo_record" to it }).toMap())
-                eventually({ board.receivedMessages() }) { "hold" in mas.beliefs("bob") }
+                mas.awaitBelief("bob", "hold")
                 test(mas, board)
             }
         }
@@ -77,7 +76,7 @@ class LiveTimelineSpec : FunSpec({
             chromium.show(mas.viewOf("bob").resolve("timeline")) {
                 await { text("#name") == "bob" && run("return recording !== null && recording.number === 1") }
                 board.whenAsked("getPercepts").answer("dist(front,39);")
-                eventually({ mas.beliefs("bob") }) { "dist(front,39)" in mas.beliefs("bob") }
+                mas.awaitBelief("bob", "dist(front,39)")
                 press("Now")
                 await {
                     press("Now") // the cycle that perceives it may not have ended yet

@@ -1,0 +1,92 @@
+package argo
+
+import argo.boundary.Boundary
+import argo.boundary.InternalCall
+import argo.boundary.Live
+import argo.calls.ArgumentException
+import argo.calls.Failure
+import argo.calls.wrongArgument
+import jason.JasonException
+import jason.architecture.AgArch
+import jason.asSemantics.ConcurrentInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.Term
+
+/**
+ * The base of ARGO's internal actions: finds the agent that a call belongs to, and fails plans.
+ *
+ * An action either does its work at once, or suspends the intention, never the agent, until another thread has done it.
+ */
+abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
+    ConcurrentInternalAction() {
+    /** Returns true if the intention waits until [Call.resume] or [Call.fail]. */
+    final override fun suspendIntention(): Boolean = suspends
+
+    internal open val suspends: Boolean get() = false
+
+    /** Does the action's work. Called by the agent's thread. */
+    internal abstract fun run(call: Call)
+
+    final override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        val call = Call(ts, args)
+        val suspend: (() -> Unit)? = if (suspends) ({ call.suspendIntention() }) else null
+        return ts.boundary.call(InternalCall(name, args, un, suspend)) { carryOut(call) }
+    }
+
+    private fun carryOut(call: Call): Boolean {
+        try {
+            if (call.args.size !in arguments) throw ArgumentException("it takes ${counted(arguments)}, not ${call.args.size}")
+            run(call)
+        } catch (refused: ArgumentException) {
+            throw wrongArgument(refused.message.orEmpty()).of(call.text)
+        }
+        return true
+    }
+
+    /** Is never called: the links that an action waits for have time limits of their own. */
+    final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
+
+    /** One call of the action in a plan. */
+    internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
+        /** The call as the agent wrote it, for messages. */
+        val text: String get() = "$name(${args.joinToString(",")})"
+
+        /** The agent's [Arch]. */
+        val arch: Arch
+            get() = archOf(ts) ?: throw notArgo(ts).of(text)
+
+        /** Returns the exception that fails the plan now. */
+        fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
+
+        /**
+         * Suspends the intention.
+         * @return takes the outcome later, from any thread: null, or the reason why the plan fails
+         */
+        fun suspendIntention(): (Failure?) -> Unit {
+            val key = suspendInt(ts, name, 0)
+            return ts.boundary.suspended { failure ->
+                resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
+                arch.wake { !ts.c.pendingIntentions.containsKey(key) }
+            }
+        }
+    }
+}
+
+private fun counted(arguments: IntRange) = when {
+    arguments.first == arguments.last -> if (arguments.first == 1) "one argument" else "${arguments.first} arguments"
+    else -> "${arguments.first} to ${arguments.last} arguments"
+}
+
+/** Returns all architectures of the agent of [ts], the first one first. */
+internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
+
+/** Returns the [Arch] of the agent of [ts]; null: it has none. */
+internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
+
+/** The boundary of the agent of this transition system. */
+internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
+
+/** Returns the failure of an action whose agent, that of [ts], has no [Arch]. */
+internal fun notArgo(ts: TransitionSystem) =
+    Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j")

@@ -1,0 +1,34 @@
+package argo.filters.matching
+
+import argo.filters.CriticalRule
+import java.util.Collections
+
+/**
+ * The percepts of one picture of the world that reach an agent. The lists cannot be changed.
+ *
+ * @property received the percepts of the picture, as they came
+ * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back,
+ * the one of its kind that was let through last; frozen percepts follow
+ * @property seen those of [kept] that are in [received] and passed: no stand-ins, no frozen ones
+ * @property critical the percepts of [received] that critical rules meet, once for each such rule
+ * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: none is
+ */
+class FilteredPercepts<P> internal constructor(
+    val received: List<P>,
+    kept: List<P>,
+    seen: List<P>,
+    critical: List<CriticalPercept<P>>,
+    val nextDueMs: Long?,
+) {
+    val kept: List<P> = Collections.unmodifiableList(kept)
+    val seen: List<P> = if (seen === kept) this.kept else Collections.unmodifiableList(seen)
+    val critical: List<CriticalPercept<P>> = Collections.unmodifiableList(critical)
+}
+
+/**
+ * A percept that a critical rule meets.
+ *
+ * @property rule the rule
+ * @property percept the percept as it came
+ */
+data class CriticalPercept<P>(val rule: CriticalRule, val percept: P)

@@ -1,0 +1,35 @@
+package argo.view
+
+import java.util.concurrent.TimeUnit
+
+/**
+ * The numbers of one sensor during the last minute, twice a second: the last ones of each half second. Not safe for use by
+ * several threads.
+ */
+internal class RecentNumbers {
+    private val points = ArrayDeque<Point>()
+
+    /** Notes that the sensor gave [numbers] at [nanos], which is never less than before. */
+    fun add(numbers: List<Double>, nanos: Long) {
+        val step = Math.floorDiv(nanos, STEP_NANOS)
+        if (points.lastOrNull()?.step == step) points.removeLast()
+        points += Point(step, numbers)
+        while (points.size > STEPS) points.removeFirst()
+    }
+
+    /** Returns the values of each number until [now], oldest first, [STEPS] of them; null for a half second without one. */
+    fun values(now: Long): List<List<Double?>> {
+        val last = Math.floorDiv(now, STEP_NANOS)
+        val numbers = points.lastOrNull()?.numbers?.size ?: 0
+        val byStep = points.associateBy { it.step }
+        return (0 until numbers).map { i -> (last - STEPS + 1..last).map { byStep[it]?.numbers?.getOrNull(i) } }
+    }
+
+    private class Point(val step: Long, val numbers: List<Double>)
+
+    companion object {
+        /** The number of values of each number: the half seconds of a minute. */
+        const val STEPS = 120
+        private val STEP_NANOS = TimeUnit.MILLISECONDS.toNanos(500)
+    }
+}

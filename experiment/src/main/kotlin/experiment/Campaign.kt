@@ -1,0 +1,118 @@
+package experiment
+
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Executors
+import java.util.concurrent.Future
+import java.util.concurrent.atomic.AtomicInteger
+
+/**
+ * Makes the runs of an experiment that have not been made, [jobs] at a time in their order, and keeps their records.
+ *
+ * A run in which this machine was too late for its own simulation, by [maxLateMs], is repeated, until it was made [MAX_TRIES] times; the
+ * last one counts, and its result records the delay.
+ */
+internal class Campaign(
+    private val archive: Archive,
+    private val settings: Settings,
+    private val laboratory: Laboratory,
+    private val jobs: Int,
+    private val given: GivenUp,
+    private val report: (Status) -> Unit,
+) {
+    /**
+     * The progress: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have not
+     * begun, 0 if all have. Runs were repeated [repeated] times because this machine was late; the estimate expects that to go on.
+     */
+    internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
+        /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
+        val words: List<String> get() =
+            listOfNotNull("run $done of $all", "$collisions at the wall", "$repeated repeated: machine late".takeIf { repeated > 0 }, rest)
+
+        private val rest: String?
+            get() = when {
+                done == all -> null
+                left == 0L -> if (all - done == 1) "the last run" else "the last ${all - done} runs"
+                left + LONGEST_MS < MINUTE_MS -> "less than a minute left"
+                else -> "about ${(left + LONGEST_MS + MINUTE_MS / 2) / MINUTE_MS} min left"
+            }
+    }
+
+    private val repeated = AtomicInteger()
+
+    /** Runs that had to be made anew because the machine was late. */
+    val repetitions: Int get() = repeated.get()
+
+    /**
+     * Makes the missing runs of [trials]; returns all that are over. Ends early if it is given up.
+     *
+     * @throws java.io.IOException if a record cannot be written; then the experiment is given up
+     */
+    fun run(trials: List<Trial>): List<Finished> {
+        val wanted = trials.toSet()
+        val over = ConcurrentLinkedQueue(archive.finished().filter { it.trial in wanted && it.result.outcome != Outcome.FAILED })
+        val missing = ConcurrentLinkedQueue(trials - over.map { it.trial }.toSet())
+        val pool = Executors.newFixedThreadPool(jobs)
+        val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
+        pool.shutdown()
+        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // when all have come to their end
+        return over.toList()
+    }
+
+    private fun failure(worker: Future<*>): Throwable? = try {
+        worker.get()
+        null
+    } catch (failed: ExecutionException) {
+        failed.cause
+    }
+
+    private fun work(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
+        var isDone = false
+        try {
+            makeAll(missing, over, all)
+            isDone = true
+        } finally {
+            if (!isDone) given.giveUp() // else the others would run for an hour before the failure is reported
+        }
+    }
+
+    private fun makeAll(missing: ConcurrentLinkedQueue<Trial>, over: ConcurrentLinkedQueue<Finished>, all: Int) {
+        while (!given.isUp) {
+            val collisions = over.count { it.result.outcome == Outcome.COLLIDED }
+            val left = missing.sumOf(::expectedMs) / jobs
+            report(Status(over.size, all, collisions, left + left * repetitions / maxOf(1, over.size), repetitions))
+            val trial = missing.poll() ?: return
+            over += punctual(trial) ?: return
+        }
+    }
+
+    private fun punctual(trial: Trial): Finished? {
+        repeat(MAX_TRIES - 1) {
+            val run = recorded(trial) ?: return null
+            if (!run.isLate) return run
+            repeated.incrementAndGet()
+        }
+        return recorded(trial)
+    }
+
+    private fun recorded(trial: Trial): Finished? = RecordWriter(archive.file(trial)).use { record ->
+        record.write(Entry.Begin(trial, settings))
+        laboratory.run(trial, record, given)?.also(record::write).also { record.requireWhole() }?.let { Finished(trial, it) }
+    }
+
+    companion object {
+        /** The largest number of times that a run is made. */
+        const val MAX_TRIES = 3
+
+        private const val MINUTE_MS = 60_000L
+
+        /** The longest time of a run, in ms, unless it fails: from the start to the wall. */
+        private const val LONGEST_MS = 21_000L
+
+        /** Estimates the time of [trial], in ms: to the limit and a little further, or to the wall if that is to be expected. */
+        fun expectedMs(trial: Trial): Long {
+            val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
+            return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L
+        }
+    }
+}

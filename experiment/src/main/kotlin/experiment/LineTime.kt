@@ -1,0 +1,80 @@
+package experiment
+
+import javino.Frame
+import javino.LineSettings
+import javino.PerceptsRequest
+import javino.sim.BoardSession.PART_WITH_RULES
+import javino.wire.AnswerPart
+import javino.wire.FrameKind
+import javino.wire.PerceptWriter
+import javino.wire.WireFrame
+import samples.collision.Course
+import samples.collision.Sensors
+import kotlin.random.Random
+import kotlin.time.Duration.Companion.seconds
+
+/** Returns the answer timeout: a second, or three times the time of the longest answer on the line, the first of a session in version 2. */
+internal fun answerLimitMs(trial: Trial): Int =
+    maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
+
+/**
+ * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps,
+ * whose texts are known.
+ */
+internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
+
+/**
+ * Returns the largest lateness of this machine that a run of [condition] allows, in ms: a third of the time that a request and the answer
+ * of the twelve sensors take there at 9600 baud.
+ */
+internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
+
+/** Returns the number of bytes of a request and its answer; in version 2 the computer knows [known] texts. */
+private fun exchangeBytes(trial: Trial, known: Int): Int {
+    val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
+    if (!trial.condition.isVersion2) {
+        val frames = (all.length + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
+        return PerceptsRequest.ALL.length + all.length + (1 + frames) * Frame.HEADER_LENGTH
+    }
+    val asked = trial.view.functors
+    val texts = all.split(';').filter { it.isNotEmpty() && (asked == null || it.substringBefore('(') in asked) }.map { "$it;" }
+    val writer = PerceptWriter(MAX_KNOWN)
+    writer.items(texts, 0) // from then on it knows their shapes
+    val items = writer.items(texts, known)
+    val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
+    val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())
+    return request.length() + parts.sumOf { WireFrame.of(it.kind, 0, it.payload).length() }
+}
+
+/** The largest number of texts that a board numbers. */
+private const val MAX_KNOWN = 126
+
+/**
+ * Returns the worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on
+ * its board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has
+ * begun an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval;
+ * then follows the command. A board that stops the robot itself reads its sensors once more, and has a frame to send before.
+ */
+internal fun leastStopNanos(trial: Trial): Long {
+    val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
+    if (trial.condition == Condition.REFLEX) return reading + maxOf(LOOK_NANOS, longestPart.length() * byteNanos(trial))
+    val exchange = exchangeNanos(trial)
+    return reading + maxOf(exchange, trial.interval * 1_000_000L) + exchange + stopBytes(trial) * byteNanos(trial)
+}
+
+/** The interval at which a board compares its sensors with its rules, in ns. */
+private const val LOOK_NANOS = 5_000_000L
+
+/** The longest frame in an answer of a board that watches rules, with the numbers of request and part in front. */
+private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
+
+/** Returns the time that the robot drives from its limit to the wall, in ns. */
+internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
+
+/** Returns true if the limit leaves the physical time to stop: no less than [leastStopNanos]. */
+internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
+
+/** Returns the number of bytes of the command `stop`, which version 2 sends by its number. */
+private fun stopBytes(trial: Trial): Int = if (trial.condition.isVersion2) WireFrame.OVERHEAD + 1 else "stop".length + Frame.HEADER_LENGTH
+
+private fun byteNanos(trial: Trial): Long = LineSettings(trial.baud).byteNanos()

@@ -1,0 +1,14 @@
+package experiment
+
+import argo.tools.command.refusingInWords
+import picocli.CommandLine
+import kotlin.system.exitProcess
+
+/**
+ * Makes the experiment and ends the program with its exit status; 2 for wrong arguments. The property `argo.command` is what the user has
+ * typed before `experiment`.
+ */
+fun main(args: Array<String>) {
+    val name = "${System.getProperty("argo.command") ?: "./argo"} experiment"
+    exitProcess(CommandLine(ExperimentCommand()).setCommandName(name).refusingInWords("command").execute(*args))
+}

@@ -1,0 +1,145 @@
+package experiment
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/** A line of a run's record. Times are nanoseconds of a steady clock since the run began, distances cm. */
+@Serializable
+internal sealed interface Entry {
+    /** The first line: the run, and its [settings]. */
+    @Serializable
+    @SerialName("trial")
+    data class Begin(val trial: Trial, val settings: Settings) : Entry
+
+    /** The board began to send its percepts [text]. [distance]: the robot's true place, null if it is not known. */
+    @Serializable
+    @SerialName("frame")
+    data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
+
+    /** The command [text] took effect on the board. */
+    @Serializable
+    @SerialName("command")
+    data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
+
+    /** The agent came to believe another front distance; it had [events] events and [intentions] intentions left. */
+    @Serializable
+    @SerialName("belief")
+    data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
+
+    /** The last line. */
+    @Serializable
+    @SerialName("result")
+    data class Result(
+        val outcome: Outcome,
+        /** The final place of the robot; 0 if it ran into the wall. */
+        val distance: Double,
+        /**
+         * The time from crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see
+         * [Sighting.crossed].
+         */
+        val sinceLimitMs: Double,
+        /**
+         * The time from the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped
+         * the robot before. Null: the agent believed none.
+         */
+        val sincePerceivingMs: Double?,
+        /** The number of commands that took effect. */
+        val commands: Int,
+        /** The number of the board's answers. */
+        val frames: Int,
+        /** The largest lateness of this machine in the run, in ms. */
+        val lateMs: Double,
+        /** The reason why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
+        val reason: String? = null,
+    ) : Entry
+}
+
+/** The end of a run. */
+@Serializable
+internal enum class Outcome {
+    /** The robot was stopped. */
+    @SerialName("stopped")
+    STOPPED,
+
+    /** It ran into the wall. */
+    @SerialName("collided")
+    COLLIDED,
+
+    /** It never drove: no command to drive reached its board. */
+    @SerialName("idle")
+    IDLE,
+
+    /** There was nothing to measure: the agent or its board came to an end. */
+    @SerialName("failed")
+    FAILED,
+}
+
+internal val JSON = Json { encodeDefaults = true }
+
+/**
+ * Writes the record of one run to [file], line by line; safe on any thread. Overwrites an existing file.
+ *
+ * The writers are an agent and its board in the middle of a run, so a full disk does not throw there: the record ends, and
+ * [requireWhole] reports it.
+ */
+internal class RecordWriter(private val file: Path) : AutoCloseable {
+    private val lock = ReentrantLock()
+    private val out = Files.newOutputStream(file) // not buffered: a line that a full disk has refused must not come later
+    private var isEnded = false
+    private var trouble: IOException? = null
+
+    /**
+     * Adds [entry] as one whole line; adds none after the result, after [close], or after a line that could not be written: a board may
+     * still be answering when its run is over.
+     */
+    fun write(entry: Entry) = lock.withLock {
+        if (!isEnded && trouble == null) {
+            try {
+                out.write((JSON.encodeToString(Entry.serializer(), entry) + "\n").toByteArray())
+            } catch (full: IOException) {
+                trouble = full
+            }
+        }
+        if (entry is Entry.Result) isEnded = true
+    }
+
+    /**
+     * Does nothing if all lines have been written.
+     *
+     * @throws IOException with the cause of the missing line
+     */
+    fun requireWhole() = lock.withLock { trouble?.let { throw IOException("$file cannot be written: ${it.message}", it) } }
+
+    override fun close() = lock.withLock {
+        isEnded = true
+        out.close()
+    }
+}
+
+/** Reads the record in [file]; null if it is not whole: a line is damaged or missing. */
+internal fun readRecord(file: Path): List<Entry>? {
+    val entries = try {
+        Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }
+    } catch (_: SerializationException) {
+        return null // cut off in the middle, or of another version of this program
+    } catch (_: java.nio.charset.CharacterCodingException) {
+        return null
+    }
+    return entries.takeIf { it.firstOrNull() is Entry.Begin && it.lastOrNull() is Entry.Result }
+}
+
+/** A run that is over. */
+internal data class Finished(val trial: Trial, val result: Entry.Result) {
+    /** True if there is something to measure. */
+    val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
+
+    /** True if this machine was later than its condition allows, see [maxLateMs]. */
+    val isLate: Boolean get() = result.lateMs > maxLateMs(trial.condition)
+}

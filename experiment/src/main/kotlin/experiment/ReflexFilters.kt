@@ -1,0 +1,41 @@
+package experiment
+
+import argo.filters.FilterProvider
+import argo.filters.PerceptionFilter
+import argo.filters.RuleList
+import argo.filters.dropFilter
+import argo.filters.keepFilter
+
+/** Makes the filter of [view] with the critical rule that the front distance is at most [limit] cm and its reflex `stop`. */
+internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
+    val name = "${view.word}Reflex$limit"
+    val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }
+    return keepFilter(name) {
+        stopAt(limit)
+        functors.forEach { keep(it) { argument(0) eq "f" } }
+    }
+}
+
+private fun RuleList.stopAt(limit: Int) = critical("dist") {
+    argument(0) eq "f"
+    argument(1) le limit
+    reflex("stop")
+}
+
+/**
+ * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View], once an experiment has begun: agents of
+ * other samples in the same program, and their live views, do not have them.
+ */
+internal class ReflexFilters : FilterProvider {
+    override val filters get() = offered
+
+    companion object {
+        @Volatile
+        private var offered: List<PerceptionFilter> = emptyList()
+
+        /** Offers the filters from now on: an experiment begins. */
+        fun offer() {
+            offered = Plan.entries.flatMap { it.limits }.distinct().flatMap { limit -> View.entries.map { reflexFilter(it, limit) } }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package experiment
+
+import javino.LineClock
+
+/**
+ * Notes when an agent perceives that its robot is at most [limit] cm from the wall. The agent's thread writes, any thread reads. Instants
+ * are nanoseconds of one steady clock.
+ */
+internal class Sighting(private val limit: Int) {
+    private var above: Pair<Double, Long>? = null
+
+    /**
+     * The instant at which the believed readings crossed the limit, between the last one above it and the first one at or below it, as if
+     * the robot drove at a constant speed between the two; null until then. It does not include the time that a reading takes on its way.
+     */
+    @Volatile
+    var crossed: Long? = null
+        private set
+
+    /** The instant at which the agent first believed a front distance at or below the limit; null until then. */
+    @Volatile
+    var perceived: Long? = null
+        private set
+
+    /** Notes that the agent believes the front distance [front] since [now]; null: it believes none. */
+    fun see(front: Double?, now: Long) {
+        if (front == null || perceived != null) return
+        if (front > limit) {
+            above = front to now
+            return
+        }
+        crossed = above?.let { (cm, at) -> at + ((now - at) * (cm - limit) / (cm - front)).toLong() } ?: now
+        perceived = now
+    }
+
+    /** Returns an observer that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
+    fun observer(record: RecordWriter, begin: Long, clock: LineClock) = Observer { front, events, intentions ->
+        val now = clock.nanos()
+        see(front, now)
+        record.write(Entry.Belief(now - begin, front, events, intentions))
+    }
+}

@@ -1,0 +1,103 @@
+package experiment
+
+import javino.LineSettings
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import samples.collision.Sensors
+
+/**
+ * The way in which agent and board work together in a run.
+ *
+ * @property letter its name on the command line and in records
+ * @property title its name in the report
+ * @property sensing the agent's sensing policy
+ * @property protocol the version of Javino with which the port is opened, null for the default
+ */
+@Serializable
+internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
+    /** As published: each reasoning cycle waits for the line, commands are written at once, version 1. */
+    @SerialName("a")
+    PUBLISHED("a", "as published", "in_cycle", "1"),
+
+    /** ARGO's defaults, with a board of version 1. */
+    @SerialName("b")
+    DEFAULTS("b", "this project's defaults", "fresh", null),
+
+    /** Version 2, with filters whose kept percepts the board can be asked for. */
+    @SerialName("c")
+    VERSION_2("c", "version 2 with subscription", "fresh", "2"),
+
+    /** As [VERSION_2], and the board watches a critical rule at the limit, whose reflex stops the robot. */
+    @SerialName("d")
+    REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
+    ;
+
+    /** True if agent and board speak version 2, so that the board can be asked for the percepts that the filter keeps. */
+    val isVersion2: Boolean get() = protocol == "2"
+}
+
+/**
+ * The part of the percepts that the agent perceives.
+ *
+ * @property word its name on the command line and in records
+ */
+@Serializable
+internal enum class View(val word: String) {
+    /** All sensors. */
+    @SerialName("none")
+    NONE("none"),
+
+    /** The front sensors of the three kinds. */
+    @SerialName("frontSide")
+    FRONT_SIDE("frontSide"),
+
+    /** The front distance sensor. */
+    @SerialName("frontDistance")
+    FRONT_DISTANCE("frontDistance"),
+    ;
+
+    /** The functors of the kept percepts, which a board of version 2 is asked for; null: all. */
+    val functors: List<String>?
+        get() = when (this) {
+            NONE -> null
+            FRONT_SIDE -> listOf("dist", "light", "temp")
+            FRONT_DISTANCE -> listOf("dist")
+        }
+
+    /**
+     * Returns the agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, whose percepts the board can be
+     * asked for.
+     */
+    fun filter(condition: Condition, limit: Int): String = when {
+        condition == Condition.REFLEX -> reflexFilter(this, limit).name
+        this == NONE -> "none"
+        condition == Condition.VERSION_2 -> "keep" + word.replaceFirstChar(Char::uppercase)
+        else -> word
+    }
+}
+
+/**
+ * One run: a cell of the experiment and the number of its replication.
+ *
+ * @property limit the front distance at which the agent stops, in cm
+ * @property interval the sensing interval in ms
+ * @property replication its number, from 1
+ * @property baud the line's rate
+ * @property sensors the number of the robot's sensors, a multiple of twelve
+ */
+@Serializable
+internal data class Trial(
+    val condition: Condition,
+    val view: View,
+    val limit: Int,
+    val interval: Int,
+    val replication: Int,
+    val baud: Int = LineSettings.DEFAULT_BAUD,
+    val sensors: Int = Sensors.PER_SET,
+) {
+    /** The name of the run's record and board; no two runs of an experiment share it. */
+    val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
+
+    /** True if it is beyond the published design. */
+    val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
+}

@@ -1,0 +1,145 @@
+package experiment
+
+import javino.LineClock
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
+import samples.board.FieldBoard
+import samples.board.LibraryBoard
+import samples.board.Sketch
+import samples.collision.Course
+import samples.collision.Robot
+import samples.collision.Sensors
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicInteger
+import kotlin.random.Random
+
+/** Makes a run and writes its record, without the result. */
+internal fun interface Laboratory {
+    /** Makes the run [trial], until [given] is up; returns its result, or null if it was given up. Called by several threads. */
+    fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
+}
+
+/** Signals waiting threads that the whole experiment is aborted. */
+internal class GivenUp {
+    private val latch = CountDownLatch(1)
+
+    /** True if the experiment is aborted. */
+    val isUp: Boolean get() = latch.count == 0L
+
+    /** Aborts the experiment. */
+    fun giveUp() = latch.countDown()
+
+    /** Waits [millis] ms at most; returns true if the experiment is aborted. */
+    fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
+}
+
+/** Simulated robots, in real time; as many at once as there are threads that call [run]. */
+internal class SimulatedLaboratory(
+    private val host: AgentHost,
+    private val punctuality: Punctuality,
+    private val settings: Settings,
+    private val clock: LineClock = LineClock.system(),
+) : Laboratory {
+    override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {
+        val begin = clock.nanos()
+        val robot = Robot(clock, Sensors(Random(noiseSeed(trial, settings.seed)), trial.sensors / Sensors.PER_SET))
+        val sketch = RecordedSketch(robot, record, begin, clock)
+        SimulatedBoards.plugIn(trial.id, board(trial, sketch))
+        val sighting = Sighting(trial.limit)
+        val observer = sighting.observer(record, begin, clock)
+        val orders = orders(trial, "${SimulatedBoards.SCHEME}:${trial.id}")
+        val agent = host.begin(trial.id, orders, listOf(observer, SlowComputer(settings.slowdown)))
+        try {
+            while (!given.await(LOOK_MS)) {
+                val now = clock.nanos()
+                val measured = measured(robot.course, trial.limit, sighting.perceived, now)?.takeIf { isOver(trial, it, observer) }
+                val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
+                val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
+                val end = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0, null)
+                return Entry.Result(
+                    end.outcome, end.distance, end.sinceLimitMs, end.sincePerceivingMs,
+                    sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason,
+                )
+            }
+            return null
+        } finally {
+            host.end(agent)
+            SimulatedBoards.unplug(trial.id)
+        }
+    }
+
+    /**
+     * Returns true if the run is over. A robot that its board has stopped drives on if a command of its agent was on the way; the agent
+     * then stops it.
+     */
+    private fun isOver(trial: Trial, measured: Measured, observer: Observer) = measured.outcome == Outcome.COLLIDED ||
+        measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || observer.hasStopped)
+
+    private fun overdue(course: Course, nanos: Long): String? = when {
+        nanos <= TimeUnit.SECONDS.toNanos(MAX_S) -> null
+        course.departure == null -> "no command to drive has reached the board within $MAX_S s"
+        else -> "the robot has neither stopped nor reached the wall within $MAX_S s"
+    }
+
+    private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =
+        when (trial.condition) {
+            Condition.REFLEX -> SimulatedBoard { LibraryBoard(sketch, clock, rules = 1).run(it) }
+            Condition.VERSION_2 -> SimulatedBoard { LibraryBoard(sketch, clock).run(it) }
+            else -> SimulatedBoard { FieldBoard(sketch, clock).run(it) }
+        }
+
+    private companion object {
+        const val LOOK_MS = 20L
+        const val MAX_S = 60L
+    }
+}
+
+/** A run that is over, [distance] cm from the wall; the times are those of [Entry.Result]. */
+internal data class Measured(val outcome: Outcome, val distance: Double, val sinceLimitMs: Double, val sincePerceivingMs: Double?)
+
+/**
+ * Measures a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived] (null: it has not); null
+ * while the robot drives or stands at the start.
+ */
+internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Measured? {
+    val (outcome, end) = when (course.stateAt(now)) {
+        Course.State.STOPPED -> Outcome.STOPPED to checkNotNull(course.halt)
+        Course.State.COLLIDED -> Outcome.COLLIDED to checkNotNull(course.reached(0.0, now))
+        else -> return null
+    }
+    return Measured(outcome, course.distanceAt(now), msSince(course.reached(limit.toDouble(), now), end) ?: 0.0, msSince(perceived, end))
+}
+
+/** Returns the time from [start] to [end] in ms, null if there is no [start]. */
+internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
+
+/** A robot whose percepts and actions are recorded, with the robot's true place. */
+internal class RecordedSketch(
+    private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
+) : Sketch {
+    override val actions get() = robot.actions
+
+    /** The number of commands that took effect so far; any thread may ask. */
+    val commands = AtomicInteger()
+
+    /** The number of answers so far. */
+    val frames = AtomicInteger()
+
+    override fun percepts(): String {
+        val now = clock.nanos()
+        return robot.percepts().also {
+            frames.incrementAndGet()
+            record.write(Entry.Frame(now - begin, it, robot.course.distanceAt(now)))
+        }
+    }
+
+    override fun sensors(): String = robot.percepts() // several a frame, which no computer receives
+
+    override fun act(command: String) {
+        robot.act(command)
+        commands.incrementAndGet()
+        val now = clock.nanos()
+        record.write(Entry.Command(now - begin, command, robot.course.distanceAt(now)))
+    }
+}

@@ -1,0 +1,131 @@
+package experiment.analysis
+
+import org.apache.commons.math3.distribution.TDistribution
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/**
+ * The source of a sum of squares or an effect among three factors: a main factor, an interaction of two, or that of all three. The first
+ * factor is A.
+ */
+internal enum class Source(val factors: Set<Int>) {
+    A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2));
+
+    companion object {
+        /** The number of factors. */
+        const val SIZE = 3
+    }
+}
+
+/**
+ * The effect of one combination of the levels of a [source]'s factors: the distance by which it moves the response from the sum of the mean
+ * and the lower effects.
+ *
+ * @property levels the level of each of the source's factors, from 0, in the order of the factors
+ * @property low the lower end of the confidence interval
+ * @property high its upper end
+ */
+internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val low: Double, val high: Double) {
+    /** True if the interval leaves out 0. */
+    val isSignificant: Boolean get() = low > 0 || high < 0
+}
+
+/**
+ * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
+ * Analysis, Wiley 1991, chapters 22 and 23: the model `y = mean + A + B + C + AB + AC + BC + ABC + error` with effects that add up to 0
+ * over the levels of each factor; the share of a source in the variation is its sum of squares over the total one.
+ *
+ * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r; all cells have equally many,
+ * at least one. With one the error cannot be estimated: its share is 0 and the confidence intervals are infinite
+ */
+internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
+    private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
+
+    /** The number of replications of each combination. */
+    val replications = responses.first().first().first().size
+
+    init {
+        val isRegular = responses.all { b -> b.size == sizes[1] && b.all { c -> c.size == sizes[2] && c.all { it.size == replications } } }
+        require(replications > 0 && isRegular) {
+            "a full factorial experiment has all combinations of levels, each with the same number of replications"
+        }
+        require(sizes.all { it > 0 }) { "each factor has a level" }
+    }
+
+    private val cells: List<List<Int>> = sizes.fold(listOf(emptyList())) { cells, size ->
+        cells.flatMap { cell -> (0 until size).map { cell + it } }
+    }
+
+    private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
+
+    /** The number of all responses. */
+    val count = cells.size * replications
+
+    /** Smaller values come only from rounding in sums of such large numbers. */
+    private val rounding = ROUNDING * cells.maxOf { cell -> at(cell).maxOf(::abs) }
+
+    private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
+
+    /** The mean of all responses. */
+    val mean: Double = cells.sumOf { at(it).sum() } / count
+
+    /** The variation of the responses around [mean]: the total sum of squares. */
+    val total: Double = squares(cells.sumOf { cell -> at(cell).sumOf { (it - mean) * (it - mean) } })
+
+    /** The sum of squares within the cells. */
+    val error: Double = squares(cells.sumOf { cell -> at(cell).average().let { mean -> at(cell).sumOf { (it - mean) * (it - mean) } } })
+
+    /** The degrees of freedom of [error]. */
+    val errorFreedom = cells.size * (replications - 1)
+
+    private val effects: Map<Source, Map<List<Int>, Double>> = buildMap {
+        for (source in Source.entries.sortedBy { it.factors.size }) {
+            val lower = filterKeys { it.factors.all(source.factors::contains) }
+            val effect = cells.groupBy { cell -> cell.of(source) }.mapValues { (_, group) ->
+                val marginal = group.sumOf { at(it).average() } / group.size
+                (marginal - mean - lower.entries.sumOf { (below, values) -> values.getValue(group.first().of(below)) })
+                    .takeIf { abs(it) > rounding } ?: 0.0
+            }
+            put(source, effect)
+        }
+    }
+
+    private fun List<Int>.of(source: Source) = source.factors.map { this[it] }
+
+    /** Returns the sum of squares of [source]. */
+    fun squares(source: Source): Double =
+        effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
+
+    /** Returns the degrees of freedom of [source]. */
+    fun freedom(source: Source): Int = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
+
+    /** Returns the share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
+    fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0
+
+    /** The share of the error. */
+    val errorShare: Double get() = if (total > 0) error / total else 0.0
+
+    /** Returns the effects of [source] with their intervals at [confidence], such as 0.95. */
+    fun effects(source: Source, confidence: Double): List<Effect> {
+        val margin = margin(source, confidence)
+        return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, value - margin, value + margin) }
+    }
+
+    /** Returns the interval of [mean] at [confidence]. */
+    fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
+
+    /** Returns half the width of the confidence interval of an effect of [source]. */
+    private fun margin(source: Source, confidence: Double): Double = margin(freedom(source), confidence)
+
+    /** Returns the same for a sum of [freedom] contrasts of equal variance. */
+    private fun margin(freedom: Int, confidence: Double): Double {
+        if (errorFreedom == 0) return Double.POSITIVE_INFINITY
+        val deviation = sqrt(error / errorFreedom * freedom / count)
+        return TDistribution(errorFreedom.toDouble()).inverseCumulativeProbability((1 + confidence) / 2) * deviation
+    }
+
+    private companion object {
+        /** A share of the largest response; a double holds sixteen digits. */
+        const val ROUNDING = 1e-12
+    }
+}

@@ -1,0 +1,45 @@
+package experiment.analysis
+
+import org.apache.commons.math3.distribution.BinomialDistribution
+import org.apache.commons.math3.stat.interval.WilsonScoreInterval
+import kotlin.math.ceil
+import kotlin.math.log10
+
+/** The confidence of the intervals in the report. */
+internal const val CONFIDENCE = 0.95
+
+/** A confidence interval at [CONFIDENCE]. */
+internal data class Interval(val low: Double, val high: Double) {
+    /**
+     * The number of meaningful decimals, from 0 to 3: half the width keeps two digits if they are below 36, else one. The Particle Data
+     * Group rounds so (Review of Particle Physics, introduction, section 5.3).
+     */
+    val decimals: Int
+        get() = if (high > low) ceil(log10(ONE_DIGIT / ((high - low) / 2))).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
+
+    private companion object {
+        const val MAX_DECIMALS = 3
+        const val ONE_DIGIT = 3.55
+    }
+}
+
+/**
+ * Returns the interval of the probability of an event that [found] of [of] runs had: Wilson's score interval, which L. D. Brown, T. T. Cai
+ * and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16 (2001), recommend for few runs.
+ *
+ * @param of at least 1
+ */
+internal fun proportionInterval(found: Int, of: Int): Interval =
+    WilsonScoreInterval().createInterval(of, found, CONFIDENCE).let { Interval(it.lowerBound, it.upperBound) }
+
+/**
+ * Returns the interval of the median of a population from its sample [values]: two of them, whatever the distribution (H. A. David and H.
+ * N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six; even the least and the greatest of these are not
+ * far enough apart.
+ */
+internal fun medianInterval(values: List<Double>): Interval? {
+    val below = BinomialDistribution(null, values.size, 0.5) // the number of values below the median
+    val rank = (0 until values.size / 2).takeWhile { below.cumulativeProbability(it) <= (1 - CONFIDENCE) / 2 }.lastOrNull() ?: return null
+    val sorted = values.sorted()
+    return Interval(sorted[rank], sorted[sorted.size - 1 - rank])
+}

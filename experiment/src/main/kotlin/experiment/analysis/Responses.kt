@@ -1,0 +1,97 @@
+package experiment.analysis
+
+import experiment.Condition
+import experiment.Entry
+import experiment.Finished
+import experiment.Outcome
+import experiment.Plan
+import experiment.View
+import samples.collision.Course
+
+/**
+ * The number of each run that is analysed.
+ *
+ * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for it is a choice.
+ *
+ * @property title its name
+ * @property unit its unit
+ * @property collisions the number that a robot that ran into the wall gets, in words
+ */
+internal enum class Response(val title: String, val unit: String, val collisions: String) {
+    /** The published one. All collisions are equally bad, so that the limit, which is a factor, does not also weigh them. */
+    PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
+        override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
+    },
+
+    /** The least time that is certain: the agent needed no less. */
+    LEAST_PERCEIVED_TIME(
+        "least time from perceiving the wall", "s",
+        "with the time from perceiving the wall to reaching it, which is less than its agent needed",
+    ) {
+        override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
+    },
+
+    /** The robot's time, which includes the readings' time on their way. */
+    LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
+        override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
+    },
+
+    /** The distance from the wall in the end. */
+    DISTANCE("stopping distance", "cm", "with 0 cm") {
+        override fun of(result: Entry.Result, plan: Plan) = result.distance
+    }, ;
+
+    /** True if it is a time, in seconds. */
+    val isTime: Boolean get() = unit == "s"
+
+    /** True if the paper has it, but for collisions. */
+    val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
+
+    /** Returns its value in a run with [result] of [plan]. */
+    abstract fun of(result: Entry.Result, plan: Plan): Double
+}
+
+/** Returns [ms] in seconds, or the longest time that any limit leaves for a robot that ran into the wall. */
+private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
+    if (outcome == Outcome.COLLIDED) plan.limits.max() / Course.SPEED_CM_S else ms() / 1000
+
+/** The factors in the order of the analysis: L, I, F as A, B, C. */
+internal val FACTORS = listOf("L", "I", "F")
+
+/** Names [source]: `L×F`. */
+internal fun words(source: Source): String = source.factors.joinToString("×") { FACTORS[it] }
+
+/** Analyses [response] in the runs of [plan] under [condition]; null if some of them are missing or have failed. */
+internal fun analysis(finished: List<Finished>, plan: Plan, condition: Condition, response: Response): Factorial? {
+    val results = finished.filter { it.isMeasured }.associate { it.trial to it.result }
+    val trials = plan.trials(condition)
+    if (!results.keys.containsAll(trials)) return null
+    return Factorial(
+        plan.limits.map { limit ->
+            plan.intervals.map { interval ->
+                View.entries.map { view ->
+                    trials.filter { it.limit == limit && it.interval == interval && it.view == view }.map {
+                        response.of(results.getValue(it), plan)
+                    }
+                }
+            }
+        },
+    )
+}
+
+/**
+ * The published shares of the variation of the time from perceiving the wall: C. E. Pantoja et al., EMAS 2016, Table 2, in percent. F is
+ * the filter, L the distance limit, I the perception interval.
+ */
+internal object Published {
+    val percent: Map<Source, Double> = mapOf(
+        Source.A to 1.415, Source.B to 0.165, Source.C to 88.965,
+        Source.AB to 0.525, Source.AC to 3.715, Source.BC to 0.265, Source.ABC to 1.725,
+    )
+
+    /** The share of the error, in percent. */
+    const val ERROR_PERCENT = 3.285
+
+    /** The sum of all shares, which is not 100. */
+    val sumPercent: Double get() = percent.values.sum() + ERROR_PERCENT
+}

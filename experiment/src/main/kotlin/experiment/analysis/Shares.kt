@@ -1,0 +1,99 @@
+package experiment.analysis
+
+import org.apache.commons.math3.distribution.GammaDistribution
+import org.apache.commons.math3.random.RandomGenerator
+import org.apache.commons.math3.random.Well19937c
+import kotlin.math.sqrt
+
+/** A sum of squares and its degrees of freedom. */
+internal data class Squares(val sum: Double, val freedom: Int) {
+    operator fun plus(other: Squares) = Squares(sum + other.sum, freedom + other.freedom)
+}
+
+/**
+ * The intervals at [CONFIDENCE] of the shares of an experiment with infinitely many runs of each combination.
+ *
+ * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), where s is the mean
+ * square of its effects and t that of all effects. A share in the sample is larger, since the means from which effects are computed contain
+ * errors, and that of the error is smaller by the same amount; so a small share can lie outside its interval.
+ *
+ * @property sources the intervals of factors and interactions
+ * @property error the interval of the error
+ */
+internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
+
+/** Returns the intervals of the shares in [analysis]; null with one replication, which has no error to compare them with. */
+internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS): ShareIntervals? {
+    if (analysis.errorFreedom == 0) return null
+    val pivots = SharePivots(Squares(analysis.error, analysis.errorFreedom), analysis.count, Well19937c(seed), draws)
+    val squares = Source.entries.associateWith { Squares(analysis.squares(it), analysis.freedom(it)) }
+    fun sum(sources: Collection<Source>) = sources.map(squares::getValue).fold(NOTHING, Squares::plus)
+    val effects = pivots.interval(sum(Source.entries), NOTHING, CONFIDENCE)
+    return ShareIntervals(
+        squares.mapValues { (source, own) -> pivots.interval(own, sum(Source.entries - source), CONFIDENCE) },
+        if (analysis.total == 0.0) Interval(0.0, 0.0) else Interval(1 - effects.high, 1 - effects.low),
+    )
+}
+
+/**
+ * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and
+ * P. Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
+ *
+ * A sum of squares over the variance is noncentral chi-squared. Its noncentrality is the variance's share in the responses, times their
+ * [count], so a share is `own / (own + others + count)` in noncentralities. In place of each stands a random number whose distribution
+ * function is one minus that of the sum of squares that was seen, as a function of the noncentrality; in place of the variance, [error]
+ * over a chi-squared number. The interval is between the percentiles of the share. Without other effects that is the interval which the
+ * noncentral F distribution gives (J. H. Steiger, Beyond the F Test, Psychological Methods 9, 2004), which has none for several effects.
+ *
+ * @param error has at least one degree of freedom
+ * @param draws the number of random shares
+ */
+internal class SharePivots(
+    private val error: Squares, private val count: Int, private val random: RandomGenerator, private val draws: Int,
+) {
+    /** Returns the interval at [confidence] of the share of [own] beside the effects in [others]. */
+    fun interval(own: Squares, others: Squares, confidence: Double): Interval {
+        if (error.sum == 0.0) return (own.sum / (own.sum + others.sum)).let { if (it.isNaN()) Interval(0.0, 0.0) else Interval(it, it) }
+        val errors = chiSquared(error.freedom)
+        val part = noncentrality(own.freedom)
+        val rest = noncentrality(others.freedom)
+        val shares = DoubleArray(draws) {
+            val precision = errors() / error.sum
+            val drawn = part(own.sum * precision)
+            drawn / (drawn + rest(others.sum * precision) + count)
+        }
+        return percentiles(shares, confidence)
+    }
+
+    /**
+     * Random noncentralities for what was seen of a chi-squared number with [freedom]. Their density is a mixture of those of gamma
+     * distributions, as that of the chi-squared number is; it is that of a noncentral chi-squared number with two degrees of freedom, whose
+     * own noncentrality is what was seen less a central number, and of 0 where less than that was seen.
+     */
+    private fun noncentrality(freedom: Int): (Double) -> Double {
+        val central = chiSquared(freedom)
+        return { seen ->
+            val beyond = seen - central()
+            if (beyond <= 0) 0.0 else square(sqrt(beyond) + random.nextGaussian()) + square(random.nextGaussian())
+        }
+    }
+
+    private fun chiSquared(freedom: Int): () -> Double {
+        if (freedom == 0) return { 0.0 }
+        val half = GammaDistribution(random, freedom / 2.0, 1.0)
+        return { 2 * half.sample() }
+    }
+
+    private fun square(value: Double) = value * value
+}
+
+private fun percentiles(values: DoubleArray, confidence: Double): Interval {
+    values.sort()
+    val outside = (values.size * (1 - confidence) / 2).toInt()
+    return Interval(values[outside], values[values.size - 1 - outside])
+}
+
+private val NOTHING = Squares(0.0, 0)
+
+/** With so many draws an end of an interval is at the wanted percentile, give or take 0.2. */
+private const val DRAWS = 10_000

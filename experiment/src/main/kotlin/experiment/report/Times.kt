@@ -1,0 +1,42 @@
+package experiment.report
+
+import experiment.analysis.Interval
+
+/**
+ * The unit of the times in a table or a figure: seconds, or milliseconds if all are below one second.
+ *
+ * @property unit its symbol
+ * @property word its name in the plural
+ * @property perSecond the number of units in a second
+ * @property fewDecimals the decimals of a time whose interval is not known
+ */
+internal enum class TimeScale(val unit: String, val word: String, val perSecond: Int, val fewDecimals: Int, private val mostDecimals: Int) {
+    SECONDS("s", "seconds", 1, 2, 3), MILLISECONDS("ms", "milliseconds", 1000, 0, 1);
+
+    /** Writes [seconds] in this unit with so many [decimals]. */
+    fun text(seconds: Double, decimals: Int = fewDecimals): String = rounded(seconds * perSecond, decimals)
+
+    /** Writes an interval of seconds in this unit, with the meaningful decimals. */
+    fun text(seconds: Interval): String = range(of(seconds), decimals(seconds))
+
+    /** Returns the number of meaningful decimals of an interval of [seconds] in this unit. */
+    fun decimals(seconds: Interval): Int = if (seconds.isKnown) minOf(of(seconds).decimals, mostDecimals) else fewDecimals
+
+    private val Interval.isKnown get() = low.isFinite() && high.isFinite()
+
+    private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
+
+    companion object {
+        /** Returns the scale for all of [seconds]; infinite ones, which are not known, do not count. */
+        fun of(seconds: Collection<Double>): TimeScale {
+            val known = seconds.filter(Double::isFinite)
+            return if (known.isNotEmpty() && known.all { it < 1 && it > -1 }) MILLISECONDS else SECONDS
+        }
+    }
+}
+
+/** Writes a measured time in a sentence, with only two digits, since there are few runs: `58 ms`, `1.2 s`. */
+internal fun time(seconds: Double): String = TimeScale.of(listOf(seconds)).let { "${twoDigits(seconds * it.perSecond)} ${it.unit}" }
+
+/** Writes [interval] as `0.41 to 0.43`. */
+internal fun range(interval: Interval, decimals: Int): String = "${rounded(interval.low, decimals)} to ${rounded(interval.high, decimals)}"

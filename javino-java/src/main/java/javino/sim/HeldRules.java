@@ -1,0 +1,112 @@
+package javino.sim;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import javino.wire.BoardRule;
+import javino.wire.CommandItem;
+import javino.wire.WireFrame;
+
+/** The critical rules that a board watches. One thread at a time. */
+final class HeldRules {
+    /**
+     * A rule that begins to be met.
+     *
+     * @param percept the first text that meets it
+     */
+    record Beginning(int number, BoardRule rule, String percept) {}
+
+    private static final class Watched {
+        final BoardRule rule;
+        boolean isMet;
+
+        Watched(BoardRule rule) {
+            this.rule = rule;
+        }
+    }
+
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL holds the rule and the outcome besides
+
+    private final int capacity;
+    private final Map<Integer, Watched> rules = new TreeMap<>(); // by their numbers
+
+    HeldRules(int capacity) {
+        this.capacity = capacity;
+    }
+
+    boolean isEmpty() {
+        return rules.isEmpty();
+    }
+
+    void clear() {
+        rules.clear();
+    }
+
+    /** Sets a rule or removes some, as a command says; false: it is malformed, or the board has no room for rules. */
+    boolean change(CommandItem.Rule command) {
+        if (capacity == 0) {
+            return false;
+        }
+        int number = command.text().charAt(0);
+        if (command.text().length() == 1) {
+            if (number == 0) {
+                rules.clear();
+            }
+            rules.remove(number);
+            return true;
+        }
+        BoardRule rule = BoardRule.read(command);
+        if (rule == null || rules.size() >= capacity && !rules.containsKey(number)) {
+            return false;
+        }
+        rules.put(number, new Watched(rule));
+        return true;
+    }
+
+    /**
+     * Compares what the sensors show now; a percept that CRITICAL has no room for meets no rule.
+     *
+     * @return the rules that begin to be met, in the order of their numbers
+     */
+    List<Beginning> look(List<String> percepts) {
+        List<Beginning> beginnings = new ArrayList<>();
+        rules.forEach((number, watched) -> {
+            String met = percepts.stream()
+                    .filter(text -> text.length() <= MAX_PERCEPT && isMet(watched.rule, PerceptTerm.of(text)))
+                    .findFirst()
+                    .orElse(null);
+            if (met != null && !watched.isMet) {
+                beginnings.add(new Beginning(number, watched.rule, met));
+            }
+            watched.isMet = met != null;
+        });
+        return beginnings;
+    }
+
+    static boolean isMet(BoardRule rule, PerceptTerm percept) {
+        return percept.functor().equals(rule.functor())
+                && rule.conditions().stream().allMatch(condition -> isMet(condition, percept.arguments()));
+    }
+
+    private static boolean isMet(BoardRule.Condition condition, List<String> arguments) {
+        boolean isThere = condition.place() <= arguments.size();
+        String argument = isThere ? arguments.get(condition.place() - 1) : "";
+        boolean isNumber = BoardRule.isNumber(argument);
+        if (!isThere || isNumber != BoardRule.isNumber(condition.value())) {
+            return condition.operator() == BoardRule.Operator.DIFFERENT;
+        }
+        int order = isNumber
+                ? new BigDecimal(argument).compareTo(new BigDecimal(condition.value()))
+                : argument.compareTo(condition.value());
+        return switch (condition.operator()) {
+            case EQUAL -> order == 0;
+            case DIFFERENT -> order != 0;
+            case LESS -> isNumber && order < 0;
+            case GREATER -> isNumber && order > 0;
+            case AT_MOST -> isNumber && order <= 0;
+            case AT_LEAST -> isNumber && order >= 0;
+        };
+    }
+}

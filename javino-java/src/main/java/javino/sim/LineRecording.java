@@ -1,0 +1,177 @@
+package javino.sim;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.LineNumberReader;
+import java.io.Reader;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import javino.Frame;
+import javino.PerceptsRequest;
+
+/**
+ * The messages of a line, in their order and with their times. Immutable.
+ *
+ * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
+ * {@code <ms>\t<in|out|critical|reflex>\t<message>}.
+ * {@code \\}, {@code \t}, {@code \n} and {@code \r} stand for a backslash, a tab and line ends in a message, <code>&#92;u0007</code> for
+ * another control character. Empty lines and lines that begin with {@code #} are ignored. {@link RecordingWriter} writes it.
+ *
+ * @param entries the messages; their times never go back
+ */
+public record LineRecording(List<Entry> entries) {
+    /** The first line of a file. */
+    static final String HEADER = "javino-recording 1";
+
+    private static final String HEADER_WORD = "javino-recording ";
+    private static final int MAX_HEADER = 64;
+
+    /** Which way a message went. */
+    public enum Direction {
+        /** From the board. */
+        IN,
+
+        /** To the board. */
+        OUT,
+
+        /** From the board, of its own accord: the percept that met a critical rule on it. */
+        CRITICAL,
+
+        /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
+        REFLEX;
+
+        final String word = name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * One message.
+     *
+     * @param millis milliseconds since the recording began, at least 0
+     * @param direction which way it went
+     * @param message its text, a character a byte
+     */
+    public record Entry(long millis, Direction direction, String message) {
+        /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
+        public Entry {
+            if (millis < 0) {
+                throw new IllegalArgumentException(
+                        "a recording begins at 0 ms, but a message at " + millis + " ms was given");
+            }
+            Frame.requireBytes(message);
+        }
+    }
+
+    /** @throws IllegalArgumentException if an entry is earlier than the one before */
+    public LineRecording {
+        entries = List.copyOf(entries);
+        for (int i = 1; i < entries.size(); i++) {
+            if (entries.get(i).millis() < entries.get(i - 1).millis()) {
+                throw new IllegalArgumentException("message " + (i + 1) + " of a recording is at "
+                        + entries.get(i).millis() + " ms, which is before the one in front of it");
+            }
+        }
+    }
+
+    /** What came from the board as answers, or unasked as all its percepts. */
+    public List<Entry> received() {
+        return entries.stream()
+                .filter(entry -> entry.direction() == Direction.IN)
+                .toList();
+    }
+
+    /** Whether the board was asked for its percepts, rather than speaking by itself. */
+    public boolean isOfRequests() {
+        return entries.stream()
+                .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @throws java.nio.file.FileSystemException if it cannot be read
+     * @throws IOException also if it is not a recording; the message names file, line and what is wrong there
+     */
+    public static LineRecording read(Path file) throws IOException {
+        try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
+            return read(reader, file.toString());
+        }
+    }
+
+    /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
+    public static LineRecording read(Reader text, String source) throws IOException {
+        LineNumberReader lines = new LineNumberReader(text);
+        List<Entry> entries = new ArrayList<>();
+        try {
+            requireHeader(lines);
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                if (!line.isEmpty() && !line.startsWith("#")) {
+                    entries.add(entry(
+                            line,
+                            entries.isEmpty()
+                                    ? 0
+                                    : entries.get(entries.size() - 1).millis()));
+                }
+            }
+        } catch (CharacterCodingException e) {
+            throw new IOException(source + ":" + (lines.getLineNumber() + 1) + ": bytes that are not UTF-8", e);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(source + ":" + Math.max(1, lines.getLineNumber()) + ": " + e.getMessage(), e);
+        }
+        return new LineRecording(entries);
+    }
+
+    /** Reads the first line, but of another file no more than shows that it is no recording: it may have no end. */
+    private static void requireHeader(LineNumberReader text) throws IOException {
+        char[] beginning = new char[MAX_HEADER];
+        text.mark(MAX_HEADER);
+        int count = Math.max(0, text.read(beginning));
+        text.setLineNumber(1); // whatever was read, the first line is judged
+        // an editor's mark
+        String line =
+                new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");
+        if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
+            throw new IllegalArgumentException("a recording of format " + line.substring(HEADER_WORD.length())
+                    + ", of which only 1 can be read here");
+        }
+        if (!HEADER.equals(line)) {
+            throw new IllegalArgumentException("the first line of a recording is \"" + HEADER + "\"");
+        }
+        text.reset();
+        text.readLine();
+    }
+
+    private static Entry entry(String line, long earliest) {
+        String[] fields = line.split("\t", 3);
+        if (fields.length < 3) {
+            throw new IllegalArgumentException(
+                    "a message is written MILLISECONDS, a tab, \"in\" or \"out\", a tab, and its text");
+        }
+        long millis = millis(fields[0]);
+        if (millis < earliest) {
+            throw new IllegalArgumentException(
+                    "a message at " + millis + " ms stands behind one at " + earliest + " ms");
+        }
+        return new Entry(millis, direction(fields[1]), RecordingText.read(fields[2]));
+    }
+
+    private static long millis(String written) {
+        if (!written.matches("[0-9]{1,18}")) {
+            throw new IllegalArgumentException(Frame.quoted(written) + " is not a time in whole milliseconds");
+        }
+        return Long.parseLong(written);
+    }
+
+    private static Direction direction(String written) {
+        return Arrays.stream(Direction.values())
+                .filter(direction -> direction.word.equals(written))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(Frame.quoted(written)
+                        + " is no direction; a message goes \"in\" or \"out\", or is \"critical\" or a \"reflex\""));
+    }
+}

@@ -1,0 +1,156 @@
+package javino.wire;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** The computer's side of an answer: makes text of items, and keeps the shapes that it has learned in a session. One thread at a time. */
+public final class PerceptDecoder {
+    private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
+    private int known;
+
+    /** How many shapes it knows, from 0 without a gap. */
+    public int known() {
+        return known;
+    }
+
+    /** Forgets all shapes: the session has ended, or what was read was wrong. */
+    public void forget() {
+        Arrays.fill(shapes, null);
+        known = 0;
+    }
+
+    /**
+     * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
+     *
+     * @param items those of all parts of the answer; a few of their bytes may stand for thousands
+     * @param limit bytes that the text has at most
+     * @throws TooLongException if it has more; no more of it is made, and the shapes up to there are kept
+     */
+    public Optional<String> read(String items, int limit) {
+        try {
+            return Optional.of(new Reading(items, limit).text());
+        } catch (IndexOutOfBoundsException | UnreadableException e) {
+            forget();
+            return Optional.empty();
+        } finally {
+            while (known < shapes.length && shapes[known] != null) {
+                known++;
+            }
+        }
+    }
+
+    /** The text of an answer has more bytes than it may have. */
+    public static final class TooLongException extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
+    private static final class UnreadableException extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
+    /** One answer. What is cut is found by reading beyond its end. */
+    private final class Reading {
+        private final String items;
+        private final int limit;
+        private final StringBuilder text = new StringBuilder();
+        private int at;
+
+        Reading(String items, int limit) {
+            this.items = items;
+            this.limit = limit;
+        }
+
+        String text() {
+            boolean isContinued = false;
+            while (at < items.length()) {
+                char head = items.charAt(at++);
+                int count = items.charAt(at++);
+                if (head < PerceptItems.DIGITS) {
+                    isContinued = text(head, count, isContinued);
+                } else {
+                    requireReadable(!isContinued && count > 0);
+                    digits(head - PerceptItems.DIGITS, count);
+                }
+            }
+            requireReadable(!isContinued);
+            return text.toString();
+        }
+
+        private boolean text(char head, int length, boolean isContinued) {
+            String piece = items.substring(at, at + length);
+            at += length;
+            if (head < PerceptItems.MAX_IDS) {
+                requireReadable(!isContinued);
+                shapes[head] = Shape.of(piece);
+            }
+            text.append(piece);
+            requireShort();
+            return head == PerceptItems.CONTINUED;
+        }
+
+        private void digits(int first, int count) {
+            HalfBytes digits = new HalfBytes(items, at);
+            for (int id = first; id < first + count; id++) {
+                requireReadable(id < shapes.length && shapes[id] != null);
+                List<String> pieces = shapes[id].pieces();
+                text.append(pieces.get(0));
+                for (String piece : pieces.subList(1, pieces.size())) {
+                    digits.appendRun(text);
+                    text.append(piece);
+                }
+                requireShort();
+            }
+            at = digits.end();
+        }
+
+        private void requireShort() {
+            if (text.length() > limit) {
+                throw new TooLongException();
+            }
+        }
+
+        private void requireReadable(boolean isReadable) {
+            if (!isReadable) {
+                throw new UnreadableException();
+            }
+        }
+    }
+
+    /** Runs of digits, two a byte. */
+    private static final class HalfBytes {
+        private final String bytes;
+        private int position; // in half bytes
+
+        HalfBytes(String bytes, int from) {
+            this.bytes = bytes;
+            position = 2 * from;
+        }
+
+        void appendRun(StringBuilder text) {
+            int before = text.length();
+            for (int digit = next(); digit != PerceptItems.END_OF_RUN; digit = next()) {
+                if (digit > 9) {
+                    throw new UnreadableException();
+                }
+                text.append((char) ('0' + digit));
+            }
+            if (text.length() == before) {
+                throw new UnreadableException();
+            }
+        }
+
+        private int next() {
+            char pair = bytes.charAt(position / 2);
+            return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
+        }
+
+        /** Behind the digits, and a free half byte. */
+        int end() {
+            if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
+                throw new UnreadableException();
+            }
+            return position / 2;
+        }
+    }
+}
