@@ -57,7 +57,7 @@ class BoardRuleMappingSpec : FunSpec({
             val byFilter = PerceptionFilter("f", emptyList(), critical = listOf(critical)).matcher().criticalRules(percept).isNotEmpty()
             if (byFilter) met++
             withClue("$rule, which the board has as $boardRule, and $percept") {
-                BoardRules.isMet(boardRule, PerceptTerm.of("$percept;")) shouldBe byFilter
+                HeldRules.isMet(boardRule, PerceptTerm.of("$percept;")) shouldBe byFilter
             }
         }
         mapped shouldBeGreaterThan 5_000
