@@ -96,9 +96,9 @@ class NewCommandSpec : FunSpec({
     }
 
     test("a new project is made for the versions that this build has") {
-        val catalog = Path.of("../gradle/libs.versions.toml").readText()
-        mapOf("jason" to JASON_VERSION, "kotlin" to KOTLIN_VERSION, "kotest" to KOTEST_VERSION).forEach { (alias, version) ->
-            catalog shouldContain "\n$alias = \"$version\"\n"
+        val pom = Path.of("../pom.xml").readText()
+        mapOf("jason" to JASON_VERSION, "kotlin" to KOTLIN_VERSION, "kotest" to KOTEST_VERSION).forEach { (name, version) ->
+            pom shouldContain "<$name.version>$version</$name.version>"
         }
     }
 })
