@@ -3,15 +3,18 @@ package argo.insides
 import java.lang.reflect.Field
 
 /**
- * A private field of Jason's, of objects of [owner], called [name]. In another version of Jason it may not be there: then [get] and [set]
- * throw a [LinkageError] that names it.
+ * A private field of Jason's, of objects of [owner], called by one of [names], of which each version of Jason has one. In another version
+ * it may not be there: then [get] and [set] throw a [LinkageError] that names it.
  */
-class Inside<T> internal constructor(private val owner: () -> Class<*>, private val name: String) {
-    private val member: Field by lazy { inside("$this") { owner().getDeclaredField(name).apply { isAccessible = true } } }
+class Inside<T> internal constructor(private val owner: () -> Class<*>, private vararg val names: String) {
+    private val member: Field by lazy {
+        val there = owner().declaredFields.find { it.name in names } ?: throw LinkageError("this version of Jason has no $this")
+        there.apply { isAccessible = true }
+    }
 
     /** Whether this version of Jason has it. */
     val isThere: Boolean get() = try {
-        member.name == name
+        member.name in names
     } catch (_: LinkageError) {
         false
     }
@@ -24,9 +27,9 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
     operator fun set(one: Any?, value: T) = member.set(one, value)
 
     override fun toString() = try {
-        "${owner().name}.$name"
+        "${owner().name}.${names.first()}"
     } catch (_: LinkageError) {
-        name
+        names.first()
     }
 }
 

@@ -85,11 +85,11 @@ object Insides {
     val messageCounter: Inside<AtomicInteger> = of(Message::class.java, "idCount")
     val planCounter: Inside<AtomicInteger> = of(Agent::class.java.getMethod("getPL").returnType, "lastPlanLabel")
     val variableCounter: Inside<AtomicInteger> = of(UnnamedVar::class.java, "varCont")
-    val callCounter: Inside<AtomicInteger> = of(ConcurrentInternalAction::class.java, "actcount")
+    val callCounter: Inside<AtomicInteger> = of(ConcurrentInternalAction::class.java, "actcount", "actCount") // 3.2.1, 3.3.0
     val atCounter: Inside<AtomicInteger> = of(at::class.java, "idCount")
 
     /** All of them, with those of `.wait`. */
     val all: List<Inside<*>> get() = found + WaitEvents.fields
 
-    private fun <T> of(owner: Class<*>, name: String): Inside<T> = Inside<T>({ owner }, name).also { found += it }
+    private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }
 }

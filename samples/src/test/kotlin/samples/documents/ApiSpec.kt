@@ -2,8 +2,8 @@ package samples.documents
 
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import org.jetbrains.kotlin.abi.tools.AbiFilters
 import org.jetbrains.kotlin.abi.tools.AbiTools
@@ -33,10 +33,10 @@ class ApiSpec : FunSpec({
             val api = buildString { AbiTools.getInstance().printJvmDump(this, files, AbiFilters.EMPTY) }
             val file = root.resolve("$library/api/$library.api")
             if (System.getProperty("argo.write.api") == "true") file.apply { parent.createDirectories() }.writeText(api)
-            val kept = if (file.exists()) file.readText().lines() else emptyList()
+            val now = declarations(api)
+            val kept = declarations(if (file.exists()) file.readText() else "")
             withClue("if this change is meant, and stands in CHANGELOG.md: $UPDATE") {
-                (api.lines() - kept.toSet()).map { "new: $it" }.shouldBeEmpty()
-                (kept - api.lines().toSet()).map { "gone: $it" }.shouldBeEmpty()
+                ((now - kept).map { "new: $it" } + (kept - now).map { "gone: $it" }).joinToString("\n") shouldBe ""
             }
             api shouldContain "public "
         }
@@ -46,5 +46,11 @@ class ApiSpec : FunSpec({
 /** The modules under [root] that `./argo install` installs. */
 internal fun libraries(root: Path): List<String> = Regex("<module>(.+?)</module>").findAll(root.resolve("pom.xml").readText())
     .map { it.groupValues[1] }.filterNot { "<maven.install.skip>true" in root.resolve("$it/pom.xml").readText() }.toList()
+
+/** The lines of an API, those of members with the type that they are in. */
+private fun declarations(api: String): Set<String> = api.split("\n\n").flatMap { type ->
+    val lines = type.trim().lines()
+    listOf(lines.first()) + lines.drop(1).map { "${lines.first().substringBefore(" {")}: ${it.trim()}" }
+}.toSet()
 
 private const val UPDATE = "mvn -o -pl samples -am test -Dtest=ApiSpec -Dsurefire.failIfNoSpecifiedTests=false -Dargo.write.api=true"

@@ -94,8 +94,10 @@ class DocumentsSpec : FunSpec({
         val pom = root.resolve("pom.xml").readText()
         val version = Regex("<artifactId>argo</artifactId>\\s*<version>(.+?)</version>").find(pom)!!.groupValues[1]
         val libraries = libraries(root)
-        val inXml = Regex("<groupId>argo</groupId><artifactId>(.+?)</artifactId><version>(.+?)</version>")
-        val shown = (written("xml").flatMap { inXml.findAll(it.text) } + written("kts").flatMap { GRADLE.findAll(it.text) })
+        val group = Regex.escape(Regex("<argo.group>(.+)</argo.group>").find(pom)!!.groupValues[1])
+        val inXml = Regex("<groupId>$group</groupId><artifactId>(.+?)</artifactId><version>(.+?)</version>")
+        val inGradle = Regex("\"$group:(.+?):(.+?)\"")
+        val shown = (written("xml").flatMap { inXml.findAll(it.text) } + written("kts").flatMap { inGradle.findAll(it.text) })
             .map { it.groupValues[1] to it.groupValues[2] }
         shown.map { it.first }.toSet() shouldContainAll listOf("argo-arch", "argo-view", "argo-testkit")
         shown.filterNot { (name, its) -> name in libraries && its == version }.shouldBeEmpty()
@@ -127,9 +129,6 @@ private val LANGUAGES = setOf(
     "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text",
     "yaml",
 )
-
-/** Coordinates in Gradle's form. */
-private val GRADLE = Regex("\"argo:(.+?):(.+?)\"")
 
 private const val NEW_PROJECT = "argo-tools/src/main/resources/argo/tools/project"
 

@@ -15,6 +15,7 @@ internal object Counters {
         .filter { it.isThere } // in another version of Jason numbers differ, and nothing else
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
+    private val ofCalls = known.indexOf(Insides.callCounter)
     private val ofLabels = known.indexOf(Insides.planCounter)
     private val ofMessages = known.indexOf(Insides.messageCounter)
 
@@ -60,8 +61,11 @@ internal object Counters {
         all.getOrNull(ofLabels)?.set(label - 1)
     }
 
-    /** Sets them to what [read] returned in another program. */
-    fun write(values: List<Int>) = all.zip(values).forEach { (counter, value) -> counter.set(value) }
+    /** Sets them to what [read] returned in another program; older recordings of Jason 3.3.0 do not have that of calls. */
+    fun write(values: List<Int>) {
+        val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }
+        written.zip(values).forEach { (counter, value) -> counter.set(value) }
+    }
 
     private val LABEL = Regex("""p__(\d{1,9})""")
 }
