@@ -25,6 +25,7 @@ class CommandCheck(private val root: Path) {
         return when (words.first()) {
             "./argo" -> argo(rest)
             "java" -> java(rest)
+            "timeout" -> problem(rest.drop(1))
             "mvn" -> maven(rest)
             "gradle", "./gradlew" -> gradle(rest)
             "make" -> root.resolve("javino-arduino/Makefile").readText().let { makefile ->
@@ -87,10 +88,10 @@ class CommandCheck(private val root: Path) {
     }
 
     private fun java(words: List<String>): String? {
-        val options = words.takeWhile { it.startsWith("--") }
+        val options = words.takeWhile { it.startsWith("--") || it.startsWith("-Xmx") }
         val rest = words.drop(options.size)
         return when {
-            options.any { it != "--enable-native-access=ALL-UNNAMED" } -> "an option for Java that is none: $options"
+            options.any { !Regex("--enable-native-access=ALL-UNNAMED|-Xmx\\d+m").matches(it) } -> "an option that Java has not: $options"
             rest.isEmpty() -> null
             rest[0] == "-jar" -> if (Path.of(rest[1]).name == "argo.jar") tool(rest.drop(2)) else "there is no ${rest[1]}"
             rest[0].endsWith(".java") -> missing(root.resolve(rest[0]).takeIf { it.exists() }, rest[0])
