@@ -89,6 +89,7 @@ class HostileRecordingSpec : FunSpec({
     /** Replays [file], and returns the messages about it. */
     fun shouldDoNothing(file: Path): String {
         var said: String? = null
+        MindInspectorWeb.stop() // another spec's agents may have started it
         val done = watched { said = replayed(file) }
         val temporary = Path.of(System.getProperty("java.io.tmpdir")).resolve("argo-replay").toString()
         val (own, other) = done.filter { "jdk.FileRead" !in it }.partition { temporary in it }

@@ -81,6 +81,7 @@ class IncludedFilesSpec : FunSpec({
     }
 
     test("as it runs, without Jason's server that shows agents") {
+        MindInspectorWeb.stop() // another spec's agents may have started it
         shouldReplay("more.asl" to "more(1). { begin namespace(n) } less(1). { end }") {
             """!work. +!work <- .include("$it/more.asl"); .wait(20); +after."""
         }
