@@ -90,7 +90,7 @@ class FieldBoardPacingSpec : FunSpec({
     val orders = Arb.list(Arb.int(0..600), 0..25)
 
     test("a field board loses no message and never restarts, whatever comes when") {
-        checkAll(100, bauds, loops, answers, intervals, orders, builds) { baud, loop, answer, interval, times, build ->
+        checkAll(30, bauds, loops, answers, intervals, orders, builds) { baud, loop, answer, interval, times, build ->
             val longest = if (loop == 0L) 150 else 50 // no link can help a board whose receive buffer is shorter than one message
             val exchange = FieldExchange(baud, loop, answer, interval, times.mapIndexed { i, at -> Order(at, 2 + i * 37 % longest) }, build)
             exchange.runUntil(8_000 * MILLI)

@@ -14,7 +14,7 @@ import kotlin.math.roundToInt
 import kotlin.time.Duration.Companion.minutes
 
 private const val REQUEST = "getPercepts"
-private val EXCHANGES = Integer.getInteger("argo.exchanges", 100_000)
+private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
 private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0).withProtocol(Protocol.V1)
 
 /** As long as what a robot with twelve sensors says; two of these do not fit into a frame's length. */

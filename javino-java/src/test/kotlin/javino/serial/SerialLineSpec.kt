@@ -2,6 +2,8 @@ package javino.serial
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.NamedTag
+import io.kotest.core.NamedTag
+import io.kotest.core.Tag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -41,8 +43,10 @@ private fun liveThreads(): Int = Thread.getAllStackTraces().size
 class SerialLineSpec : FunSpec({
     val settings = LinkSettings.defaults().withBaud(115_200)
 
-    fun onTerminals(name: String, enabled: Enabled = Terminals.available, body: (Terminals) -> Unit) =
-        test(name).config(enabledOrReasonIf = { enabled }, timeout = 120.seconds, blockingTest = true) { Terminals.open().use(body) }
+    fun onTerminals(name: String, enabled: Enabled = Terminals.available, tags: Set<Tag> = emptySet(), body: (Terminals) -> Unit) =
+        test(name).config(tags = tags, enabledOrReasonIf = { enabled }, timeout = 120.seconds, blockingTest = true) {
+            Terminals.open().use(body)
+        }
 
     onTerminals("a device has one owner, whichever of its names is used") { terminals ->
         val device = Path.of(terminals.computer).toRealPath().toString()
@@ -120,7 +124,7 @@ class SerialLineSpec : FunSpec({
         }
     }
 
-    onTerminals("opening and closing fifty times leaves no thread and no descriptor behind", withProc) { terminals ->
+    onTerminals("opening and closing fifty times leaves no thread and no descriptor behind", withProc, setOf(NamedTag("Thorough"))) { terminals ->
         fun cycle() {
             SerialTransport.open(terminals.board, settings.line()).use { end ->
                 Link.open(terminals.computer, settings.withBootMillis(0), "the test").use { link ->

@@ -40,7 +40,8 @@ class ReplayBoardSpec : FunSpec({
     test("what the board reported and did of its own accord is no answer") {
         val recording = LineRecording(
             listOf(
-                entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);light(3);"), entry(60, CRITICAL, "dist(2);"),
+                entry(40, OUT, "getPercepts"), entry(50, IN, "dist(9);light(3);"),
+                entry(60, CRITICAL, "dist(2);"),
                 entry(60, REFLEX, "stop"),
             ),
         )
