@@ -2,7 +2,6 @@ package javino.serial
 
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.NamedTag
-import io.kotest.core.NamedTag
 import io.kotest.core.Tag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
@@ -124,7 +123,7 @@ class SerialLineSpec : FunSpec({
         }
     }
 
-    onTerminals("opening and closing fifty times leaves no thread and no descriptor behind", withProc, setOf(NamedTag("Thorough"))) { terminals ->
+    onTerminals("opening and closing fifty times leaves no thread and no descriptor behind", withProc, thorough) { terminals ->
         fun cycle() {
             SerialTransport.open(terminals.board, settings.line()).use { end ->
                 Link.open(terminals.computer, settings.withBootMillis(0), "the test").use { link ->
@@ -146,3 +145,5 @@ class SerialLineSpec : FunSpec({
         openDescriptors() shouldBeLessThan open + 5
     }
 })
+
+private val thorough = setOf(NamedTag("Thorough"))
