@@ -1,7 +1,6 @@
 package argo.jason
 
 import io.kotest.assertions.nondeterministic.eventually
-import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldContain
