@@ -1,6 +1,6 @@
 package javino.session;
 
-/** What became of a command. */
+/** The outcome of a command. */
 public enum CommandOutcome {
     /** The board has carried it out. */
     DONE,

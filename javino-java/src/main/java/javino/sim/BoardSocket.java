@@ -9,7 +9,7 @@ import javino.PortGoneException;
 import javino.PortInterruptedException;
 import javino.Transport;
 
-/** What a simulated board is plugged into: runs it while its port is open, one run at a time. */
+/** The socket that a simulated board is plugged into: runs the board while its port is open, one run at a time. */
 final class BoardSocket {
     private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
     private static final long LAST_RUN_MILLIS = 2_000;

@@ -32,7 +32,7 @@ public record LineRecording(List<Entry> entries) {
     private static final String HEADER_WORD = "javino-recording ";
     private static final int MAX_HEADER = 64;
 
-    /** Which way a message went. */
+    /** The direction of a message. */
     public enum Direction {
         /** From the board. */
         IN,
@@ -53,7 +53,7 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param direction which way it went
+     * @param direction from the board or to it
      * @param message its text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
@@ -78,14 +78,14 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** What came from the board as answers, or unasked as all its percepts. */
+    /** The messages that came from the board as answers, or unasked with all its percepts. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)
                 .toList();
     }
 
-    /** Whether the board was asked for its percepts, rather than speaking by itself. */
+    /** Returns whether the board was asked for its percepts, and did not speak by itself. */
     public boolean isOfRequests() {
         return entries.stream()
                 .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));

@@ -36,7 +36,7 @@ record TlsFolder(Path path) {
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
     }
 
-    /** Where the certificate of the board at {@code address} is, or will be. */
+    /** The file that holds, or will hold, the certificate of the board at {@code address}. */
     Path fileOf(TcpAddress address) {
         return path.resolve(address.toString().replaceAll("[^a-z0-9.-]", "_") + ".crt");
     }
@@ -63,12 +63,12 @@ record TlsFolder(Path path) {
         }
     }
 
-    /** Where the computer's own certificate is, or could be. */
+    /** The file that holds, or could hold, the computer's own certificate. */
     Path computerFile() {
         return path.resolve("computer.crt");
     }
 
-    /** What the computer shows of itself: its certificate, with those of its issuers behind it, and the key. */
+    /** The computer's identity: its certificate, with those of its issuers behind it, and the key. */
     record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**
