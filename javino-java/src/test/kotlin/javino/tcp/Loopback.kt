@@ -10,7 +10,7 @@ import java.net.Socket
 /** A program that listens on this machine's loopback address, as a board on a network does. */
 internal class Loopback : AutoCloseable {
     private val server = ServerSocket().apply {
-        receiveBufferSize = 4096 // so that one who does not read is soon noticed
+        receiveBufferSize = 4096 // so that the sender soon notices a far end that does not read
         bind(InetSocketAddress(InetAddress.getLoopbackAddress(), 0))
     }
     val number: Int = server.localPort
