@@ -27,7 +27,7 @@ public abstract class DriverTransport implements Transport {
     }
 
     /**
-     * Reads what has arrived.
+     * Reads the bytes that have arrived.
      *
      * @param nanos how long to wait for it at most, less if that is long; not at all if it is 0 or less
      * @return bytes read; 0 if there were none

@@ -43,7 +43,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     private int turnsAwaited; // of requests and HELLOs
     private Command underWay;
     private boolean
-            isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
+            isLeaving; // the thread that submitted the command under way wrote it; its last byte leaves at leavesAt
     private long leavesAt;
     private volatile long outcomeNanos;
     private long writtenBytes;

@@ -154,12 +154,12 @@ final class Inbox {
         return monitor.get(() -> !messages.isEmpty());
     }
 
-    /** Reads what the line has ready, and keeps it. */
+    /** Reads the bytes that the line has ready, and keeps them. */
     void look() throws PortException {
         readReady(1);
     }
 
-    /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
+    /** Reads the bytes that the line has ready, and returns the newest of the messages read now or before, or null. */
     Reply newest() throws PortException {
         readReady(READS);
         return monitor.get(() -> {
@@ -169,7 +169,7 @@ final class Inbox {
         });
     }
 
-    /** Reads what the line has ready, and forgets all messages with that and what was read before, unfinished ones too. */
+    /** Reads the bytes that the line has ready, and forgets all messages read now or before, unfinished ones too. */
     void clear() throws PortException {
         readReady(READS);
         monitor.change(() -> {
@@ -178,7 +178,7 @@ final class Inbox {
         });
     }
 
-    /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
+    /** Reads the bytes that the line has ready, in at most {@code most} pieces, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
             for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}

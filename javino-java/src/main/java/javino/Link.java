@@ -23,9 +23,9 @@ import javino.wire.CommandItem;
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
  * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
- * it: what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not
- * understand the former and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come
- * whole or not at all, and {@link #send} knows what became of an action.
+ * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the former
+ * and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all, and
+ * {@link #send} knows what became of an action.
  *
  * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port
  * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
@@ -271,7 +271,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #send}, of a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does so.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does
+     * so.
      * The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
@@ -304,7 +305,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
+     * Like {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
      * arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
@@ -318,7 +319,7 @@ public final class Link implements AutoCloseable {
         sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
-    /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
+    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
         sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
     }

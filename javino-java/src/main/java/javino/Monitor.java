@@ -51,7 +51,7 @@ final class Monitor {
         });
     }
 
-    /** As {@link #get}, for work that waits. */
+    /** Like {@link #get}, for work that waits. */
     <T> T getInterruptibly(Work<T, PortException> work) throws PortException {
         try {
             lock.lockInterruptibly();

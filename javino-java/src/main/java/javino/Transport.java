@@ -29,11 +29,11 @@ public interface Transport extends AutoCloseable {
     }
 
     /**
-     * Waits until at least one byte has arrived, then takes what is there.
+     * Waits until at least one byte has arrived, then takes the bytes that are there.
      *
      * @param b the array to fill from {@code off}
      * @param len bytes wanted at most, at least 1
-     * @param timeoutMillis milliseconds to wait at most; 0 takes only what is there already
+     * @param timeoutMillis milliseconds to wait at most; 0 takes only bytes that are there already
      * @return bytes read, 1 to {@code len}, or 0 when the time is over
      * @throws PortGoneException if the line is closed, or its device gone, which is noticed within a second
      */

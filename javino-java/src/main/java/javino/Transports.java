@@ -35,7 +35,7 @@ public final class Transports {
         return provider(port, name).open(name.address(), line);
     }
 
-    /** The ports there are now: serial devices, simulated boards, and what other providers list. */
+    /** The ports there are now: serial devices, simulated boards, and those that other providers list. */
     public static List<String> ports() {
         List<String> ports = new ArrayList<>();
         providers().values().forEach(provider -> ports.addAll(provider.ports()));

@@ -6,7 +6,7 @@ public enum CommandOutcome {
     DONE,
     /** The board does not know it, or not with these arguments. */
     REFUSED,
-    /** The board has begun it, and has said later that it could not carry it out. */
+    /** The board has begun it, and has reported later that it could not carry it out. */
     FAILED,
     /** It may or may not have been carried out. */
     UNCONFIRMED,

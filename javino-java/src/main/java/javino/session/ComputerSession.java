@@ -441,7 +441,7 @@ public final class ComputerSession<C extends SessionCommand> {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if it fits into the frame, and the frame to what is out. */
+        /** Adds an item if it fits into the frame, and the frame into the credit beside those that are out; returns whether it did. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();

@@ -124,7 +124,7 @@ final class Requests {
         isDamaged |= isOut;
     }
 
-    /** Takes a frame of percepts and reports what it completes. */
+    /** Takes a frame of percepts and reports the answer that it completes. */
     <C> void accept(WireFrame frame, long now, int limit, SessionListener<C> listener) {
         AnswerParts.Answer answer = parts.accept(frame);
         if (answer == null) {

@@ -52,7 +52,7 @@ public final class BoardSession {
         }
     }
 
-    /** The bytes of an answer in a frame while there are rules, so that what is urgent does not wait for a long frame. */
+    /** The bytes of an answer in a frame while there are rules, so that urgent frames do not wait for a long one. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;

@@ -81,7 +81,7 @@ final class BoardSocket {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");
         }
-        run.thread.interrupt(); // it has had its time to read what was sent before the port was closed
+        run.thread.interrupt(); // it has had its time to read the bytes sent before the port was closed
         try {
             run.thread.join(LAST_RUN_MILLIS);
         } catch (InterruptedException e) {

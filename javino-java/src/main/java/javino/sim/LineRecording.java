@@ -95,7 +95,7 @@ public record LineRecording(List<Entry> entries) {
      * Reads a file.
      *
      * @throws java.nio.file.FileSystemException if it cannot be read
-     * @throws IOException also if it is not a recording; the message names file, line and what is wrong there
+     * @throws IOException also if it is not a recording; the message names file, line and fault
      */
     public static LineRecording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
@@ -103,7 +103,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
+    /** Like {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
     public static LineRecording read(Reader text, String source) throws IOException {
         LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();

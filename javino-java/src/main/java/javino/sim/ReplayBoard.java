@@ -46,7 +46,7 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * @param clock what the recording's times are of
+     * @param clock the clock of the recording's times
      * @throws IllegalArgumentException if the board says nothing in the recording
      */
     public static ReplayBoard of(LineRecording recording, LineClock clock) {

@@ -100,7 +100,7 @@ class TcpTransport extends DriverTransport {
         }
     }
 
-    /** A connection that is closed with bytes unread is reset, and the far end may lose what it was sent last. */
+    /** A connection that is closed with bytes unread is reset, and the far end may lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

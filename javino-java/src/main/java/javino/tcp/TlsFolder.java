@@ -30,7 +30,7 @@ record TlsFolder(Path path) {
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([A-Za-z0-9+/=\\s]+)-----END PRIVATE KEY-----");
 
-    /** That of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
+    /** The folder of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
     static TlsFolder ofUser() {
         String given = System.getProperty("javino.tls");
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));

@@ -39,7 +39,7 @@ final class TlsTransport extends TcpTransport {
 
     @Override
     boolean isInputPlain() {
-        return false; // what has arrived may be encrypted still
+        return false; // bytes that have arrived may be encrypted still
     }
 
     @Override

@@ -15,7 +15,7 @@ public record AnswerPart(FrameKind kind, String payload) {
 
     private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // behind the numbers of request and part
 
-    /** The frames of an answer, as few as can be. As {@link #split(int, String, int)}. */
+    /** The frames of an answer, as few as possible; see {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {
         return items.length() < WireFrame.MAX_PAYLOAD
                 ? List.of(whole(request, items))

@@ -12,7 +12,7 @@ internal object LibraryBoards {
     private val sources = Path.of("../javino-arduino/src")
     private val program: Path by lazy(::compile)
 
-    /** Whether there is a C compiler with the sanitizers. */
+    /** Tells whether there is a C compiler with the sanitizers. */
     val available: Enabled by lazy {
         val made = Files.createTempDirectory("argo-c")
         val reason = runCatching { cc(made.resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }

@@ -16,7 +16,7 @@ internal class Loopback : AutoCloseable {
     val number: Int = server.localPort
     val port: String = "tcp://127.0.0.1:$number"
 
-    /** The next one who connects; with [breaks] its end does not close the connection but breaks it. */
+    /** The next connection; with [breaks] its end does not close it but breaks it. */
     fun accept(breaks: Boolean = false): Socket = server.accept().apply {
         if (breaks) setSoLinger(true, 0)
     }

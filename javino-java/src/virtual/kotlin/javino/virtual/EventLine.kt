@@ -34,7 +34,7 @@ internal interface EventBoard : LineEnd {
 
 /**
  * A paced line, a link and a board on one thread, in a time of their own that jumps from one event to the next: so a million exchanges take
- * seconds. What is written arrives in one piece when its last byte does, unless faults break it up.
+ * seconds. Written bytes arrive in one piece when the last of them does, unless faults break it up.
  *
  * @param open makes the link
  * @param goneAfter bytes in both directions after which the line is gone
