@@ -2,7 +2,7 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Knows whether a board runs, as far as it shows: the board may start when its port is opened. Safe on any thread. */
+/** Knows whether a board runs, as far as is known: the board may start when its port is opened. Safe on any thread. */
 final class BoardStart {
     private final LineClock clock;
     private final long startedAt; // from then on a board that has not answered is taken to run

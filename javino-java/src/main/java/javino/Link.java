@@ -272,8 +272,7 @@ public final class Link implements AutoCloseable {
 
     /**
      * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does
-     * so.
-     * The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     * so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();

@@ -12,7 +12,7 @@ import java.util.Deque;
  * time.
  */
 final class LocalEchoFilter {
-    /** More frames than are ever on their way: older ones were lost on it. */
+    /** More frames than are ever on their way: older ones were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first

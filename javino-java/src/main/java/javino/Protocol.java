@@ -2,7 +2,7 @@ package javino;
 
 /** The version of the Javino protocol that is spoken on a line. */
 public enum Protocol {
-    /** It is found out by asking the board; of a link: it is not known yet. */
+    /** The board is asked for its version; of a link: the version is not known yet. */
     AUTO,
 
     /** Version 1, which boards in the field speak: frames without a checksum, nothing is acknowledged. */

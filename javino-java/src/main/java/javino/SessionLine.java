@@ -57,7 +57,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private Reply answer;
     private boolean hasDropped; // an answer was dropped, and none has come since
     private Throwable failure; // given to commands that are out while the session is closed; null: they are unconfirmed
-    private boolean isAsked; // the wanted percepts have been requested, behind so many bytes:
+    private boolean isAsked; // the wanted percepts have been requested, behind askedBehind bytes
     private long askedBehind;
     private int followers;
     private volatile int otherRevision = NONE; // revision of version 2 that the board speaks

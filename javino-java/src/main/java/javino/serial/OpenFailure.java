@@ -2,7 +2,7 @@ package javino.serial;
 
 import java.util.Set;
 
-/** The meaning of a driver's error code of a device that could not be opened. */
+/** The meaning of a driver's error code for a device that could not be opened. */
 enum OpenFailure {
     NO_SUCH_PORT,
     BUSY,

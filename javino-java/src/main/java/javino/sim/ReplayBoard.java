@@ -11,9 +11,9 @@ import javino.Transport;
  * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, this one answers each request with the last message that was sent by then, counted
- * from the first request, and with the last of all when the recording is over. Else it says everything unasked at its time, counted from
- * the opening of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
+ * <p>If the recorded board was asked for its percepts, this one answers each request with that board's last message by then, counted from
+ * the first request, and with the last of all when the recording is over. Else it says everything unasked at its time, counted from the
+ * opening of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
