@@ -264,6 +264,7 @@ public final class Link implements AutoCloseable {
      * before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException}
      * if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with what a
      * transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
+     *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
     public CompletableFuture<Void> send(String command, SendOptions options) {

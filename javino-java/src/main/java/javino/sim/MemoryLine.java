@@ -16,6 +16,7 @@ import javino.Transport;
  *
  * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
  * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
+ *
  * <p>When one end is closed the other may read the bytes that were still on their way to it; then the line is gone for both. When it is
  * unplugged it is gone for both at once. All methods are safe on any thread.
  */
