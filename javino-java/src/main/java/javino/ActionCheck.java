@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.stream.Collectors;
 import javino.wire.BoardAction;
 
-/** Whether a board that has described itself knows a command. */
+/** Checks commands against the actions that a board has registered. */
 final class ActionCheck {
-    /** How many actions a message names at most. */
+    /** The most actions that a message names. */
     private static final int MAX_NAMED = 10;
 
     private ActionCheck() {}
 
-    /** Why a board with these actions would refuse the command, for a message to a person; null: it would not. */
+    /** Returns, for a message to a person, why a board with these actions would refuse the command; null: it would not. */
     static String trouble(String command, List<BoardAction> actions) {
         if (actions.isEmpty()) {
             return null;
@@ -32,7 +32,9 @@ final class ActionCheck {
                 : name + " takes " + count(known) + ", not " + arguments + "; the board has " + words(actions);
     }
 
-    /** Why a board has refused the command that has told these actions, none if it has told nothing; for a message to a person. */
+    /**
+     * Returns, for a message to a person, why a board has refused the command; {@code actions} is empty if the board has registered none.
+     */
     static String refusal(String command, List<BoardAction> actions) {
         if (!new Shape(command, 0).isClosed()) {
             return "a bracket or quote in it is not closed";
@@ -46,13 +48,13 @@ final class ActionCheck {
                 : trouble;
     }
 
-    /** A command's text as boards read it: brackets of three kinds, quotes of two, and a backslash in double quotes. */
+    /** A command's text as boards read it: with brackets of three kinds, quotes of two, and backslashes in double quotes. */
     private static final class Shape {
-        private final int open; // where the arguments begin
+        private final int open; // the place at which the arguments begin
         private int depth;
         private int commas; // between the arguments
         private char quote; // 0: none
-        private boolean isBehind; // the arguments
+        private boolean isBehind; // behind the arguments
 
         Shape(String command, int functorEnd) {
             open = command.startsWith("(", functorEnd) ? functorEnd : -1;

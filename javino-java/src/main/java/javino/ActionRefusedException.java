@@ -1,8 +1,8 @@
 package javino;
 
 /**
- * The board said that it does not know the action, or not with these arguments, or refuses it now. It has not acted. The port is still
- * open.
+ * The board has refused the action: it does not know it, or not with these arguments, or refuses it now. It has not acted. The port is
+ * still open.
  */
 public final class ActionRefusedException extends PortException {
     private static final long serialVersionUID = 1L;

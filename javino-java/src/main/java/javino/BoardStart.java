@@ -2,26 +2,26 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Whether a board runs, as far as it is known: it may start when its port is opened. Safe on any thread. */
+/** Knows whether a board runs, as far as is known: the board may start when its port is opened. Safe on any thread. */
 final class BoardStart {
     private final LineClock clock;
-    private final long startedAt; // when a board that has not answered is taken to run
+    private final long startedAt; // from then on a board that has not answered is taken to run
     private volatile boolean isReady;
     private volatile boolean hasHeard;
 
-    /** @param bootMillis milliseconds from now in which it may be starting */
+    /** @param bootMillis milliseconds from now for which it may be starting */
     BoardStart(LineClock clock, int bootMillis) {
         this.clock = clock;
         startedAt = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(bootMillis);
         isReady = bootMillis == 0;
     }
 
-    /** Nanoseconds for which the board may still be starting; 0 when something has come from it, or it must have started. */
+    /** Nanoseconds for which the board may still be starting; 0 once something has come from it, or it must have started. */
     long nanosLeft() {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
 
-    /** Whether something has come from the board in version 1. */
+    /** Returns whether something has come from the board in version 1. */
     boolean hasHeard() {
         return hasHeard;
     }

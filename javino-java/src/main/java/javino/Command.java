@@ -6,7 +6,7 @@ import javino.wire.CommandItem;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command implements SessionCommand {
-    /** How far it has got: a command that waits can be withdrawn, one that has begun goes out. */
+    /** The progress of a command: one that waits can be withdrawn, one that has begun goes out. */
     private enum State {
         WAITING,
         BEGUN,
@@ -22,12 +22,12 @@ final class Command implements SessionCommand {
     private long number;
     private long beganBehind; // bytes
 
-    /** @param now when it was submitted, by the link's clock */
+    /** @param now time of its submission, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
         this(frame, null, options, now);
     }
 
-    /** One that changes the board's rules, which version 2 only can carry. */
+    /** A command that changes the board's rules; only version 2 can carry it. */
     Command(CommandItem.Rule rule, SendOptions options, long now) {
         this(Frame.of("rule " + (int) rule.text().charAt(0)), rule, options, now);
     }
@@ -39,7 +39,7 @@ final class Command implements SessionCommand {
         submittedAt = now;
     }
 
-    /** Its frame in version 1, which is not there for {@link #rule} but for its length. */
+    /** Its frame in version 1. For a {@link #rule}, which version 1 cannot carry, only its text and its length count. */
     Frame frame() {
         return frame;
     }
@@ -54,12 +54,12 @@ final class Command implements SessionCommand {
         return frame.text();
     }
 
-    /** When it was submitted, by the link's clock. */
+    /** The time of its submission, by the link's clock. */
     long submittedAt() {
         return submittedAt;
     }
 
-    /** Records how many commands have been submitted with it. */
+    /** Records how many commands have been submitted, this one included. */
     void submitted(long count) {
         number = count;
     }
@@ -81,7 +81,7 @@ final class Command implements SessionCommand {
         return options.urgent();
     }
 
-    /** Whether it takes the place of {@code earlier}, which waits. */
+    /** Returns whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
         return options.latest()
                 && earlier.isWaiting()
@@ -89,7 +89,7 @@ final class Command implements SessionCommand {
                 && functorOf(text()).equals(functorOf(earlier.text()));
     }
 
-    /** What became of it. Completed outside of any lock, since its dependents run on the thread that completes it. */
+    /** Its outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */
     CompletableFuture<Void> outcome() {
         return outcome;
     }

@@ -8,8 +8,8 @@ import javino.wire.CommandItem;
 
 /**
  * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
- * these is free takes the next command, its own or another's. What the line is free for is written at once by who submits it. Outcomes are
- * reported outside of any lock, on the thread that finds them out; what their dependents throw ends no thread.
+ * these is free takes the next command, its own or another's. If the line is free, the submitting thread writes its command at once.
+ * Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of their dependents end no thread.
  */
 final class CommandLoop {
     /** Returns when the board can be sent a command. */
@@ -28,10 +28,10 @@ final class CommandLoop {
     private final LineClock clock;
     private final Start start;
     private final OneWaySender oneWay;
-    private volatile long movedNanos; // when commands of version 1 last got through, or could begin to
-    private Long toldNanos; // what movedNanos() was when the log was told that nothing gets through
+    private volatile long movedNanos; // time at which commands of version 1 last got through, or could begin to
+    private Long toldNanos; // value of movedNanos() when the log was told that nothing gets through
 
-    /** @param monitor that of the writer and the line */
+    /** @param monitor the one of the writer and the line */
     CommandLoop(
             Monitor monitor,
             Transport transport,
@@ -56,7 +56,7 @@ final class CommandLoop {
         return submit(new Command(frame, options, clock.nanos()), options);
     }
 
-    /** As {@link #submit(Frame, SendOptions)}, of a command that changes the board's rules. */
+    /** Like {@link #submit(Frame, SendOptions)}, for a command that changes the board's rules. */
     Command submit(CommandItem.Rule rule, SendOptions options) {
         return submit(new Command(rule, options, clock.nanos()), options);
     }
@@ -78,7 +78,7 @@ final class CommandLoop {
             queue(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
-        } catch (PortException | RuntimeException | Error unforeseen) { // a transport's
+        } catch (PortException | RuntimeException | Error unforeseen) { // thrown by a transport
             fail(command, unforeseen);
         }
         if (options.limitMillis() > 0 && !command.isOver()) {
@@ -88,12 +88,12 @@ final class CommandLoop {
         return command;
     }
 
-    /** What is to be done without the lock. */
+    /** Work to be done without the lock. */
     private interface Writing {
         void run() throws PortException;
     }
 
-    /** Queues a command. What may be written now is begun under the same lock, so that no thread is woken for it, and written here. */
+    /** Queues a command. If it may be written now, it is begun under the same lock, so that no thread is woken for it, and written here. */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
         Writing writing = monitor.get(() -> {
@@ -149,12 +149,12 @@ final class CommandLoop {
         finishLeaving();
     }
 
-    /** When commands last got through, or the board was heard that takes them. */
+    /** The time at which commands last got through, or, in version 2, at which the board was last heard. */
     private long movedNanos() {
         return line.isVersion2() ? line.heardNanos() : movedNanos;
     }
 
-    /** When the first of the commands that wait is to be given up if none gets through. */
+    /** The time at which the first of the waiting commands is given up if none gets through. */
     private long patienceEnds() {
         long moved = movedNanos();
         long since =
@@ -162,12 +162,12 @@ final class CommandLoop {
         return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
     }
 
-    /** Whether a command has waited for so long, and none has got through meanwhile. */
+    /** Returns whether a command has waited until {@link #patienceEnds}, and none has got through meanwhile. */
     private boolean isStuck() {
         return writer.head() != null && clock.nanos() - patienceEnds() >= 0;
     }
 
-    /** Fails all commands that have waited for so long together, so that none goes out late when the line moves again. */
+    /** Fails all commands that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the line moves again. */
     private void giveUpStuck() {
         if (!isStuck()) {
             return;
@@ -242,7 +242,7 @@ final class CommandLoop {
             }
         } catch (PortTimeoutException
                 | RuntimeException
-                | Error trouble) { // the latter a transport's; the commands behind go on
+                | Error trouble) { // the latter is thrown by a transport; the commands behind go on
             fail(writer.withdrawNext(), trouble);
         }
         if (line.isVersion2() || line.hasLapsed()) {
@@ -256,7 +256,7 @@ final class CommandLoop {
         }
     }
 
-    /** Waits for the command that was written by who submitted it; false: there is none. */
+    /** Waits for the command that its submitter wrote; false: there is none. */
     private boolean finishLeaving() throws PortException {
         Command leaving = writer.takeLeaving();
         if (leaving == null) {
@@ -266,7 +266,7 @@ final class CommandLoop {
         return true;
     }
 
-    /** What is left to do with the command under way. */
+    /** The rest of the work on the command under way. */
     private interface Transmission {
         void run() throws PortException;
     }
@@ -297,7 +297,10 @@ final class CommandLoop {
         }
     }
 
-    /** Why the line is gone if it is, which a write that takes too long may be the first to show; else {@code trouble}. */
+    /**
+     * Returns the exception of the line if it is gone, since a write that takes too long may be the first sign of that; else
+     * {@code trouble}.
+     */
     private PortException goneOr(PortTimeoutException trouble) {
         try {
             line.inbox().look();

@@ -25,7 +25,10 @@ final class CommandQueue {
         return replaced;
     }
 
-    /** The queue without the commands that {@code command} replaces, which are withdrawn, and with itself if it {@code isIts}. */
+    /**
+     * Returns the queue without the commands that {@code command} replaces, which are withdrawn; with {@code command} in it if it
+     * {@code isIts}.
+     */
     private static Deque<Command> without(
             Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
         if (!replacesOneOf(queue, command)) {
@@ -81,12 +84,12 @@ final class CommandQueue {
         return submitted;
     }
 
-    /** Whether as many commands are over as had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether as many commands are over as had been submitted when {@link #submitted} returned {@code count}. */
     boolean areOver(long count) {
         return finished >= count;
     }
 
-    /** Whether none waits of those that had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether no command waits of those that had been submitted when {@link #submitted} returned {@code count}. */
     boolean haveBegun(long count) {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }
@@ -107,7 +110,7 @@ final class CommandQueue {
         return givenUp;
     }
 
-    /** When the first of the commands that wait was submitted; empty: none waits. */
+    /** The time at which the first of the waiting commands was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return waiting().mapToLong(Command::submittedAt).reduce((a, b) -> a - b < 0 ? a : b);
     }

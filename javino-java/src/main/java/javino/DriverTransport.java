@@ -5,16 +5,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * A transport over a driver whose calls block: a read waits for a slice of its time after the other, and a write, for which drivers have no
- * time limit, is done on a thread of this transport, which ends when it is closed. Only what the driver certainly takes at once is written
- * by the caller.
+ * A transport over a driver whose calls block. A read waits for one slice of its time after another. Drivers have no time limit for writes,
+ * so a thread of this transport writes; it ends when the transport is closed. The caller writes only bytes that the driver certainly takes
+ * at once.
  */
 public abstract class DriverTransport implements Transport {
     private final String name;
     private final LineSettings line;
     private final TimedWriter writer;
     private final AtomicBoolean closed = new AtomicBoolean();
-    private volatile String loss; // why the device cannot be reached any more; null while it can
+    private volatile String loss; // reason why the device cannot be reached any more; null while it can
 
     /**
      * @param name the port's name, for messages
@@ -27,7 +27,7 @@ public abstract class DriverTransport implements Transport {
     }
 
     /**
-     * Reads what has arrived.
+     * Reads the bytes that have arrived.
      *
      * @param nanos how long to wait for it at most, less if that is long; not at all if it is 0 or less
      * @return bytes read; 0 if there were none
@@ -38,8 +38,8 @@ public abstract class DriverTransport implements Transport {
     protected abstract int writeToDriver(byte[] bytes);
 
     /**
-     * Whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is under
-     * way.
+     * Returns whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is
+     * under way.
      */
     protected boolean hasRoom(long unread) {
         return false;
@@ -48,7 +48,7 @@ public abstract class DriverTransport implements Transport {
     /** Closes the device; called once. Reads and writes that wait end. */
     protected abstract void closeDriver();
 
-    /** Why a read or a write fails that the driver refused; completes "port x is gone: ...". */
+    /** The reason of a read or a write that the driver refused; completes "port x is gone: ...". */
     protected abstract String lossWhenRefused();
 
     @Override
@@ -103,7 +103,7 @@ public abstract class DriverTransport implements Transport {
         return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
-    /** What a read throws when the device is gone; only the first reason counts, and none once this was closed. */
+    /** Returns the exception of a read if the device is gone; only the first reason counts, and none once this was closed. */
     protected final PortGoneException lost(String why) {
         if (!closed.get() && loss == null) {
             loss = why;
@@ -111,7 +111,7 @@ public abstract class DriverTransport implements Transport {
         return new PortGoneException(name, "port " + name + " is gone: " + (loss != null ? loss : "it was closed"));
     }
 
-    /** Whether the device is gone. */
+    /** Returns whether the device is gone. */
     protected final boolean isLost() {
         return loss != null;
     }

@@ -46,8 +46,8 @@ public final class Frame {
     }
 
     /**
-     * As {@link #of(String)}, of a command. A board searches a damaged frame for others, and one that does not fit its memory, so the text
-     * of a command must not hold what a frame begins with.
+     * Like {@link #of(String)}, for a command. A board that receives a damaged frame, or one that does not fit its memory, searches it for
+     * other frames, so the text of a command must not hold the beginning of a frame.
      *
      * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or a control character (U+0000 to
      *     U+001F, U+007F)
@@ -63,7 +63,7 @@ public final class Frame {
                         i + 1));
             }
         }
-        if (text.contains(PREAMBLE)) { // which is found sooner than a pattern, in the way of each command
+        if (text.contains(PREAMBLE)) { // found sooner than a pattern, and each command passes here
             requireNoHeader(text);
         }
         return of(text);
@@ -147,7 +147,7 @@ public final class Frame {
         System.arraycopy(text.getBytes(StandardCharsets.ISO_8859_1), 0, bytes, at, text.length());
     }
 
-    /** Whether {@code other} is a frame of the same bytes. */
+    /** Returns whether {@code other} is a frame of the same bytes. */
     @Override
     public boolean equals(Object other) {
         return other instanceof Frame frame && text.equals(frame.text);

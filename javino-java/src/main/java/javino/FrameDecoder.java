@@ -3,10 +3,10 @@ package javino;
 import java.util.function.Consumer;
 
 /**
- * Finds frames of version 1 in whatever bytes a line brings.
+ * Finds frames of version 1 in any bytes that a line brings.
  *
- * <p>A frame is handed over the moment its last byte is in. Because version 1 has no checksum, a frame whose beginning or end was lost
- * may have swallowed the beginning of the next one; so its bytes are kept until what follows is known:
+ * <p>A frame is handed over the moment its last byte is in. Because version 1 has no checksum, a frame whose beginning or end was lost may
+ * have swallowed the beginning of the next one; so its bytes are kept until the bytes behind it are known:
  * <ul>
  *   <li>the header of another frame, or silence, confirms it, and its bytes are forgotten;
  *   <li>anything else puts it in doubt: its bytes, but for the first, are read once more together with what followed, and intact frames
@@ -15,8 +15,8 @@ import java.util.function.Consumer;
  * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
  *
  * <p>A frame that stops half-way is given up when the line has been silent for longer than the inter-byte timeout; complete frames among
- * its bytes are handed over first. Memory is bounded by about two frames and no input makes a decoder throw. What the receiver of the
- * frames throws comes through; the decoder stays usable.
+ * its bytes are handed over first. Memory is bounded by about two frames and no input makes a decoder throw. Exceptions of the receiver of
+ * the frames pass through; the decoder stays usable.
  *
  * <p>Time is a parameter, in nanoseconds of any steady clock. One thread at a time; the receiver must not call back into the decoder.
  */
@@ -98,8 +98,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE} when
-     * silence changes nothing. Who waits for bytes wakes by then and calls {@code idle}.
+     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE} when silence
+     * changes nothing. A thread that waits for bytes wakes by then and calls {@code idle}.
      */
     public long nanosUntilIdle(long nowNanos) {
         boolean undecided = end - start > delivered;
@@ -132,7 +132,7 @@ public final class FrameDecoder {
         decide();
     }
 
-    /** Decides on as many bytes as can be decided on now; what stays held is the beginning of a frame, or a frame to be confirmed. */
+    /** Decides on as many bytes as it can now; the bytes that stay held are the beginning of a frame, or a frame to be confirmed. */
     private void decide() {
         boolean progress = true;
         while (progress && start < end) {
@@ -140,7 +140,7 @@ public final class FrameDecoder {
         }
     }
 
-    /** Returns whether anything was decided, as those do that it calls. */
+    /** Returns whether anything was decided, as do the methods that it calls. */
     private boolean confirmOrDoubt() {
         return switch (headerAt(start + delivered)) {
             case COMPLETE -> confirm();
@@ -181,7 +181,7 @@ public final class FrameDecoder {
         return true;
     }
 
-    /** The line fell silent: what is unfinished stays so. */
+    /** Decides after a silence, which leaves an unfinished frame unfinished. */
     private void giveUp() {
         while (end > start) {
             decide();

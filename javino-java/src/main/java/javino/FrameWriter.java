@@ -18,7 +18,7 @@ import javino.session.WaitingCommands;
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
-    /** What a frame is for: the pacer treats the two differently. */
+    /** The purpose of a frame: the pacer treats the two differently. */
     enum Kind {
         ACTION,
         REQUEST
@@ -29,7 +29,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         byte[] make() throws PortException;
     }
 
-    /** Milliseconds that a command waits at most for a line on which nothing gets through, and again for a driver that takes nothing. */
+    /** The most milliseconds that a command waits for a line on which nothing gets through, and again for a driver that takes nothing. */
     static final int PATIENCE_MILLIS = 5000;
 
     private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
@@ -43,11 +43,11 @@ final class FrameWriter implements WaitingCommands<Command> {
     private int turnsAwaited; // of requests and HELLOs
     private Command underWay;
     private boolean
-            isLeaving; // the command under way was written by who submitted it, and its last byte leaves at leavesAt
+            isLeaving; // the thread that submitted the command under way wrote it; its last byte leaves at leavesAt
     private long leavesAt;
     private volatile long outcomeNanos;
     private long writtenBytes;
-    private long readBytes; // of these the far end has proved to have read so many
+    private long readBytes; // of the bytes written, those that the far end has proved to have read
     private boolean isRefused; // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
@@ -94,7 +94,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> commands.withdrawIf(isGivenUp));
     }
 
-    /** When the first of the commands that wait was submitted; empty: none waits. */
+    /** The time at which the first of the waiting commands was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return monitor.get(commands::waitingSince);
     }
@@ -156,8 +156,9 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Whether a frame can be written by a thread that may not wait: see {@link Transport#isWritableNow}. It stays so until that is written
-     * if the thread begins it under the same lock, with {@link #beginAtOnce} or {@link #beginFrame}. The caller holds the monitor's lock.
+     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true until the frame is
+     * written if the thread begins it under the same lock, with {@link #beginAtOnce} or {@link #beginFrame}. The caller holds the monitor's
+     * lock.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();
@@ -196,12 +197,12 @@ final class FrameWriter implements WaitingCommands<Command> {
                         : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
     }
 
-    /** Whether only urgent commands of version 1 are written until the board answers. */
+    /** Returns whether only urgent commands of version 1 are written until the board answers. */
     boolean isHeldBack() {
         return monitor.get(() -> pacer.holdsActions(clock.nanos()));
     }
 
-    /** Whether the board seems to take longer for its {@code loop()} than commands are apart: see {@link Pacer#isSlow}. */
+    /** Returns whether the board's {@code loop()} seems to take longer than commands are apart: see {@link Pacer#isSlow}. */
     boolean isBoardSlow() {
         return monitor.get(pacer::isSlow);
     }
@@ -219,12 +220,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Whether {@link #takeLeaving} has a command. */
+    /** Returns whether {@link #takeLeaving} has a command. */
     boolean isLeaving() {
         return monitor.get(() -> isLeaving);
     }
 
-    /** The command that was written by who submitted it, unless another thread has taken it; null: there is none. */
+    /** Takes the command that its submitter wrote, unless another thread has taken it; null: there is none. */
     Command takeLeaving() {
         return monitor.get(() -> {
             boolean wasLeaving = isLeaving;
@@ -233,7 +234,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** When the last byte of the command leaves that {@link #takeLeaving} returned. */
+    /** The time at which the last byte of the command that {@link #takeLeaving} returned leaves. */
     long leavesAt() {
         return monitor.get(() -> leavesAt);
     }
@@ -251,7 +252,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** When the last outcome of a command was reported, or the line was opened. */
+    /** The time at which the last outcome of a command was reported, or the line was opened. */
     long outcomeNanos() {
         return outcomeNanos;
     }
@@ -266,7 +267,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Whether the commands that have been submitted so far have begun to go out, whenever it is asked. */
+    /** Returns a condition: the commands that were submitted before this call have begun to go out. */
     BooleanSupplier commandsSoFarHaveBegun() {
         long submitted = monitor.get(commands::submitted);
         return () -> monitor.get(() -> commands.haveBegun(submitted));
@@ -291,7 +292,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
         long due = clock.nanos();
-        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // who asks does not know the gap
+        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller does not know the gap
         long deadline = due + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         LongSupplier untilTurn = () -> isWriting
                 ? Monitor.FOREVER
@@ -310,7 +311,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         }
     }
 
-    /** Why a frame was not written whose turn did not come. */
+    /** The exception of a frame whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
         return new PortTimeoutException(
                 transport.name(),
@@ -318,7 +319,7 @@ final class FrameWriter implements WaitingCommands<Command> {
                         + " ms; " + whyNoTime());
     }
 
-    /** Why nothing gets through. */
+    /** The likely reason why nothing gets through. */
     String whyNoTime() {
         return isHeldBack()
                 ? "the board does not answer, and would lose commands, which wait until it does"
@@ -386,7 +387,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         }
     }
 
-    /** Whether a frame is being written. The caller holds the monitor's lock. */
+    /** Returns whether a frame is being written. The caller holds the monitor's lock. */
     boolean isWriting() {
         return isWriting;
     }
@@ -402,8 +403,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Writes a frame of version 2, and {@code whenWritten} is given when its last byte leaves. The caller does not hold the monitor's
-     * lock.
+     * Writes a frame of version 2, and gives {@code whenWritten} the time at which its last byte leaves. The caller does not hold the
+     * monitor's lock.
      */
     void writeFrame(byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         try {
@@ -441,7 +442,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records that a message is complete, the answer to the last request if one is awaited: actions go out that waited for it. */
+    /** Records that a message is complete, the answer to the last request if one is awaited: actions that waited for it go out. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }
@@ -451,17 +452,17 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.unanswered(now));
     }
 
-    /** Ends the line: who waits here, or comes later, gets a {@link PortGoneException} with {@code reason}. */
+    /** Ends the line: threads that wait here, or come later, get a {@link PortGoneException} with {@code reason}. */
     void end(String reason) {
         monitor.change(() -> endReason = endReason == null ? reason : endReason);
     }
 
-    /** Whether the line is still there, as far as it is known. */
+    /** Returns whether the line is still there, as far as it is known. */
     boolean hasLine() {
         return monitor.get(() -> endReason == null);
     }
 
-    /** Does nothing on a line that is there; else throws with the first reason that {@link #end} was given. */
+    /** Throws a {@link PortGoneException} with the first reason that {@link #end} was given, if the line is gone. */
     void requireLine() throws PortGoneException {
         String reason = monitor.get(() -> endReason);
         if (reason != null) {

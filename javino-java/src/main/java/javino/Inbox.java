@@ -9,7 +9,7 @@ import javino.wire.WireFrame;
 /**
  * Reads a line. Frames of version 2 are handed on, messages of version 1 are kept until they are asked for.
  *
- * <p>Leader and followers: one of the waiting threads reads, keeps what is for the others, and hands the reading on when its own wait
+ * <p>Leader and followers: one of the waiting threads reads, keeps messages for the others, and hands the reading on when its own wait
  * ends.
  */
 final class Inbox {
@@ -19,7 +19,7 @@ final class Inbox {
         void received(int bytes, long now);
     }
 
-    /** Takes what comes in version 2, and what concerns it, while the monitor's lock is held. */
+    /** Takes the frames of version 2, and the events that concern it, while the monitor's lock is held. */
     interface FrameListener {
         void received(WireFrame frame, long now);
 
@@ -37,9 +37,12 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** Messages that wait at most to be taken: nobody may ever take one of a board that speaks unasked. The newest count. */
+    /** The most messages that wait to be taken: nobody may ever take those of a board that speaks unasked. The newest are kept. */
     static final int MAX_MESSAGES = 64;
-    /** Reads at most, one after the other, of what a line has ready: more than any driver holds, but an end for a line that never rests. */
+    /**
+     * The most reads, one after the other, of bytes that a line has ready: more than any driver holds, but an end for a line that never
+     * rests.
+     */
     private static final int READS = 64;
 
     private static final FrameListener NOBODY = new FrameListener() {
@@ -63,7 +66,7 @@ final class Inbox {
 
     private final Monitor monitor;
     private final Deque<Reply> messages = new ArrayDeque<>();
-    private final byte[] buffer = new byte[BUFFER]; // belongs to who reads
+    private final byte[] buffer = new byte[BUFFER]; // belongs to the thread that reads
     private final Transport transport;
     private final LineClock clock;
     private final FrameDecoder version1;
@@ -79,7 +82,7 @@ final class Inbox {
     /**
      * An inbox for version 1.
      *
-     * @param received told whenever bytes have arrived
+     * @param received called whenever bytes have arrived
      */
     Inbox(Transport transport, LineClock clock, ReadListener received) {
         this(new Monitor(clock, transport.name()), transport, clock, received, Protocol.V1, NOBODY);
@@ -87,8 +90,8 @@ final class Inbox {
 
     /**
      * @param monitor guards it
-     * @param received told whenever bytes have arrived
-     * @param frames takes what comes in version 2
+     * @param received called whenever bytes have arrived
+     * @param frames takes the frames of version 2
      */
     Inbox(
             Monitor monitor,
@@ -109,14 +112,14 @@ final class Inbox {
         lastByteNanos = clock.nanos();
     }
 
-    /** Reads this version alone from now on, or both. Who waits for messages of version 1 stops when that is not read any more. */
+    /** Reads only this version from now on, or both. Waits for messages of version 1 end when version 1 is not read any more. */
     void read(Protocol value) {
         monitor.change(() -> protocol = value);
     }
 
     /**
-     * The next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; one that has passed does not
-     * wait. Null also as soon as version 2 alone is read.
+     * Returns the next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; it does not wait if
+     * that time has passed. Returns null also as soon as only version 2 is read.
      */
     Reply next(long deadlineNanos) throws PortException {
         return monitor.get(() -> {
@@ -141,22 +144,22 @@ final class Inbox {
         return protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - clock.nanos());
     }
 
-    /** Whether messages of version 1 can come. */
+    /** Returns whether messages of version 1 can come. */
     boolean isReadingVersion1() {
         return monitor.get(() -> protocol != Protocol.V2);
     }
 
-    /** Whether a message of version 1 waits to be taken. */
+    /** Returns whether a message of version 1 waits to be taken. */
     boolean hasMessage() {
         return monitor.get(() -> !messages.isEmpty());
     }
 
-    /** Reads what the line has ready, and keeps it. */
+    /** Reads the bytes that the line has ready, and keeps them. */
     void look() throws PortException {
         readReady(1);
     }
 
-    /** Reads what the line has ready, and returns the newest message among that and what was read before, or null. */
+    /** Reads the bytes that the line has ready, and returns the newest of the messages read now or before, or null. */
     Reply newest() throws PortException {
         readReady(READS);
         return monitor.get(() -> {
@@ -166,7 +169,7 @@ final class Inbox {
         });
     }
 
-    /** Reads what the line has ready, and forgets all messages with that and what was read before, unfinished ones too. */
+    /** Reads the bytes that the line has ready, and forgets all messages read now or before, unfinished ones too. */
     void clear() throws PortException {
         readReady(READS);
         monitor.change(() -> {
@@ -175,7 +178,7 @@ final class Inbox {
         });
     }
 
-    /** Reads what the line has ready, in at most {@code most} pieces, unless another thread reads. */
+    /** Reads the bytes that the line has ready, in at most {@code most} pieces, unless another thread reads. */
     private void readReady(int most) throws PortException {
         monitor.get(() -> {
             for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}
@@ -191,12 +194,12 @@ final class Inbox {
         });
     }
 
-    /** What has come since the last message, of either version, and is none so far. */
+    /** The bytes that have come since the last message, of either version, and are no message so far. */
     StrayBytes strayBytes() {
         return monitor.get(() -> stray.soFar(transport.line().baud()));
     }
 
-    /** When the last byte arrived. */
+    /** The time at which the last byte arrived. */
     long lastByteNanos() {
         return lastByteNanos;
     }
@@ -206,7 +209,7 @@ final class Inbox {
         return monitor.get(version2::corrupt);
     }
 
-    /** Whether a thread reads. The caller holds the monitor's lock. */
+    /** Returns whether a thread reads. The caller holds the monitor's lock. */
     boolean isBeingRead() {
         return isBeingRead;
     }

@@ -65,7 +65,7 @@ public class Javino implements AutoCloseable {
         return data;
     }
 
-    /** Why the latest call that returned false did so; empty if none has. */
+    /** The reason of the latest call that returned false; empty if none has. */
     public String lastError() {
         return lastError;
     }

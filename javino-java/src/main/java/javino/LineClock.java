@@ -6,7 +6,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** The time that lines and links go by. It is passed in, so that what depends on time can be tried without waiting for it. */
+/** The time that lines and links go by. It is passed in, so that tests of code that depends on time need not wait. */
 public interface LineClock {
     /** Nanoseconds from an origin that stays the same; never goes back. Only differences mean something. */
     long nanos();
@@ -22,10 +22,10 @@ public interface LineClock {
     }
 
     /**
-     * A new reentrant lock for what goes by this clock; its conditions are those that {@link #await} is given. A clock that moves only when
-     * all that go by it wait gives locks of its own kind.
+     * Returns a new reentrant lock for code that goes by this clock; {@link #await} takes only conditions of such locks. A clock that moves
+     * only when all threads that go by it wait returns locks of its own kind.
      *
-     * @param fair whether those who wait for it get it in their order
+     * @param fair whether threads that wait for it get it in their order
      */
     default Lock newLock(boolean fair) {
         return new ReentrantLock(fair);

@@ -1,7 +1,7 @@
 package javino;
 
 /**
- * How bytes travel on a serial line: 8 data bits, no parity, 1 stop bit, no flow control, at {@code baud} bits a second.
+ * Settings of a serial line: 8 data bits, no parity, 1 stop bit, no flow control, {@code baud} bits a second.
  *
  * @param baud bits a second, at least 1; boards in the field use 9600
  */

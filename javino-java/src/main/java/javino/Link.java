@@ -23,16 +23,16 @@ import javino.wire.CommandItem;
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
  * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
- * it: what is asked first is asked in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not
- * understand the former and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come
- * whole or not at all, and {@link #send} knows what became of an action.
+ * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the former
+ * and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all, and
+ * {@link #send} knows what became of an action.
  *
  * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port
  * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** For this part of the time that a request takes the line is left free behind an answer or an outcome, for commands that it causes. */
+    /** For this part of a request's time the line is left free behind an answer or an outcome, for commands that the agent then sends. */
     private static final int GRACE_DIVISOR = 8;
 
     private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
@@ -45,10 +45,10 @@ public final class Link implements AutoCloseable {
     private final LineClock clock;
     private final FrameWriter writer;
     private final SessionLine line;
-    private final RequestChannel channel; // used by who holds reading
+    private final RequestChannel channel; // used by the thread that holds reading
     private final CommandLoop commands;
-    private volatile long exchangeNanos; // that the last one took
-    private volatile long answeredNanos; // when it ended
+    private volatile long exchangeNanos; // duration of the last exchange
+    private volatile long answeredNanos; // end of the last exchange
 
     Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
         this.transport = transport;
@@ -69,7 +69,7 @@ public final class Link implements AutoCloseable {
      * Opens a port.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
-     * @param owner who has the port from now on, in words that {@link PortBusyException} can tell others
+     * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
      * @throws NoSuchPortException if there is no such port
      * @throws PortBusyException if another link or program has it open
      * @throws PortPermissionException if this user may not open it
@@ -110,7 +110,7 @@ public final class Link implements AutoCloseable {
         return transport.name();
     }
 
-    /** Whether the far end may go without this end being told, see {@link Transport#mayVanish()}. */
+    /** Returns whether the far end may go unnoticed by this end, see {@link Transport#mayVanish()}. */
     public boolean mayVanish() {
         return transport.mayVanish();
     }
@@ -126,20 +126,20 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Any
-     * thread; does not wait.
+     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Safe on
+     * any thread; does not wait.
      */
     public Optional<List<BoardAction>> vocabulary() {
         return line.vocabulary();
     }
 
-    /** How many actions of the board's program found no room on the board, so that it refuses them; 0 while that is not known. */
+    /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */
     public int actionsLost() {
         return line.actionsLost();
     }
 
     /**
-     * Sets who is called when the board reports something of its own accord, in place of who was before. If a session has begun before,
+     * Sets the listener for reports that the board sends of its own accord, in place of the one before. If a session has begun before,
      * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
      */
     public void onBoardEvents(BoardListener listener) {
@@ -151,14 +151,14 @@ public final class Link implements AutoCloseable {
         return line.inbox().corrupt();
     }
 
-    /** Whether it can be used: it was not closed, and no call has found its device gone. */
+    /** Returns whether it can be used: it was not closed, and no call has found its device gone. */
     public boolean isOpen() {
         return writer.hasLine();
     }
 
     /**
-     * Sends a request and returns its answer. What was received before it is dropped, as the answer to an earlier one. After a request
-     * whose answer did not come in time, the next takes the last message that comes before the line falls silent.
+     * Sends a request and returns its answer. Messages received before it are dropped, as answers to earlier ones. After a request whose
+     * answer did not come in time, the next takes the last message that comes before the line falls silent.
      *
      * @param timeoutMillis milliseconds, at least 1, that the request waits at most for its turn on the line, and that the board then has
      *     to answer, counted from the request's last byte. After a missed answer the line is given as long again to fall silent; while the
@@ -176,9 +176,9 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #request(String, int)}, for who asks again and again. The request gives way to the commands that were submitted before this
-     * call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange; each time for
-     * the longer of the last exchange and the interval, so that commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks again and again. The request gives way to the commands that were submitted
+     * before this call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange;
+     * each time for the longer of the last exchange and the interval, so that commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -212,12 +212,14 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
+    /** Returns whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
     private boolean isCommand(String message) {
         return line.isVersion2() && !PerceptsRequest.isIn(message);
     }
 
-    /** In version 2 nothing but percepts is asked for: another message is a command, and what the board sends behind it is the answer. */
+    /**
+     * In version 2 only percepts are requested: another message is a command, and the message that the board sends behind it is the answer.
+     */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.forgetHeard();
         sendAndAwait(message, timeoutMillis);
@@ -239,13 +241,13 @@ public final class Link implements AutoCloseable {
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
-    /** What may be the reason of a silence: that there can be no session, what came in place of a message, or else {@code usual}. */
+    /** Returns the likely reason of a silence: there can be no session, bytes came in place of a message, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
         return line.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
     }
 
-    /** What has come since the last message and is none so far. Any thread; does not wait. */
+    /** The bytes that have come since the last message and are no message so far. Safe on any thread; does not wait. */
     public StrayBytes strayBytes() {
         return line.inbox().strayBytes();
     }
@@ -255,14 +257,13 @@ public final class Link implements AutoCloseable {
      * {@link #writeCommandsUntilClosed}.
      *
      * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
-     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated,
-     * which the board takes for one; it is given up after four repetitions and 2 s without any frame of the board. Else it is completed
-     * with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
-     * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was
-     * over before it began to go out; {@link CommandReplacedException} if a later one took its place before that;
-     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it;
-     * {@link PortGoneException} if the line is gone; or with what a transport threw. A command whose future is completed by others,
-     * cancelled for example, does not go out unless it has begun to.
+     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated, and the
+     * board takes the repetitions for one command; it is given up after four repetitions and 2 s without any frame of the board. Else it is
+     * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was over
+     * before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException}
+     * if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with what a
+     * transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
@@ -271,16 +272,16 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #send}, of a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does so.
-     * The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does
+     * so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
     }
 
     /**
-     * Takes the commands that are queued to the board, those of now and those to come, in their turn. This is no flush: it is the work of a
-     * thread of its own, and ends only when the link is closed, its device has gone or the thread is interrupted; then it throws.
+     * Takes the commands that are queued, now or later, to the board in their turn. This is no flush: call it on a thread of its own. It
+     * ends only when the link is closed, its device has gone or the thread is interrupted; then it throws.
      *
      * <pre>{@code
      * new Thread(() -> {
@@ -304,7 +305,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * As {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
+     * Like {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
      * arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
@@ -318,7 +319,7 @@ public final class Link implements AutoCloseable {
         sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
-    /** As {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
+    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
         sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
     }
@@ -351,8 +352,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Reads the line for as long, for the sake of {@linkplain #onBoardEvents what the board reports} between two requests, and to notice
-     * that the device has gone. Messages that come meanwhile are left to who listens.
+     * Reads the line for {@code timeoutMillis}, to take {@linkplain #onBoardEvents the board's reports} between two requests, and to notice
+     * that the device has gone. Messages that come meanwhile are left to {@link #listen}.
      *
      * @param timeoutMillis milliseconds, at least 1
      */
@@ -365,8 +366,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Finds out whether the device is still there, for who does not read the line all the time. Does not wait, and takes no message from
-     * who does.
+     * Finds out whether the device is still there, for a caller that does not read the line all the time. Does not wait, and takes no
+     * message from a thread that reads.
      *
      * @throws PortGoneException if it is not
      */
@@ -385,7 +386,7 @@ public final class Link implements AutoCloseable {
     }
 
     private void end(String why) {
-        writer.end(why); // wakes who waits for the line
+        writer.end(why); // wakes threads that wait for the line
         commands.failAll(why);
         ending.lock(); // a second caller returns when the port is really free
         try {
@@ -396,7 +397,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Returns when the board has said something, or must have started. */
+    /** Returns when something has come from the board, or it must have started. */
     private void awaitStart() throws PortException {
         try {
             if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
@@ -451,7 +452,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work, and looks at the line if its time is over: who has waited for a turn on the line has not read it. */
+    /** Does work, and looks at the line if its time is over: a thread that has waited for its turn has not read the line. */
     private <T> T lookingAtLast(LineWork<T> work) throws PortException {
         try {
             return work.run();

@@ -3,7 +3,7 @@ package javino;
 import java.util.Objects;
 
 /**
- * How a {@link Link} treats its line and the board at the other end.
+ * Settings of a {@link Link}: how it treats its line and the board at the other end.
  *
  * @param baud bits a second
  * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an

@@ -4,16 +4,16 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How long a version 1 board takes from one look at the line to the next, estimated from its answers. The delay of an answer is the time
- * until the board's next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is
- * always about the same. So the differences of delays show the loop.
+ * Estimates how long a version 1 board takes from one look at the line to the next. The delay of an answer is the time until the board's
+ * next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always about the same.
+ * So the differences of delays show the loop.
  *
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have
- * met the whole of the loop. Of n delays at random the range is less than a part x of the loop with a probability of less than
- * n x^(n-1), and with one left out n (n-1) x^(n-2). The multiple is 1/x where that is one in 100,000. The estimate is at most
- * {@value #MAX_MILLIS} ms, since sensors may make the difference, and that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY}
- * delays and more one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does
- * not slow commands down.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have met
+ * the whole of the loop. Of n delays at random the range is less than a part x of the loop with a probability of less than n x^(n-1), and
+ * with one left out n (n-1) x^(n-2). The multiple is 1/x where that is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms,
+ * since sensors may make the difference, and exactly that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more
+ * one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
+ * down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
@@ -21,18 +21,18 @@ import java.util.concurrent.TimeUnit;
  */
 final class LoopTime {
     static final int SAMPLES = 256;
-    /** The longest estimate, and what the loop is taken for while it is not known: sensors take that long in many sketches. */
+    /** The longest estimate, which also stands for a loop that is not known yet: sensors take that long in many sketches. */
     static final int MAX_MILLIS = 50;
     /** Fewer delays say nothing: they may be alike because they are measured in whole milliseconds, as on USB. */
     static final int MIN_SAMPLES = 6;
-    /** The chance at most, at each number of delays, that the estimate is shorter than the loop. */
+    /** The highest chance, at each number of delays, that the estimate is shorter than the loop. */
     private static final double CHANCE = 1e-5;
 
     private static final int MIN_MULTIPLE = 2;
 
     private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
     private static final int OUTLIER_AMONG = 64;
-    /** Of so many delays one can be spared. */
+    /** Of so many delays one can be left out. */
     private static final int MANY = 16;
 
     private static final int LEARNING_REQUESTS = 32;
@@ -40,7 +40,7 @@ final class LoopTime {
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The fractional parts of its multiples are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** A later answer belongs to an earlier request, and none is asked for later than it may by more. */
+    /** An answer that is later belongs to an earlier request; no request is delayed by more. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
@@ -97,7 +97,7 @@ final class LoopTime {
         requests++;
     }
 
-    /** How much later than it may the next request is to be written. */
+    /** Nanoseconds by which the next request is to be written later than it may be. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

@@ -7,11 +7,11 @@ import java.util.concurrent.locks.Lock;
 import java.util.function.LongSupplier;
 
 /**
- * A lock whose holders wait for something, in the time of a line. Who gives it back asks those who wait what they still wait for, and
- * wakes the ones whose wait is over: a thread that is woken for nothing costs more than the question.
+ * A lock under which threads wait for conditions, in the time of a line. A thread that gives it back asks the conditions of the waiting
+ * threads, and wakes those whose wait is over: to wake a thread for nothing costs more than the question.
  */
 final class Monitor {
-    /** Longer than anything is waited for. */
+    /** Longer than any wait. */
     static final long FOREVER = Long.MAX_VALUE / 4;
 
     /** Work under the lock. */
@@ -30,7 +30,7 @@ final class Monitor {
     private final List<Waiter> waiters = new ArrayList<>();
     private int depth; // how often its holder has taken the lock
 
-    /** @param port what exceptions name */
+    /** @param port the port that exceptions name */
     Monitor(LineClock clock, String port) {
         this.clock = clock;
         this.port = port;
@@ -51,7 +51,7 @@ final class Monitor {
         });
     }
 
-    /** As {@link #get}, for work that waits. */
+    /** Like {@link #get}, for work that waits. */
     <T> T getInterruptibly(Work<T, PortException> work) throws PortException {
         try {
             lock.lockInterruptibly();
@@ -79,7 +79,7 @@ final class Monitor {
 
     /**
      * Waits until {@code nanosLeft} is 0 or less. It is asked under the lock, by any thread that gives the lock back, and when as many
-     * nanoseconds have passed; so it changes nothing, and depends on time and on what the lock guards. The caller holds the lock.
+     * nanoseconds have passed; so it changes nothing, and depends on time and on the state that the lock guards. The caller holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {
         Waiter waiter = new Waiter(nanosLeft);
@@ -101,7 +101,7 @@ final class Monitor {
         }
     }
 
-    /** Does {@code work} with the lock free, which the caller holds. */
+    /** Does {@code work} while the lock, which the caller holds, is free. */
     <T> T unlocked(Work<T, PortException> work) throws PortException {
         return free(() -> {
             lock.unlock();

@@ -4,9 +4,9 @@ import java.util.concurrent.TimeUnit;
 import javino.wire.WireFrame;
 
 /**
- * Finds out which version a board speaks: HELLO, HELLO again, then a request in version 1, and while the board may be starting both again
- * until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in version 1,
- * so it is sent HELLO once more, and several times where bytes came that are no message: a damaged WELCOME may be among them.
+ * Finds out which version a board speaks: sends HELLO, HELLO again, then a request in version 1, and while the board may be starting
+ * repeats both until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in
+ * version 1, so it is sent HELLO once more, and several times if bytes came that are no message: a damaged WELCOME may be among them.
  *
  * <p>A frame of version 1 follows HELLO only when WELCOME would have come: a board in a session takes no frame of version 1 for one that
  * follows other bytes closely. One thread at a time.
@@ -44,9 +44,9 @@ final class Negotiation {
     }
 
     /**
-     * Finds out the version, if the board answers in the time that {@code timeoutMillis} and its start leave.
+     * Finds out the version, if the board answers within the time that {@code timeoutMillis} and its start leave.
      *
-     * @return the answer to the request that it got meanwhile in version 1; null: none
+     * @return the answer to its request in version 1, if one came meanwhile; null: none
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -78,12 +78,12 @@ final class Negotiation {
         }
     }
 
-    /** Says HELLO, and once more if no WELCOME comes; returns whether it has come. */
+    /** Sends HELLO, and once more if no WELCOME comes; returns whether it has come. */
     boolean sayHello(int timeoutMillis) throws PortException {
         return isWelcomed(2, timeoutMillis);
     }
 
-    /** Says HELLO until WELCOME comes, at most so many times. */
+    /** Sends HELLO until WELCOME comes, at most so many times. */
     private boolean isWelcomed(int hellos, int timeoutMillis) throws PortException {
         for (int i = 0; i < hellos; i++) {
             if (isWelcomed(timeoutMillis)) {
@@ -93,13 +93,13 @@ final class Negotiation {
         return false;
     }
 
-    /** Says HELLO, and waits for WELCOME. */
+    /** Sends HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
         long left = writer.write(
                 FrameWriter.Kind.ACTION,
                 WireFrame.OVERHEAD,
                 timeoutMillis,
-                () -> line.isVersion2() ? null : line.hello()); // behind one of a session it would end that
+                () -> line.isVersion2() ? null : line.hello()); // in a session, a further HELLO would end it
         boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;

@@ -5,7 +5,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Sends commands to a version 1 board, which acknowledges nothing: a command has arrived when its last byte has left. */
 final class OneWaySender {
-    /** How long the device may be gone before it is noticed while a long message leaves. */
+    /** The longest time for which the device may be gone unnoticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final System.Logger LOG = System.getLogger(OneWaySender.class.getName());
@@ -28,7 +28,7 @@ final class OneWaySender {
         return write(command, FrameWriter.PATIENCE_MILLIS);
     }
 
-    /** The same, on a thread that may not wait. */
+    /** Writes the command like {@link #write(Command)}, on a thread that may not wait. */
     long writeAtOnce(Command command) throws PortException {
         return write(command, 0);
     }
@@ -55,7 +55,7 @@ final class OneWaySender {
     /** Waits until the last byte of a command leaves, at {@code left}, or it is over. */
     void awaitLeft(Command command, long left) throws PortException {
         while (!command.isOver()
-                && left - clock.nanos() > WATCH_NANOS) { // who would read the line may be waiting for its turn
+                && left - clock.nanos() > WATCH_NANOS) { // the reader may be waiting for its turn
             writer.awaitTime(clock.nanos() + WATCH_NANOS);
             inbox.look();
         }

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for that
- * of the next, so that the agent would be one answer behind for good. So the exchange after it listens on until the line has been silent
+ * of the next, so that the agent would be one answer behind for good. Therefore the next exchange listens on until the line has been silent
  * for a while, and takes the last answer.
  *
  * <p>Times are nanoseconds of one steady clock. One thread at a time.
@@ -14,7 +14,7 @@ final class OwedAnswers {
     /** A board that has never answered and does so later than this was starting, not slow. */
     private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    private long longestNanos; // that an answer has taken; 0: none has been timed
+    private long longestNanos; // the longest time that an answer has taken; 0: none has been timed
     private int asked; // requests since the line was last known to owe no answer
     private long firstAskedAt;
 
@@ -26,7 +26,7 @@ final class OwedAnswers {
         asked++;
     }
 
-    /** Whether a message that arrives now may be the answer to a request before the last. */
+    /** Returns whether a message that arrives now may be the answer to a request before the last. */
     boolean mayBeLate() {
         return asked > 1;
     }
@@ -44,10 +44,10 @@ final class OwedAnswers {
 
     /**
      * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
-     * {@code timeoutNanos}. If none has been timed yet, and the board is not one that was just starting, it takes as long as since the
-     * first request.
+     * {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts, unless it shows that the board was
+     * just starting.
      *
-     * @param answerAt when the first message arrived
+     * @param answerAt time at which the first message arrived
      */
     long settlingNanos(long answerAt, long timeoutNanos) {
         long sinceFirst = answerAt - firstAskedAt;

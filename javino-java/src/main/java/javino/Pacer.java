@@ -3,7 +3,7 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When the next frame may be handed to the driver: a function of the time and of what was written and received before.
+ * Decides when the next frame may be handed to the driver, from the time and from all that was written and received before.
  *
  * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And the
  * limits of version 1 boards. They read all that has arrived between two rounds of their {@code loop()}, with room for one message, and
@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit;
  *       or for {@value #HOLD_MILLIS} ms if it is not asked again: it does not read, and its buffer is soon full. A board that has never
  *       answered may be one that only acts.
  * </ul>
- * Version 2 boards say how much they can receive, so for them the pace alone counts. A line that is not paced knows neither. Times are
+ * Version 2 boards tell how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
@@ -29,7 +29,7 @@ final class Pacer {
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** How long actions are held back behind the last request that was not answered. */
+    /** The time for which actions are held back behind the last request that was not answered. */
     static final int HOLD_MILLIS = 2_000;
     /** After so many late answers in a row the board is taken to be slow: one or two may be this computer's fault. */
     private static final int MANY_LATE = 3;
@@ -50,13 +50,13 @@ final class Pacer {
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
-    private int unanswered; // requests
-    private boolean boardIsIdle; // it has nothing to handle, so what comes next meets no message
+    private int unanswered; // requests that were not answered
+    private boolean boardIsIdle; // it has nothing to handle, so the next frame meets no message
     private long busyUntil;
     private boolean hasAnswered;
     private boolean isSilent; // it has not answered the last request in time
     private long heldUntil;
-    private int lateAnswers; // in a row
+    private int lateAnswers; // late answers in a row
     private int actionsMeanwhile; // written while the board may have been busy with the last request
     private int bytesMeanwhile;
 
@@ -72,7 +72,7 @@ final class Pacer {
         busyUntil = now;
     }
 
-    /** Milliseconds for which the gap and a probe of the board's loop hold a frame back at most on a line that is free. */
+    /** The most milliseconds for which the gap and a probe of the board's loop hold a frame back on a free line. */
     int maxHoldMillis() {
         return maxHoldMillis;
     }
@@ -88,7 +88,7 @@ final class Pacer {
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Whether no action but an urgent one is to be written until an answer comes, or some time has passed. */
+    /** Returns whether no action but an urgent one is to be written until an answer comes, or some time has passed. */
     boolean holdsActions(long now) {
         return paced && isSilent && hasAnswered && heldUntil - now > 0;
     }
@@ -98,7 +98,7 @@ final class Pacer {
         return Math.max(0, heldUntil - now);
     }
 
-    /** Whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
+    /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
     boolean isSlow() {
         return hasAnswered && !isSilent && lateAnswers >= MANY_LATE;
     }
@@ -106,7 +106,7 @@ final class Pacer {
     /**
      * Nanoseconds from {@code now} until a request may be written; 0: now.
      *
-     * @param due when it would have been written on a free line
+     * @param due time at which it would have been written on a free line
      */
     long nanosUntilRequest(long due, long now) {
         long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
@@ -125,9 +125,9 @@ final class Pacer {
     /**
      * Records that an action was written.
      *
-     * @param start when it was handed to the driver
-     * @param now when the driver had taken it
-     * @return when its last byte has left
+     * @param start time at which it was handed to the driver
+     * @param now time at which the driver had taken it
+     * @return the time at which its last byte has left
      */
     long wroteAction(int bytes, long start, long now) {
         actionSinceRequest = true;

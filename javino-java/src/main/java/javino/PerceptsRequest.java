@@ -16,7 +16,7 @@ public final class PerceptsRequest {
 
     private PerceptsRequest() {}
 
-    /** Whether {@code message} asks for percepts, all or some. */
+    /** Returns whether {@code message} asks for percepts, all or some. */
     public static boolean isIn(String message) {
         return message.equals(ALL) || message.startsWith(SOME);
     }

@@ -2,7 +2,7 @@ package javino;
 
 import java.io.IOException;
 
-/** Something that went wrong with one port. The subclass says what, the message says it to a person, with what to do. */
+/** A failure of one port. The subclass tells its kind; the message tells a person what failed, and what to do. */
 public abstract class PortException extends IOException {
     private static final long serialVersionUID = 1L;
 

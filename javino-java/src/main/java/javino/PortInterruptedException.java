@@ -8,7 +8,7 @@ public final class PortInterruptedException extends PortException {
         super(port, "interrupted while waiting for port " + port, null);
     }
 
-    /** What to throw in place of an {@link InterruptedException}, which has unmarked the calling thread: marks it again. */
+    /** Marks the calling thread as interrupted again, and returns the exception to throw in place of an {@link InterruptedException}. */
     public static PortInterruptedException remarking(String port) {
         Thread.currentThread().interrupt();
         return new PortInterruptedException(port);

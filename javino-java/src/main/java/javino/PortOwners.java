@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Who has which port: one table for the program, as the devices of a machine are, by {@linkplain Transports#canonicalName canonical name}.
+ * The owners of ports: one table for the program, as the devices of a machine are, by {@linkplain Transports#canonicalName canonical name}.
  */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
@@ -22,7 +22,7 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** The port's name, the same under whatever name it was opened. */
+        /** The port's canonical name, which does not depend on the name that it was opened under. */
         String canonicalName() {
             return canonicalName;
         }
@@ -33,7 +33,7 @@ final class PortOwners {
         }
     }
 
-    /** A hold on a line that is not a port of the machine, and so keeps nobody else out. */
+    /** A hold on a line that is no port of the machine, and so excludes nobody. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }

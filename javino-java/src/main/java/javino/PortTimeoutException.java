@@ -1,6 +1,6 @@
 package javino;
 
-/** What was asked of the port did not happen in the time given. The port is still open. */
+/** An operation on the port was not done in the time given. The port is still open. */
 public final class PortTimeoutException extends PortException {
     private static final long serialVersionUID = 1L;
 

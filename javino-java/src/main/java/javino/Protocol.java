@@ -1,8 +1,8 @@
 package javino;
 
-/** Which version of the Javino protocol is spoken on a line. */
+/** The version of the Javino protocol that is spoken on a line. */
 public enum Protocol {
-    /** Found out by asking the board; of a link: not found out yet. */
+    /** The board is asked for its version; of a link: the version is not known yet. */
     AUTO,
 
     /** Version 1, which boards in the field speak: frames without a checksum, nothing is acknowledged. */

@@ -5,6 +5,6 @@ package javino;
  *
  * @param text one character a byte (ISO-8859-1)
  * @param version the version of the protocol in which it came
- * @param receivedNanos when its last byte was read, by the link's clock
+ * @param receivedNanos time at which its last byte was read, by the link's clock
  */
 public record Reply(String text, Protocol version, long receivedNanos) {}

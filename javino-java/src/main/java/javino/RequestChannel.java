@@ -3,10 +3,11 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Asks and listens in the version that the board speaks, and finds that out. One thread at a time, but for what says that any may call it.
+ * Asks and listens in the version that the board speaks, and finds that version out. One thread at a time, except for methods marked "Any
+ * thread".
  */
 final class RequestChannel {
-    /** What is asked of a board to find out whether it runs, and in which version. */
+    /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
     /** Bytes of a request and of a frame before it. */
     private static final int REQUEST_BYTES = 50;
@@ -19,7 +20,7 @@ final class RequestChannel {
     private final long byteNanos;
     private volatile boolean hasSaidHello;
 
-    /** @param settings of which {@link LinkSettings#bootMillis()} counts from now */
+    /** @param settings their {@link LinkSettings#bootMillis()} count from now */
     RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.clock = clock;
@@ -30,17 +31,20 @@ final class RequestChannel {
         byteNanos = settings.line().byteNanos();
     }
 
-    /** Nanoseconds for which the board may still be starting; 0 when it has said something, or must have started. Any thread. */
+    /** Nanoseconds for which the board may still be starting; 0 once something has come from it, or it must have started. Any thread. */
     long nanosUntilStarted() {
         return start.nanosLeft();
     }
 
-    /** Whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any thread. */
+    /**
+     * Returns whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any
+     * thread.
+     */
     boolean mustAsk() {
         return !line.isVersion2() && (mustAnswer() || line.protocol() == Protocol.AUTO && !hasSaidHello);
     }
 
-    /** Whether an answer is waited for before an action of version 1, and not only WELCOME. */
+    /** Returns whether an action of version 1 has to wait for an answer, and not only for WELCOME. */
     private boolean mustAnswer() {
         return start.nanosLeft() > 0 || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed());
     }
@@ -70,7 +74,7 @@ final class RequestChannel {
 
     /**
      * Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting, and if the answer
-     * is damaged. Returns null as well if the board turns out to speak version 2, in which nothing but percepts is asked for.
+     * is damaged. Returns null as well if the board turns out to speak version 2, in which only percepts are requested.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (line.isVersion2()) {
@@ -87,7 +91,7 @@ final class RequestChannel {
         return answer == null && line.isVersion2() ? requestInFoundVersion2(request, timeoutMillis) : answer;
     }
 
-    /** Asks a board that has just been found to speak version 2: its session has a request's time to begin, where it has yet to. */
+    /** Asks a board that has just been found to speak version 2: its session has a request's time to begin, if it has not begun. */
     private Reply requestInFoundVersion2(Frame request, int timeoutMillis) throws PortException {
         return requestInVersion2(request, line.isOpen() ? timeoutMillis : 2L * timeoutMillis);
     }
@@ -113,7 +117,7 @@ final class RequestChannel {
         return message == null && line.isVersion2() ? line.listen(deadline) : message;
     }
 
-    /** Reads until the clock shows {@code deadline}, and keeps what comes. */
+    /** Reads until the clock shows {@code deadline}, and keeps the messages that come. */
     void watch(long deadline) throws PortException {
         line.await(() -> false, deadline, true);
     }

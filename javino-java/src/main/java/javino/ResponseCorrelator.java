@@ -3,7 +3,7 @@ package javino;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Tells which of the messages of version 1 that come is the answer to the last request, and waits for it.
+ * Finds the answer to the last request among the messages of version 1 that come, and waits for it.
  *
  * <p>Times are nanoseconds of the link's clock. One thread at a time.
  */
@@ -28,7 +28,7 @@ final class ResponseCorrelator {
     Reply by(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop what has come of it
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop the part that has come
         }
         return answer;
     }

@@ -1,7 +1,7 @@
 package javino;
 
 /**
- * How a command is sent, see {@link Link#send(String, SendOptions)}.
+ * Options of a command, see {@link Link#send(String, SendOptions)}.
  *
  * @param urgent whether it goes before the commands that wait and are not urgent
  * @param limitMillis milliseconds from the call after which its outcome is known in any case; 0: there is no such limit

@@ -15,7 +15,7 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
 
-    /** Services are looked for again and again; what cannot be used is said once. */
+    /** Services are looked for again and again; one that cannot be used is reported once. */
     private static final Set<String> TOLD = ConcurrentHashMap.newKeySet();
 
     private Services() {}
@@ -42,7 +42,7 @@ public final class Services {
         }
     }
 
-    /** Makes what {@code provider} provides; null if that fails. */
+    /** Makes the service of {@code provider}; null if that fails. */
     public static <T> T make(ServiceLoader.Provider<T> provider) {
         try {
             return provider.get();

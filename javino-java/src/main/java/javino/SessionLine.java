@@ -27,14 +27,14 @@ import javino.wire.WireFrame;
  */
 final class SessionLine implements SessionListener<Command>, Inbox.FrameListener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
-    /** How often a thread that waits looks whether a command has waited for too long. */
+    /** The interval at which a waiting thread checks whether a command has waited for too long. */
     private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
-    /** How long the line is read at once while a frame is being written, behind which another may be due. */
+    /** The longest single read while a frame is being written, behind which another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-    /** How long the line is read at once at most. */
+    /** The longest single read. */
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    /** Less is no sign of a driver that takes nothing: its thread may have been late. */
+    /** The shortest time limit of a write: with less, a late thread would pass for a driver that takes nothing. */
     private static final int LEAST_WRITE_MILLIS = 100;
 
     private static final int NONE = -1;
@@ -47,20 +47,20 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private final ComputerSession<Command> session;
     private final Protocol wanted;
     private final int answerLimit;
-    private final Deque<Runnable> reports = new ArrayDeque<>(); // what is passed on when the lock is free
+    private final Deque<Runnable> reports = new ArrayDeque<>(); // to be passed on when the lock is free
     private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
     private volatile Protocol protocol;
     private volatile BoardListener listener; // null: nobody is called
-    private volatile long heardNanos; // when the board was last known to be there
+    private volatile long heardNanos; // time at which the board was last known to be there
     private boolean hasLapsed;
-    private int rules; // that the board can hold, in this session
+    private int rules; // number of rules that the board can hold, in this session
     private Reply answer;
-    private boolean hasDropped; // an answer, and none has come since
-    private Throwable failure; // of commands that are out while the session is closed; null: they are unconfirmed
-    private boolean isAsked; // what is requested has been asked for, behind so many bytes:
+    private boolean hasDropped; // an answer was dropped, and none has come since
+    private Throwable failure; // given to commands that are out while the session is closed; null: they are unconfirmed
+    private boolean isAsked; // the wanted percepts have been requested, behind askedBehind bytes
     private long askedBehind;
     private int followers;
-    private volatile int otherRevision = NONE; // of version 2, which the board speaks
+    private volatile int otherRevision = NONE; // revision of version 2 that the board speaks
     private volatile int actionsLost;
     private boolean hasToldLostActions;
 
@@ -82,7 +82,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** What reads the line. */
+    /** The inbox, which reads the line. */
     Inbox inbox() {
         return inbox;
     }
@@ -92,7 +92,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return protocol;
     }
 
-    /** Whether a session has begun and not ended. */
+    /** Returns whether a session has begun and not ended. */
     boolean isOpen() {
         return monitor.get(session::isOpen);
     }
@@ -109,7 +109,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         });
     }
 
-    /** Whether the board spoke version 2 and then fell silent, so that another one may be there. */
+    /** Returns whether the board spoke version 2 and then fell silent, so that another one may be there. */
     boolean hasLapsed() {
         return monitor.get(() -> hasLapsed);
     }
@@ -119,7 +119,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return monitor.get(() -> session.hello().toBytes(0));
     }
 
-    /** When a frame of version 2 came last, or the line was opened. */
+    /** The time at which a frame of version 2 last came, or the line was opened. */
     long heardNanos() {
         return heardNanos;
     }
@@ -129,7 +129,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return isVersion2() ? monitor.get(session::vocabulary) : Optional.empty();
     }
 
-    /** Sets who is called with what the board reports; called at once if a session has begun. */
+    /** Sets the listener for the board's reports; it is called at once if a session has begun. */
     void onBoardEvents(BoardListener boardListener) {
         int room = monitor.get(() -> {
             listener = boardListener;
@@ -143,7 +143,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     /**
      * Writes and reads on this thread until {@code isDone}, which is asked under the lock, or until the clock shows {@code deadline}.
      *
-     * @param reads whether it reads although nothing is expected
+     * @param reads whether this thread reads although nothing is expected
      * @return whether it is done
      */
     boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
@@ -164,7 +164,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** Reads or waits until there is a frame to be written now, which is returned; null: something else is to be done, or is done. */
+    /** Reads or waits until a frame is to be written now, and returns it; null: the wait is over, or something is to be passed on. */
     private byte[] nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
@@ -185,8 +185,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     /**
-     * How long to read at once. A read cannot be ended, but whoever follows may go meanwhile, and a frame may go out whose sender waits for
-     * nothing; so what falls due is looked for again and again. Who follows writes it, and is left the time for that.
+     * Nanoseconds for one read. A read cannot be ended, but meanwhile a follower may go, and a frame may go out whose sender waits for
+     * nothing; so the reader looks again and again for frames that are due. A follower writes them, and is left the time for that.
      */
     private long nanosToRead(long now) {
         if (writer.isWriting()) {
@@ -208,7 +208,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** Whether a thread is to read that waits here, as no other thread does. */
+    /** Returns whether a thread that waits here is to read, since no other does. */
     private boolean mustRead(boolean reads) {
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
@@ -220,7 +220,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return writer.head() == null ? untilFrame : Math.min(untilFrame, lookAt - now);
     }
 
-    /** The bytes are those of the session of now, whatever begins before they are written. */
+    /** Returns the frame to be written now, as bytes of the current session, even if another begins before they are written; null: none. */
     private byte[] next(long now) {
         WireFrame frame = session.next(now, writer);
         if (frame == null) {
@@ -236,7 +236,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     /**
-     * Writes a frame, and those that have become due meanwhile: who reads has found the line taken, and may read until an answer comes.
+     * Writes a frame, and those that have become due meanwhile: the reader has found the line taken, and may read until an answer comes.
      *
      * @param mayWait whether the driver may be waited for; else the first has been found to be {@linkplain FrameWriter#isWritableNow
      *     writable now}
@@ -261,7 +261,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         try {
             writer.writeFrame(frame, (int) millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // the line may be gone; if not, what it did not take is repeated
+            inbox.look(); // the line may be gone; if not, the frame is repeated
         }
     }
 
@@ -276,7 +276,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         report();
     }
 
-    /** Passes on what has been found out. The caller holds no lock. */
+    /** Passes outcomes and reports on. The caller holds no lock. */
     void report() {
         for (Runnable next = monitor.get(reports::poll); next != null; next = monitor.get(reports::poll)) {
             next.run();
@@ -285,7 +285,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
 
     /** Asks for percepts in version 2; null: no answer came by {@code deadline}, or the board speaks version 2 no more. */
     Reply request(String functors, long deadline) throws PortException {
-        inbox.look(); // what has come is no answer to this
+        inbox.look(); // messages that have come are no answer to this
         monitor.change(() -> {
             answer = null;
             isAsked = false;
@@ -391,12 +391,12 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                         + Welcome.REVISION + "; use a newer version of ARGO";
     }
 
-    /** Why there is no session with a board that has answered HELLO; empty: it has not, or there is one. */
+    /** The reason why there is no session with a board that has answered HELLO; empty: it has not, or there is one. */
     Optional<String> noSession() {
         return otherRevision == NONE ? Optional.empty() : Optional.of(otherRevisionInWords(otherRevision));
     }
 
-    /** Actions of the board's program that found no room there, as far as is known. */
+    /** The number of actions of the board's program that found no room there, as far as is known. */
     int actionsLost() {
         return actionsLost;
     }
@@ -514,7 +514,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             reports.add(() -> {
                 try {
                     call.accept(called);
-                } catch (RuntimeException | Error broken) { // who reads the line must go on
+                } catch (RuntimeException | Error broken) { // the reader must go on
                     LOG.log(System.Logger.Level.ERROR, "who was called with what the board reports has failed", broken);
                 }
             });

@@ -5,18 +5,18 @@ import java.nio.charset.StandardCharsets;
 /**
  * Bytes that a line brought since the last message and that are no message, for a person who looks for the reason of a silence.
  *
- * @param count how many came
+ * @param count number of the bytes
  * @param first the first ones, at most {@link #MAX_FIRST}, a character for each byte
  * @param baud the rate at which they were read
  */
 public record StrayBytes(long count, String first, int baud) {
-    /** How many of the bytes are kept. */
+    /** The most bytes that are kept. */
     public static final int MAX_FIRST = 48;
 
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Whether they are text, but for a few: as what a sketch prints, and not as what another rate makes of bytes. */
+    /** Returns whether they are text, but for a few: a sketch prints text, while bytes read at a wrong rate are none. */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)
@@ -24,7 +24,7 @@ public record StrayBytes(long count, String first, int baud) {
         return strange * MAX_STRANGE_SHARE <= first.length();
     }
 
-    /** What came, and the likely cause. */
+    /** Describes the bytes and their likely cause. */
     public String inWords() {
         return count + (count == 1 ? " byte" : " bytes") + " came since the last message and are none: \"" + shown()
                 + (count > first.length() ? "\"…, " : "\", ") + cause();
@@ -54,7 +54,7 @@ public record StrayBytes(long count, String first, int baud) {
         return text.toString();
     }
 
-    /** Gathers them. One thread at a time. */
+    /** Gathers stray bytes. One thread at a time. */
     static final class Gatherer {
         private final byte[] first = new byte[MAX_FIRST];
         private long count;
@@ -66,7 +66,7 @@ public record StrayBytes(long count, String first, int baud) {
             count += length;
         }
 
-        /** A message has come. */
+        /** Forgets the bytes, since a message has come. */
         void clear() {
             count = 0;
         }

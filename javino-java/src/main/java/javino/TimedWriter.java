@@ -14,15 +14,15 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So it is
- * done on a thread of this writer's own, which the caller waits for, unless the caller knows that the driver takes the bytes at once.
+ * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So a thread
+ * of this writer's own writes while the caller waits, unless the caller knows that the driver takes the bytes at once.
  *
  * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
  */
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
-    /** How a write ended. */
+    /** The outcome of a write. */
     enum Outcome {
         WRITTEN,
         FAILED,
@@ -37,7 +37,7 @@ final class TimedWriter {
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /**
-     * @param port its name, for the thread's
+     * @param port the port's name, for the name of the thread
      * @param driver the write that has no time limit: returns how many of the bytes were written, fewer than all or -1 on an error
      */
     TimedWriter(String port, ToIntFunction<byte[]> driver) {
@@ -96,7 +96,7 @@ final class TimedWriter {
         return driver.applyAsInt(bytes) == bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
     }
 
-    /** Whether a write of this writer's thread has not returned, be it one that is {@link Outcome#TOO_LATE}. */
+    /** Returns whether a write of this writer's thread has not returned, even one that is {@link Outcome#TOO_LATE}. */
     boolean isWriting() {
         return underWay.get() > 0;
     }

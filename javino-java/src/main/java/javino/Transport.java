@@ -4,8 +4,8 @@ package javino;
  * An open line that carries bytes both ways.
  *
  * <p>One thread may read while another writes. {@link #close()} may be called from any thread, also while others wait.
- * Once closed, and once the device at the other end has gone, every call but {@code close} throws {@link PortGoneException}
- * at once. A thread that is interrupted while it waits gets {@link PortInterruptedException} and stays interrupted; what it was writing may
+ * Once closed, and once the device at the other end has gone, every call but {@code close} throws {@link PortGoneException} at once. A
+ * thread that is interrupted while it waits gets {@link PortInterruptedException} and stays interrupted; the bytes that it was writing may
  * still leave.
  */
 public interface Transport extends AutoCloseable {
@@ -15,12 +15,12 @@ public interface Transport extends AutoCloseable {
     /** The rate this line was opened with. */
     LineSettings line();
 
-    /** Whether the far end may go unnoticed, as in a network; then a line that is silent for long is worth opening anew. */
+    /** Returns whether the far end may go unnoticed, as in a network; then a line that is silent for long is worth opening anew. */
     default boolean mayVanish() {
         return false;
     }
 
-    /** What to look at when the board does not answer, as a question to a person. */
+    /** A question to a person about what to check when the board does not answer. */
     default String doubt() {
         int baud = line().baud();
         return "does the board run a Javino sketch at " + baud + " baud, with javino.start(" + baud
@@ -29,11 +29,11 @@ public interface Transport extends AutoCloseable {
     }
 
     /**
-     * Waits until at least one byte has arrived, then takes what is there.
+     * Waits until at least one byte has arrived, then takes the bytes that are there.
      *
      * @param b the array to fill from {@code off}
      * @param len bytes wanted at most, at least 1
-     * @param timeoutMillis milliseconds to wait at most; 0 takes only what is there already
+     * @param timeoutMillis milliseconds to wait at most; 0 takes only bytes that are there already
      * @return bytes read, 1 to {@code len}, or 0 when the time is over
      * @throws PortGoneException if the line is closed, or its device gone, which is noticed within a second
      */
@@ -53,9 +53,9 @@ public interface Transport extends AutoCloseable {
     int LONGEST_FRAME = 600;
 
     /**
-     * Whether {@link #write} would hand a frame of {@value #LONGEST_FRAME} bytes to the driver without waiting for anything, while no other
-     * thread writes. True only if that is certain: because the line knows its room, or because {@code unread} leaves room in the smallest
-     * buffer that it may have. What the far end says by itself does not make it certain. Any thread; does not wait itself.
+     * Returns whether {@link #write} would hand a frame of {@value #LONGEST_FRAME} bytes to the driver without waiting for anything, while
+     * no other thread writes. True only if that is certain: because the line knows its room, or because {@code unread} leaves room in the
+     * smallest buffer that it may have. Messages that the far end sends unasked do not make it certain. Safe on any thread; does not wait.
      *
      * @param unread bytes at the end of all that was written that the far end has not proved to have read
      */

@@ -51,8 +51,8 @@ public interface TransportProvider {
     }
 
     /**
-     * Whether something is there that {@link #open} could open now. Asked again and again for a device that has gone, so it is cheap, and
-     * opens nothing.
+     * Returns whether there is something that {@link #open} could open now. Called again and again for a device that has gone, so it is
+     * cheap, and opens nothing.
      *
      * @return true also where only opening it can tell, as by default
      */
@@ -60,7 +60,7 @@ public interface TransportProvider {
         return true;
     }
 
-    /** The line to ask for when nobody has said at which rate the board speaks: 9600 baud, unless ports of this kind have another. */
+    /** The line to ask for if the rate of the board is not given: 9600 baud, unless ports of this kind have another. */
     default LineSettings usualLine() {
         return LineSettings.defaults();
     }

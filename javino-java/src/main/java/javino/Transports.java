@@ -35,7 +35,7 @@ public final class Transports {
         return provider(port, name).open(name.address(), line);
     }
 
-    /** The ports there are now: serial devices, simulated boards, and what other providers list. */
+    /** The ports there are now: serial devices, simulated boards, and those that other providers list. */
     public static List<String> ports() {
         List<String> ports = new ArrayList<>();
         providers().values().forEach(provider -> ports.addAll(provider.ports()));
@@ -50,12 +50,12 @@ public final class Transports {
         return ask(port, TransportProvider::canonicalName, port); // a name that cannot be opened is nobody else's name
     }
 
-    /** Whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
+    /** Returns whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
     public static boolean isPresent(String port) {
         return ask(port, TransportProvider::isPresent, false);
     }
 
-    /** The line to ask for when nobody has said at which rate the board at {@code port} speaks, see {@link TransportProvider#usualLine}. */
+    /** The line to ask for if the rate of the board at {@code port} is not given, see {@link TransportProvider#usualLine}. */
     public static LineSettings usualLine(String port) {
         return ask(port, (provider, address) -> provider.usualLine(), LineSettings.defaults());
     }

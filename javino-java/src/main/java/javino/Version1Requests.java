@@ -2,9 +2,9 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Asks and listens in version 1: what is said to a board, and what of that is an answer. One thread at a time. */
+/** Asks and listens in version 1: sends requests, and tells answers from other messages. One thread at a time. */
 final class Version1Requests {
-    /** A board that may be starting is asked again after as long. */
+    /** Milliseconds after which a board that may be starting is asked again. */
     static final int REPEAT_MILLIS = 250;
 
     private final Inbox inbox;
@@ -12,9 +12,9 @@ final class Version1Requests {
     private final LineClock clock;
     private final BoardStart start;
     private final ResponseCorrelator answers;
-    private boolean isListening; // somebody wants what the board says unasked
+    private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
-    private Reply overheard; // the newest that came meanwhile and is for who listens; null: none
+    private Reply overheard; // the newest message that came meanwhile, for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start, ResponseCorrelator answers) {
         this.inbox = inbox;
@@ -24,7 +24,7 @@ final class Version1Requests {
         this.answers = answers;
     }
 
-    /** Sets whether what is asked from now on is for the sake of an action. */
+    /** Sets whether requests from now on are made for the sake of an action. */
     void askForAction(boolean value) {
         isForAction = value;
     }
@@ -96,7 +96,7 @@ final class Version1Requests {
             return null;
         }
         start.heard();
-        writer.answered(clock.nanos()); // who speaks is not busy with a request that nobody waits for any more
+        writer.answered(clock.nanos()); // a board that speaks is not busy with a request that nobody waits for any more
         return answers.newest(message);
     }
 }

@@ -16,7 +16,7 @@
  * {@code javino.sim.FakeBoard}, in the library {@code argo-testkit}, is a simulated board for tests.
  *
  * <table>
- *   <caption>What is thrown. All are {@link javino.PortException}s, which know the port's name</caption>
+ *   <caption>The exceptions. All are {@link javino.PortException}s, which know the port's name</caption>
  *   <tr><th>exception</th><th>thrown when</th><th>by</th><th>then the port</th></tr>
  *   <tr><td>{@link javino.NoSuchPortException}</td><td>there is no such port or scheme; lists those there are</td><td>opening</td>
  *     <td>is not open</td></tr>
@@ -26,7 +26,7 @@
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortFaultException}</td><td>the driver refuses for another reason; carries its code</td><td>opening</td>
  *     <td>is not open</td></tr>
- *   <tr><td>{@link javino.PortTimeoutException}</td><td>what was asked for did not happen in time</td><td>reading, writing</td>
+ *   <tr><td>{@link javino.PortTimeoutException}</td><td>an operation was not done in time</td><td>reading, writing</td>
  *     <td>can be used on</td></tr>
  *   <tr><td>{@link javino.ActionRefusedException}</td><td>a version 2 board does not know the action, or refuses it</td><td>sending</td>
  *     <td>can be used on</td></tr>

@@ -25,5 +25,5 @@ internal class DecoderProbe(private val timeoutNanos: Long = 100) {
     fun texts(): List<String> = delivered.map { it.text() }
 }
 
-/** What a decoder delivers of these bytes when silence follows. */
+/** The frames that a decoder delivers from these bytes when silence follows. */
 internal fun decoded(text: String): List<String> = DecoderProbe().feed(text).silence().texts()

@@ -6,8 +6,8 @@ package javino
  * byte of the next frame empties it, so that the sketch looks up a handler for nothing and calls a null pointer; from the fifth byte on
  * the message is forgotten.
  *
- * @param buildNanos what it takes to build an answer, between the look at the line that finds the request and the first byte
- * @param startNanos what a restart takes
+ * @param buildNanos time to build an answer, between the look at the line that finds the request and the first byte
+ * @param startNanos time of a restart
  */
 internal class FieldBoardModel(
     private val byteNanos: Long,
@@ -25,9 +25,9 @@ internal class FieldBoardModel(
 
     private val buffer = ArrayDeque<Byte>()
     private var message: String? = null
-    private var bytesBehind = 0 // read behind the message
+    private var bytesBehind = 0 // bytes read behind the message
     private var decoder = newDecoder()
-    private val outgoing = ArrayDeque<Long>() // when the bytes of the answer have left
+    private val outgoing = ArrayDeque<Long>() // times at which the bytes of the answer have left
     private var busyUntil = 0L
     private var startsUntil = 0L
 

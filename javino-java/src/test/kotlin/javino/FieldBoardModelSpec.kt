@@ -12,7 +12,7 @@ private class Looks {
     val board = FieldBoardModel(10, LOOP, Frame.of("dist(f,1);"), startNanos = 5_000)
     private var now = 0L
 
-    /** Lets [text] arrive at once and the board look at it. */
+    /** Lets [text] arrive in one piece and the board look at it. */
     fun read(text: String) = apply {
         text.forEach { board.receive(it.code.toByte(), now) }
         now += LOOP

@@ -17,7 +17,7 @@ private const val REQUEST = "getPercepts"
 private val EXCHANGES = Integer.getInteger("argo.exchanges", 20_000)
 private val FAST = LinkSettings.defaults().withBaud(115_200).withBootMillis(0).withProtocol(Protocol.V1)
 
-/** As long as what a robot with twelve sensors says; two of these do not fit into a frame's length. */
+/** As long as an answer of a robot with twelve sensors; two of these do not fit into a frame's length. */
 private fun percepts(n: Int) = "count($n);" + "dist(f,$n);".repeat(12)
 
 /** A board of version 1 that answers each request that it reads with the next percepts. */
@@ -61,7 +61,7 @@ class FieldFaultSpec : FunSpec({
             .config(timeout = 30.minutes) {
                 val faults = RandomFaults(rate, lost = rate, doubled = rate, late = rate, latestNanos = 90_000_000, seed = 2026)
                 val intact = mutableListOf<Int>()
-                val whole = HashSet<Int>() // the numbers of the messages that came as they were sent
+                val whole = HashSet<Int>() // the numbers of the messages that came undamaged
                 var delivered = 0
                 EventLine(FAST, Talker(EXCHANGES, gap) { if (faults.intact) intact += it }, toComputer = faults).use { line ->
                     val inbox = Inbox(line.transport, line.clock) { _, _ -> }

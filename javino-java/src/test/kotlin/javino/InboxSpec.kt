@@ -92,7 +92,7 @@ class InboxSpec : FunSpec({
         val computer = object : Transport by line.computer() {
             override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
                 val count = line.computer().read(b, off, len, timeoutMillis)
-                if (count == 0) clock.advance(1_000_000_000) // the computer does something else, in which the rest arrives
+                if (count == 0) clock.advance(1_000_000_000) // the computer does something else, and meanwhile the rest arrives
                 return count
             }
         }

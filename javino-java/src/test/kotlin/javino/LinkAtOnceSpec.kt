@@ -31,7 +31,7 @@ private class WatchedLine(private val line: Transport) : Transport by line {
     }
 }
 
-/** Who hands a command to the driver. */
+/** A test of the thread that hands a command to the driver. */
 class LinkAtOnceSpec : FunSpec({
     val here = Thread::currentThread
 

@@ -35,7 +35,7 @@ private const val LONG_MILLIS = 20_000
 /** More answers than can be on the line in that contract. */
 private const val MAX_LATE = 10
 
-/** What a link does over any transport; a subclass supplies the board. */
+/** The contract of a link over any transport; a subclass supplies the board. */
 internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : FunSpec({
     fun contract(name: String, body: Bench.() -> Unit) =
         test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { bench().use(body) }
@@ -96,8 +96,8 @@ internal abstract class LinkContract(available: Enabled, bench: () -> Bench) : F
         link.request("getPercepts", LONG_MILLIS).text() shouldBe "hello"
     }
 
-    // that already the next request gets its own answer is shown where time is virtual: on a busy machine the line may fall silent between
-    // two late answers for longer than version 1 waits for them
+    // Tests in virtual time show that already the next request gets its own answer: on a busy machine the line may fall silent between two
+    // late answers for longer than version 1 waits for them.
     contract("after missed answers, requests get their own answers again, and not for good those before") {
         var count = 0
         link.request("getPercepts", LONG_MILLIS).text()

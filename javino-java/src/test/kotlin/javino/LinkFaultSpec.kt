@@ -38,8 +38,8 @@ private fun inThreeTries(wrongBits: Double, wrongBytes: Double, there: Int, back
 }
 
 /**
- * How many damaged frames a 16-bit checksum must let through: one in 65,536 of those with four wrong bits or more, which is the distance
- * of this code, and of those whose length field is damaged into another number, since then the checksum is looked for elsewhere.
+ * The number of damaged frames that a 16-bit checksum must let through: one in 65,536 of those with four wrong bits or more, which is the
+ * distance of this code, and of those whose length field is damaged into another number, since then the checksum is looked for elsewhere.
  */
 private fun missed(rate: Double, frames: Double, bytes: Int): Double {
     val bits = 8 * bytes
@@ -53,7 +53,7 @@ private fun missed(rate: Double, frames: Double, bytes: Int): Double {
     return frames * ((1 - upToThree).coerceAtLeast(0.0) + length) / 65_536
 }
 
-/** What a number that is [expected] on average exceeds in less than one of a million runs. */
+/** A limit that a number that is [expected] on average exceeds in less than one of a million runs. */
 private fun most(expected: Double): Int {
     var term = exp(-expected)
     var sum = term

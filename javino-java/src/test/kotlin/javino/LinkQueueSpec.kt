@@ -26,7 +26,7 @@ class LinkQueueSpec : FunSpec({
                 val settings = Bench.FAST.withBootMillis(0).withProtocol(protocol)
                 val line = Transports.open(board.port(), settings.line())
                 val slow = object : Transport by line {
-                    override fun isWritableNow(unread: Long) = false // all commands wait for who writes
+                    override fun isWritableNow(unread: Long) = false // all commands wait for the thread that writes
                 }
                 Link.over(slow, settings, LineClock.system()).use { work(board, it) }
             }

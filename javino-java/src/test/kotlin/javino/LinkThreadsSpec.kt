@@ -45,17 +45,17 @@ private class LossyLine : Transport {
     @Volatile
     var holdsAnswers = false
 
-    /** How long the read that is under way waits at most, in ms; null: nobody reads. */
+    /** The longest time, in ms, that the read under way waits; null: nobody reads. */
     val limit: Int? get() = lock.withLock { limits.lastOrNull().takeIf { isWaiting } }
 
-    /** How often something has been written. */
+    /** The number of writes. */
     @Volatile
     var writes = 0
         private set
 
     private fun isLost(frame: WireFrame) = holdsAnswers && frame.kind() == FrameKind.COMMANDS
 
-    /** Lets the answers arrive that were held back. */
+    /** Lets the held answers arrive. */
     fun release() = lock.withLock {
         arrived += held
         held.clear()
@@ -99,7 +99,10 @@ private class LossyLine : Transport {
     }
 }
 
-/** Several threads on one link to a version 2 board: who waits for an acknowledgement and who for an answer read for each other. */
+/**
+ * Several threads on one link to a version 2 board: those that wait for acknowledgements and those that wait for answers read for each
+ * other.
+ */
 class LinkThreadsSpec : FunSpec({
     fun robot(name: String, work: suspend (FakeBoard, Link) -> Unit) = test(name).config(timeout = 60.seconds, blockingTest = true) {
         FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
@@ -140,7 +143,7 @@ class LinkThreadsSpec : FunSpec({
         }
     }
 
-    /** How long the thread that reads now does so at most, in ms. */
+    /** The longest time, in ms, that the thread that reads now does so. */
     suspend fun LossyLine.readsFor(): Int = eventually(20.seconds) { checkNotNull(limit) { "nobody reads" } }
 
     lossy("who reads looks in time after a frame that was lost, though the thread that would have done so goes") { line, link ->

@@ -25,7 +25,7 @@ private const val REQUEST = "getPercepts"
 
 private fun bench(board: LineEnd, settings: LinkSettings = LinkSettings.defaults()) = VirtualBench(settings, board, Protocol.AUTO)
 
-/** A board as they are in the field: it forgets a frame that a stray f precedes, or that is not whole 300 ms after its first byte. */
+/** A board of those in the field: it forgets a frame that a stray f precedes, or that is not whole 300 ms after its first byte. */
 private class FieldBoard(private val startsAt: Double = 0.0) : LineEnd {
     val received = mutableListOf<String>()
     private var bytes = ""
@@ -73,7 +73,7 @@ private class BusyBoard(val model: FieldBoardModel) : LineEnd {
     }
 }
 
-/** A WELCOME as boards said it before there were revisions. */
+/** A WELCOME of a board from before there were revisions. */
 private fun olderDraft(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().take(4))
 
 private fun newerRevision(welcome: WireFrame) =

@@ -42,7 +42,7 @@ private class NotedWrites(private val line: Transport) : Transport by line {
     }
 }
 
-/** A far end that answers as a board until it is [deaf]; from then on it reads nothing, and says all the time what boards say unasked. */
+/** A far end that answers as a board until it is [deaf]; from then on it reads nothing, and sends unrequested messages all the time. */
 private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCloseable {
     private val session = BoardSession(program, BoardSession.Capacity.FULL) { frame, nonce -> say(frame.toBytes(nonce)) }
     private val decoder = WireDecoder(false, Long.MAX_VALUE / 2, session::nonce, session::receive)
@@ -81,7 +81,7 @@ private class DeafBoard(private val end: Transport, protocol: Protocol) : AutoCl
     }
 }
 
-/** Who sends a command waits for no line, whatever the far end does. */
+/** A thread that sends a command waits for no line, whatever the far end does. */
 class LinkWaitsForNothingSpec : FunSpec({
     fun deaf(name: String, mostAtOnce: Long, available: Enabled = Enabled.enabled, open: () -> Line) {
         for (protocol in listOf(Protocol.V1, Protocol.V2)) {

@@ -6,7 +6,7 @@ import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import javino.virtual.LineEnd
 
-/** What a link notices of its device while nobody waits for a message. */
+/** A link notices the loss of its device while nobody waits for a message. */
 class LinkWatchSpec : FunSpec({
     val settings = LinkSettings.defaults().withBootMillis(0)
 

@@ -5,7 +5,7 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.Logger
 
-/** What the logger [name], and those below it, report while [work] is done. */
+/** The messages of the logger [name], and of those below it, while [work] is done. */
 internal fun logged(name: String = "javino", work: () -> Unit): List<String> {
     val messages = CopyOnWriteArrayList<String>()
     val logger = Logger.getLogger(name)

@@ -25,7 +25,7 @@ private fun timed(settings: LinkSettings, delays: List<Long>): Pair<Pacer, Long>
     return pacer to now
 }
 
-/** The gap that is kept behind a frame after answers with [delays]. */
+/** The gap behind a frame after answers with [delays]. */
 private fun gapAfter(delays: List<Long>, settings: LinkSettings = LinkSettings.defaults()): Long {
     val (pacer, now) = timed(settings, delays)
     val sent = pacer.wroteAction(11, now, now)

@@ -23,7 +23,7 @@ private class Recorder : BoardProgram {
     override fun percepts(request: String) = "p;"
 }
 
-/** A line to a board that has answered each frame when it is written. Who reads waits for bytes or the end, and for no time. */
+/** A line to a board that has answered each frame when it is written. A read waits for bytes or the end, without a time limit. */
 private class AnsweringLine(program: BoardProgram) : Transport {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
@@ -105,7 +105,7 @@ private class Session {
 
     fun listen() = line.await({ false }, LIMIT_NANOS, true)
 
-    /** What a link does that is closed. */
+    /** Does the work of a link that is closed. */
     fun end() {
         writer.end("it was closed")
         commands.failAll("it was closed")

@@ -10,7 +10,7 @@ import javino.virtual.LineEnd
 
 private const val COMMANDS = 100
 
-/** A board that reads, acts and answers, once in [loopMillis], while it [answers]. */
+/** A board that reads, acts and answers once in [loopMillis] as long as it [answers]. */
 private class SlowBoard(private val loopMillis: Double, private val answers: (Double) -> Boolean) : LineEnd {
     val commands = mutableListOf<String>()
     private val buffer = ArrayDeque<Byte>()

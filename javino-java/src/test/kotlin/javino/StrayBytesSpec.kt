@@ -10,7 +10,7 @@ import javino.sim.FakeBoard
 class StrayBytesSpec : FunSpec({
     val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withBootMillis(0)
 
-    /** What a link reports of a board that answers requests with these bytes. */
+    /** The error of a link whose board answers requests with these bytes. */
     fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", 50) }): String =
         FakeBoard.plugIn("stray").lenient().use { board ->
             board.whenAsked("getPercepts").answerRaw(answer)

@@ -26,7 +26,7 @@ internal class Line(
 
 private const val LONG_MILLIS = 60_000
 
-/** What every transport does; a subclass supplies the line. */
+/** The contract of every transport; a subclass supplies the line. */
 internal abstract class TransportContract(available: Enabled, open: () -> Line) : FunSpec({
     fun contract(name: String, body: Line.() -> Unit) =
         test(name).config(enabledOrReasonIf = { available }, timeout = 60.seconds, blockingTest = true) { open().use(body) }
@@ -154,6 +154,6 @@ internal fun <T> async(work: () -> T): CompletableFuture<T> {
     return result
 }
 
-/** What the work fails with, within 20 s. */
+/** The exception with which the work fails, within 20 s. */
 internal fun CompletableFuture<*>.failure(): Throwable =
     checkNotNull(shouldThrow<ExecutionException> { get(20, TimeUnit.SECONDS) }.cause)

@@ -48,7 +48,7 @@ open class EchoBoard : SimulatedBoard {
     }
 }
 
-/** Another one. */
+/** Another board that a program adds. */
 class ParrotBoard : EchoBoard()
 
 class TransportsSpec : FunSpec({

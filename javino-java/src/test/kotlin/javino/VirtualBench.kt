@@ -7,9 +7,9 @@ import java.util.concurrent.locks.Condition
 
 /**
  * A link and a board on one thread, in a time of their own: whenever the link waits, time goes on by a step and the board has a look at its
- * end of the line. What is tested so takes no time and gives the same result on any machine.
+ * end of the line. Such tests take no time and give the same result on any machine.
  *
- * @param protocol what the link speaks, whatever the settings say
+ * @param protocol the version that the link speaks, whatever the settings say
  * @param name the port's, of its own unless a port is to be opened again
  */
 internal class VirtualBench(
@@ -55,11 +55,11 @@ internal class VirtualBench(
 /**
  * A board that answers each request with `n;`, n counting them.
  *
- * @param startsAt the time in ms until which what comes is lost
+ * @param startsAt the time in ms until which bytes that come are lost
  * @param answersAfter ms between the last byte of a request and the first of its answer
  */
 internal class VirtualBoard(private val startsAt: Double = 0.0, var answersAfter: Double = 0.0, private val padding: Int = 0) : LineEnd {
-    /** What was received and when, in ms. */
+    /** The messages that were received, each with its time in ms. */
     val received = mutableListOf<Pair<String, Double>>()
     var stopped = false
     var silent = false

@@ -14,7 +14,7 @@ import javino.wire.BoardAction;
 import javino.wire.WireFrame;
 
 /**
- * A board for tests. It is plugged in as {@code sim:name}, answers as it is told, and keeps what it received:
+ * A board for tests. It is plugged in as {@code sim:name}, answers by the rules of the test, and keeps the messages that it received:
  *
  * <pre>{@code
  * try (FakeBoard board = FakeBoard.plugIn("robot")) {
@@ -63,7 +63,7 @@ public final class FakeBoard implements AutoCloseable {
     /**
      * A new board that is not plugged in and goes by {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
      *
-     * @param name what messages call it
+     * @param name its name in messages
      */
     public static FakeBoard unplugged(String name, LineClock clock) {
         return new FakeBoard(name, clock);
@@ -74,35 +74,35 @@ public final class FakeBoard implements AutoCloseable {
         return SimulatedBoards.SCHEME + ':' + name;
     }
 
-    /** What runs on the board, for a test that wants it at the end of another line: a pseudo-terminal, say. */
+    /** The program of the board, for a test that runs it at the end of another line: a pseudo-terminal, say. */
     public SimulatedBoard program() {
         return sketch;
     }
 
-    /** Says how the board handles a message; replaces what was said about the same message before. */
+    /** Sets how the board handles a message, in place of an earlier rule for the same message. */
     public Rule whenAsked(String message) {
         return script.rule(message, message::equals);
     }
 
-    /** Says how the board handles messages of a kind. A rule for one message comes before this; among several of these the first counts. */
+    /** Sets how the board handles messages of a kind. A rule for one message comes before this; among several of these the first counts. */
     public Rule whenAsked(Predicate<String> kind) {
         return script.rule(null, kind);
     }
 
-    /** Says that a message will come, once; call it twice for two. */
+    /** Expects a message once; call it twice for two. */
     public FakeBoard expect(String message) {
         record.expect(message);
         return this;
     }
 
-    /** Lets any message come, and expected ones not. */
+    /** Accepts messages that are not expected, and the lack of those that are. */
     public FakeBoard lenient() {
         strict = false;
         return this;
     }
 
     /**
-     * Says how many received messages the board holds while it is busy; one more overwrites the oldest, which is then {@link #overwritten}.
+     * Sets how many received messages the board holds while it is busy; one more overwrites the oldest, which is then {@link #overwritten}.
      * Boards in the field hold one. Frames of version 2 are repeated by the computer, so none counts as overwritten.
      */
     public FakeBoard queueSize(int messages) {
@@ -115,9 +115,9 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board speak version 2 of the protocol with those who speak it, and version 1 with others. In version 2 it acknowledges
-     * commands once it has handled them, and handles a command that is repeated once; answers may be longer than a frame, and the answer
-     * to a command is sent as percepts that nobody asked for. To be called before the port is opened.
+     * Lets the board speak version 2 of the protocol with computers that speak it, and version 1 with others. In version 2 it acknowledges
+     * commands once it has handled them, and handles a command that is repeated once; answers may be longer than a frame, and the answer to
+     * a command is sent as percepts that nobody asked for. To be called before the port is opened.
      */
     public FakeBoard version2() {
         sketch.protocol = Protocol.AUTO;
@@ -125,7 +125,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Gives the board a vocabulary, which it tells computers of version 2. Without it they check no command.
+     * Gives the board a vocabulary, which it reports to computers of version 2. Without it they check no command.
      *
      * @param actions {@code ledOn}, {@code speed/1} with an argument; {@code say/*} with any number of them
      */
@@ -145,39 +145,39 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board of version 2 watch so many critical rules, 0 unless set. While it has some it compares what it would answer to
-     * {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. A reflex is handled and recorded as a
-     * command that came is. To be called before the port is opened.
+     * Lets the board of version 2 watch so many critical rules, 0 unless set. While it has some it compares them with its answer to
+     * {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. It handles and records a reflex like a
+     * command that came. To be called before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
         sketch.rules = rules;
         return this;
     }
 
-    /** Says how many milliseconds the board does something else between two messages, as a sketch's {@code loop()} does. */
+    /** Sets how many milliseconds the board does something else between two messages, as a sketch's {@code loop()} does. */
     public FakeBoard loopTakes(int millis) {
         sketch.loopMillis = millis;
         return this;
     }
 
-    /** Says how many milliseconds the board takes to start when its port is opened; what comes in that time is lost. */
+    /** Sets how many milliseconds the board takes to start when its port is opened; bytes that come in that time are lost. */
     public FakeBoard bootTakes(int millis) {
         sketch.bootMillis = millis;
         return this;
     }
 
-    /** From now on the board does not read: what comes waits until {@link #resume}. */
+    /** Stops the board from reading: bytes that come wait until {@link #resume}. */
     public void stall() {
         sketch.stall(true);
     }
 
-    /** The board goes on where it {@linkplain #stall stopped}. */
+    /** Lets the board go on where it {@linkplain #stall stopped}. */
     public void resume() {
         sketch.stall(false);
     }
 
     /**
-     * Sends a message that nobody asked for, in the version of the protocol that it was spoken to last.
+     * Sends a message that nobody asked for, in the version of the protocol in which the board was last addressed.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -195,7 +195,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts a frame of version 2 on the line that the board would not send now, in the session of now.
+     * Puts a frame of version 2 on the line that the board would not send now, in the current session.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -203,7 +203,7 @@ public final class FakeBoard implements AutoCloseable {
         sketch.write(frame);
     }
 
-    /** Pulls the plug: the port is gone for who has it open, and cannot be opened. */
+    /** Pulls the plug: the port is gone for its owner, and cannot be opened. */
     public void unplug() {
         SimulatedBoards.unplug(name);
     }
@@ -227,7 +227,7 @@ public final class FakeBoard implements AutoCloseable {
         return record.received();
     }
 
-    /** As {@link #received()}, each with its time: how long after a percept a command came is the difference of two times. */
+    /** Like {@link #received()}, each with its time: the difference of two times tells how long after a percept a command came. */
     public List<ReceivedMessage> receivedMessages() {
         return record.receivedMessages();
     }
@@ -256,7 +256,7 @@ public final class FakeBoard implements AutoCloseable {
      * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is
      * {@linkplain #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or no expected one.
      *
-     * @throws AssertionError that lists what was amiss and all messages received
+     * @throws AssertionError that lists the faults and all messages received
      */
     public void verify() {
         if (strict) {
@@ -275,7 +275,7 @@ public final class FakeBoard implements AutoCloseable {
         }
     }
 
-    /** How a board handles a message: after a delay it answers, or does not. Without an answer it stays silent. */
+    /** The way in which a board handles a message: after a delay it answers. Without an answer it stays silent. */
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
@@ -302,17 +302,17 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with what {@code answer} makes of the message; null: no answer. It is called on the board's thread, also every few
-         * milliseconds while the board watches rules.
+         * Answers with the result of {@code answer} for the message; null: no answer. The function is called on the board's thread, also
+         * every few milliseconds while the board watches rules.
          */
         public Rule answer(UnaryOperator<String> answer) {
             return answer(answer, () -> answer.apply(PerceptsRequest.ALL));
         }
 
         /**
-         * As {@link #answer(UnaryOperator)}.
+         * Like {@link #answer(UnaryOperator)}.
          *
-         * @param sensors what the rules that the board holds are compared with, every few milliseconds
+         * @param sensors gives the percepts that the board compares with the rules that it holds, every few milliseconds
          */
         public Rule answer(UnaryOperator<String> answer, Supplier<String> sensors) {
             this.answer = answer;

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javino.LineClock;
 
-/** The lock of a {@link FakeBoard}, and waits for what it guards, by the clock of the line. Safe on any thread. */
+/** The lock of a {@link FakeBoard}; waits for changes of the guarded state, by the clock of the line. Safe on any thread. */
 final class FakeBoardMonitor {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -21,7 +21,7 @@ final class FakeBoardMonitor {
         changed = lock.newCondition();
     }
 
-    /** Does what reads or changes the state, and returns its result. */
+    /** Does work that reads or changes the state, and returns its result. */
     <T> T locked(Supplier<T> work) {
         lock.lock();
         try {
@@ -34,11 +34,11 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached}, which is asked under the lock, and about every millisecond since it may depend on other state, too.
+     * Waits until {@code reached} is true. It is asked under the lock, and about every millisecond since it may depend on other state, too.
      *
      * @param what completes "interrupted while ..."
      * @return false if it is not within {@code timeoutMillis}
-     * @throws AssertionError if the thread is interrupted, which stays so
+     * @throws AssertionError if the thread is interrupted; it stays interrupted
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {
         lock.lock();
@@ -60,7 +60,7 @@ final class FakeBoardMonitor {
         }
     }
 
-    /** Waits for as long as {@code held} is so; returns whether it was. */
+    /** Waits while {@code held} is true; returns whether it was so at first. */
     boolean awaitWhile(BooleanSupplier held) throws InterruptedException {
         lock.lockInterruptibly();
         try {

@@ -7,7 +7,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javino.LineClock;
 
-/** What a {@link FakeBoard} received and what becomes of it. Safe on any thread. */
+/** The messages that a {@link FakeBoard} received, and those that no rule, expectation or test has accounted for. Safe on any thread. */
 final class FakeBoardRecord {
     private final String port;
     private final FakeBoardMonitor monitor; // guards the lists
@@ -29,7 +29,7 @@ final class FakeBoardRecord {
         monitor.locked(() -> unaccounted.remove(message) || expected.add(message));
     }
 
-    /** @param covered whether a rule says what to do with it */
+    /** @param covered whether a rule covers it */
     void received(String message, boolean covered) {
         monitor.locked(() -> {
             received.add(new ReceivedMessage(message, clock.nanos()));
@@ -54,7 +54,7 @@ final class FakeBoardRecord {
         return monitor.locked(() -> List.copyOf(overwritten));
     }
 
-    /** Takes the first message that is not accounted for and is {@code wanted}; {@code what} says to a person what was wanted. */
+    /** Takes the first message that is not accounted for and is {@code wanted}; {@code what} describes it to a person. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
         List<String> taken = new ArrayList<>();
         boolean came = monitor.await(

@@ -52,7 +52,7 @@ final class FakeBoardScript {
                     .forEach(Frame::of); // else the test would learn too late
         }
 
-        /** The answer whose turn it is. */
+        /** Returns the answer whose turn it is. */
         String current() {
             return answers.get(turn.get());
         }

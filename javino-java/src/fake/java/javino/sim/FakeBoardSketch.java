@@ -12,7 +12,7 @@ import javino.Transport;
 import javino.wire.BoardAction;
 import javino.wire.WireFrame;
 
-/** The program that runs on a {@link FakeBoard}: reads a message, does what the script says, and begins again. */
+/** The program that runs on a {@link FakeBoard}: reads a message, follows the script, and begins again. */
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
 
@@ -32,7 +32,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private BoardLoop open; // guarded by the monitor, as is stalled
     private boolean stalled;
 
-    /** @param port what exceptions name */
+    /** @param port the port that exceptions name */
     FakeBoardSketch(
             String port, FakeBoardScript script, FakeBoardRecord record, FakeBoardMonitor monitor, LineClock clock) {
         this.port = port;
@@ -82,8 +82,8 @@ final class FakeBoardSketch implements SimulatedBoard {
     /** One use of the port. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
-        private FakeBoard.Rule begun; // whose outcome is reported later; null: none
-        private long action; // of that rule; 0: it is not known yet
+        private FakeBoard.Rule begun; // its outcome is reported later; null: none
+        private long action; // the action of that rule; 0: it is not known yet
         private long dueNanos;
 
         Run(Transport line) {
@@ -151,7 +151,7 @@ final class FakeBoardSketch implements SimulatedBoard {
         private FakeBoard.Rule begin(String message) {
             FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
             record.received(message, rule != null);
-            loop.markHandled(); // what follows does not change what has been received
+            loop.markHandled(); // the rest leaves the received messages as they are
             return rule;
         }
 
@@ -181,7 +181,7 @@ final class FakeBoardSketch implements SimulatedBoard {
         requireOpen().write(bytes);
     }
 
-    /** Writes a frame of the session of now to the port that is open. */
+    /** Writes a frame of the current session to the port that is open. */
     void write(WireFrame frame) throws PortException {
         BoardLoop loop = requireOpen();
         loop.write(frame.toBytes(loop.session().nonce()));
@@ -202,7 +202,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     /**
-     * Waits until all that was sent to the board has been received, but not for a board that is stalled, or that does not run.
+     * Waits until all bytes sent to the board have been received, but not for a board that is stalled, or that does not run.
      *
      * @param starting whether the board's thread lives, so that this program runs or is about to
      */

@@ -9,12 +9,12 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /**
- * Runs [block], which calls [concurrently], in many interleavings of its threads: as many as the system property `argo.interleavings`
- * has. Fails with the first in which it throws, or in which its threads wait for each other, and shows it.
+ * Runs [block], which calls [concurrently], in many interleavings of its threads: in as many as the system property `argo.interleavings`
+ * says. Fails with the first in which it throws, or in which its threads wait for each other, and shows it.
  *
- * It is run once as it is before, so that what classes do when they are first used is not part of the check.
+ * The block first runs once unchecked, so that the first use of classes is not part of the check.
  *
- * @param divisor the interleavings are so many times fewer: for a block that is long
+ * @param divisor divides the number of interleavings, for a block that is long
  */
 internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     block()
@@ -31,7 +31,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     options.check(CheckedBlock::class.java)
 }
 
-/** Does all [work] at once, each on a thread of its own, and returns when all is done; throws what one of them threw. */
+/** Does all [work] at once, each on a thread of its own, and returns when all is done; throws the exception of one that failed. */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()
@@ -50,8 +50,8 @@ internal fun concurrently(vararg work: () -> Unit) {
 
 /**
  * The most rounds of a loop that waits for no other thread. Lincheck lets another thread run after as many: with its default of ten it
- * takes the loops over a frame's bytes for such that wait, and then explores no further. A blocked thread makes as many before it gives
- * way, so that more cost time.
+ * takes the loops over a frame's bytes for loops that wait, and then explores no further. A blocked thread makes as many before it gives
+ * way, so that a higher number costs time.
  */
 private const val LONGEST_LOOP = 40
 

@@ -49,7 +49,7 @@ final class DeviceHolders {
         }
     }
 
-    /** Whether a descriptor is the far end of the pseudo-terminal {@code device}; Linux gives its number in {@code fdinfo}. */
+    /** Returns whether a descriptor is the far end of the pseudo-terminal {@code device}; Linux gives its number in {@code fdinfo}. */
     private static boolean isMaster(Path descriptor, Path device) {
         Path target = target(descriptor);
         if (target == null || !target.endsWith(MASTER) || !device.toString().startsWith(TERMINALS)) {

@@ -13,13 +13,13 @@ import javino.PortInterruptedException;
  * takes long, as a Bluetooth one may, holds up the others for a moment only: then they are opened beside it. Safe on any thread.
  */
 final class DriverOpening {
-    /** In place of an error code that may be another opening's. */
+    /** Stands for an error code that may be another opening's. */
     static final int UNKNOWN_CODE = -1;
 
     private final ReentrantLock turn = new ReentrantLock(true);
     private final long maxWaitNanos;
 
-    /** @param maxWait how long one opening waits for another */
+    /** @param maxWait time that one opening waits for another at most */
     DriverOpening(Duration maxWait) {
         maxWaitNanos = maxWait.toNanos();
     }
@@ -28,7 +28,7 @@ final class DriverOpening {
      * Opens a device.
      *
      * @param open the driver's work; false: it failed
-     * @param errorCode why it failed
+     * @param errorCode gives the driver's error code of the failure
      * @return empty if the device is open, else the driver's error code or {@link #UNKNOWN_CODE}
      * @throws PortInterruptedException if the thread is interrupted while it waits for another opening
      */

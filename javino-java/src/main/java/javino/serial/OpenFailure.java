@@ -2,7 +2,7 @@ package javino.serial;
 
 import java.util.Set;
 
-/** What a driver's error code says about a device that could not be opened. */
+/** The meaning of a driver's error code for a device that could not be opened. */
 enum OpenFailure {
     NO_SUCH_PORT,
     BUSY,
@@ -38,7 +38,7 @@ enum OpenFailure {
         return POSIX_NOT_ALLOWED.contains(code) ? NO_PERMISSION : POSIX_BUSY.contains(code) ? BUSY : OTHER;
     }
 
-    /** @param code what GetLastError gave */
+    /** @param code the error code of GetLastError */
     static OpenFailure windows(int code) {
         return WINDOWS_NO_DEVICE.contains(code) ? NO_SUCH_PORT : WINDOWS_BUSY.contains(code) ? BUSY : OTHER;
     }

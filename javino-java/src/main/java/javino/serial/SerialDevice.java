@@ -7,11 +7,11 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * Where a serial device of a given name is. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name on
- * Windows.
+ * The place of a serial device of a given name. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name
+ * on Windows.
  *
  * @param name as it was given
- * @param path what the driver is to open
+ * @param path the path for the driver to open
  */
 record SerialDevice(String name, String path) {
     private static final String DOS_NAMESPACE = "\\\\.\\";
@@ -44,7 +44,7 @@ record SerialDevice(String name, String path) {
         return !hasNode() || new File(path).exists(); // without one only the driver knows
     }
 
-    /** Whether the device shows in the file system, as it does everywhere but on Windows. */
+    /** Returns whether the device shows in the file system, as it does everywhere but on Windows. */
     boolean hasNode() {
         return path.contains("/");
     }

@@ -83,7 +83,7 @@ final class SerialPortErrors {
         }
     }
 
-    /** What lets a user open a device that belongs to {@code group} and has {@code permissions}. */
+    /** Says how a user gets permission to open a device that belongs to {@code group} and has {@code permissions}. */
     static String permissionRemedy(String path, String group, Set<PosixFilePermission> permissions) {
         boolean groupMay =
                 permissions.containsAll(Set.of(PosixFilePermission.GROUP_READ, PosixFilePermission.GROUP_WRITE));

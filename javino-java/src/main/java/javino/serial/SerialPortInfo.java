@@ -4,12 +4,12 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What the operating system knows of a serial device.
+ * The operating system's description of a serial device.
  *
  * @param name as it is given to {@link javino.Link#open}: {@code ttyACM0}, {@code COM8}
- * @param path where it is in the file system; on Windows its name
- * @param product what it calls itself, if it does
- * @param manufacturer who made it, if that is known
+ * @param path its path in the file system; on Windows its name
+ * @param product its name for itself, if it has one
+ * @param manufacturer its manufacturer, if that is known
  * @param vendorId the USB vendor's number, if it is a USB device
  * @param productId the vendor's number of the product, if it is a USB device
  * @param serialNumber its serial number, if it has one

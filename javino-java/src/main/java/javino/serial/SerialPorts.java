@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javino.PortFaultException;
 
-/** What can be found out about serial devices without opening them, which would reset most boards. Safe on any thread. */
+/** Finds out about serial devices without opening them, which would reset most boards. Safe on any thread. */
 public final class SerialPorts {
     private static final String UNKNOWN = "Unknown"; // jSerialComm's word
 
@@ -32,7 +32,7 @@ public final class SerialPorts {
         }
     }
 
-    /** As {@link #list}; none where jSerialComm cannot run, which opening one reports. */
+    /** Like {@link #list}; empty where jSerialComm cannot run, which opening a device reports. */
     static List<SerialPortInfo> present() {
         try {
             return list();
@@ -83,7 +83,7 @@ public final class SerialPorts {
     }
 
     /**
-     * What this user can do to be allowed to open a serial device; empty if that is allowed, or if only opening it would tell.
+     * Says how this user gets permission to open a serial device; empty if the user has it, or if only opening the device would show that.
      */
     public static Optional<String> permissionRemedy(String port) {
         SerialDevice device = SerialDevice.of(port);

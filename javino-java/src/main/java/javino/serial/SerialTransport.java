@@ -14,30 +14,30 @@ import javino.PortInterruptedException;
 
 /** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
-    /** How long one read of the driver waits: it counts in tenths of a second. */
+    /** The time that one read of the driver waits: the driver counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
 
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** How long closing waits for a read that should have ended. */
+    /** The time that closing waits for a read that should have ended. */
     private static final int READ_END_MILLIS = 2_000;
-    /** How long the driver may take to close the port, behind a write that waits. */
+    /** The time that the driver may take to close the port, behind a write that waits. */
     private static final int CLOSE_MILLIS = 2_000;
-    /** How often the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
+    /** The interval at which the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
     private static final long POLL_NANOS = 250_000L;
-    /** How often it is asked on a line that has been still for long: an unasked message comes seldom, and each question costs. */
+    /** The interval on a line that has been still for long: an unasked message comes seldom, and each question costs. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     /** The driver is asked again when the line has been still for this share of time longer. */
     private static final int STILL_SHARE = 8;
 
-    /** How long what was written may be on its way out of the driver, which drops it when it closes the port. */
+    /** The time that written bytes may take to leave the driver, which drops the rest when it closes the port. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that a driver takes that does not say how many wait in it, as that of a pseudo-terminal: a quarter of what one holds in Linux,
-     * and less than one in macOS holds at 9600 baud.
+     * Bytes that a driver takes if it does not tell how many wait in it, as that of a pseudo-terminal: a quarter of the bytes that one
+     * holds in Linux, and fewer than one in macOS holds at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
@@ -48,9 +48,9 @@ final class SerialTransport extends DriverTransport {
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
-    /** When bytes were last read or written. */
+    /** The time at which bytes were last read or written. */
     private volatile long stillSince = System.nanoTime();
-    /** Whether the driver has shown that it knows how many bytes wait in it. */
+    /** True once the driver has shown that it knows how many bytes wait in it. */
     private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -100,7 +100,10 @@ final class SerialTransport extends DriverTransport {
         return count;
     }
 
-    /** How long the driver is left alone when the line has been still for so long: asking it costs more than all else at 50 Hz. */
+    /**
+     * The time for which the driver is not asked after the line has been still for {@code stillNanos}: asking costs more than all else at
+     * 50 Hz.
+     */
     static long pollNanos(long stillNanos) {
         return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
     }
@@ -122,7 +125,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Takes the reading's lock; an interrupt ends the wait for it, but not a read of what has arrived. */
+    /** Takes the reading's lock; an interrupt ends the wait for it, but not a read of bytes that have arrived. */
     private void awaitReading() throws PortInterruptedException {
         try {
             if (!reading.tryLock()) {
@@ -199,7 +202,7 @@ final class SerialTransport extends DriverTransport {
                         "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
-    /** Waits until what was written has left the driver, but not for a device that takes no more. */
+    /** Waits until the written bytes have left the driver, but not for a device that takes no more. */
     private void linger() {
         long now = System.nanoTime();
         long deadline = now + MAX_LINGER_NANOS;

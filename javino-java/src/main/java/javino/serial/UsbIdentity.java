@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import javino.NoSuchPortException;
 
 /**
- * What a device on USB is known by, whatever name the system gives it: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
+ * The identity of a device on USB, whatever name the system gives it: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
  *
  * @param serialNumber upper and lower case are the same, as Windows changes them; empty: any
  */
@@ -16,7 +16,7 @@ record UsbIdentity(int vendor, int product, String serialNumber) {
 
     /**
      * @param port as it was given, for messages
-     * @param address what stands behind the scheme
+     * @param address the part behind the scheme
      */
     static UsbIdentity of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);

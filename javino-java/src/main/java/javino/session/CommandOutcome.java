@@ -1,12 +1,12 @@
 package javino.session;
 
-/** What became of a command. */
+/** The outcome of a command. */
 public enum CommandOutcome {
     /** The board has carried it out. */
     DONE,
     /** The board does not know it, or not with these arguments. */
     REFUSED,
-    /** The board has begun it, and has said later that it could not carry it out. */
+    /** The board has begun it, and has reported later that it could not carry it out. */
     FAILED,
     /** It may or may not have been carried out. */
     UNCONFIRMED,

@@ -12,8 +12,8 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The computer's end of a line of version 2. It is given the frames that come, and asked for the frame that is to be written next whenever
- * the line is free: what has to be repeated first, then a request for percepts, then commands, then a request for the board's vocabulary.
+ * The computer's end of a line of version 2. It is given the frames that come, and asked for the next frame to write whenever the line is
+ * free: repetitions first, then a request for percepts, then commands, then a request for the board's vocabulary.
  *
  * <p>It is closed, and then sends nothing by itself, until {@link #open} or the answer to a {@link #hello}. Then it goes from session to
  * session until it is closed, or the board is silent. One thread at a time.
@@ -36,7 +36,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** Frames in a row whose numbers cannot be right, behind which the board cannot have the session that is at hand. */
+    /** After so many frames in a row with numbers that cannot be right, the board cannot have the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -50,7 +50,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private State state = State.CLOSED;
     private int nonce; // 0: none was chosen
-    private boolean isEnded; // as far as a board has begun a session with it
+    private boolean isEnded; // a session with this nonce counts no more
     private int hellos;
     private long helloAt;
     private Welcome welcome = Welcome.NO_SESSION;
@@ -61,13 +61,13 @@ public final class ComputerSession<C extends SessionCommand> {
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
-    private long heardAt; // the last valid frame, or since when something is awaited
+    private long heardAt; // time of the last valid frame, or since when something is awaited
     private int silentRepetitions;
     private int impossibleNumbers; // of frames in a row
     private FrameKind writing; // the frame that next() returned last
 
     /**
-     * @param byteNanos that a byte takes on the line
+     * @param byteNanos nanoseconds that a byte takes on the line
      * @param answerLimit bytes that an answer has at most
      * @param random chooses nonces
      */
@@ -84,17 +84,17 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN ? nonce : 0;
     }
 
-    /** Whether the board has answered HELLO, and has not been found restarted since. */
+    /** Returns whether the board has answered HELLO, and has not been found restarted since. */
     public boolean isOpen() {
         return state == State.OPEN;
     }
 
-    /** Whether something is to come from the board, answers to requests aside. */
+    /** Returns whether something is to come from the board, answers to requests aside. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
 
-    /** Whether the board has acknowledged and answered all that was sent. */
+    /** Returns whether the board has acknowledged and answered all that was sent. */
     public boolean isSettled() {
         return window.size() == 0 && requests.bytes() == 0;
     }
@@ -106,12 +106,12 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Ends what there is, and sends nothing from now on. What is out is unconfirmed. */
+    /** Ends the session, if there is one, and sends nothing from now on. Commands that are out are unconfirmed. */
     public void close(long now) {
         end(State.CLOSED, now);
     }
 
-    /** A HELLO that may begin a session, for who does not know whether the board speaks version 2. */
+    /** A HELLO that may begin a session, for a caller that does not know whether the board speaks version 2. */
     public WireFrame hello() {
         if (nonce == 0 || isEnded) {
             renew();
@@ -139,8 +139,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Asks for percepts, and again until {@link #cancelRequest} or the answer is reported. What is received before the request has gone out
-     * is no answer to it.
+     * Asks for percepts, and again until {@link #cancelRequest} or the answer is reported. Percepts received before the request has gone
+     * out are no answer to it.
      *
      * @param functors nothing for all, or {@code (dist,light)}
      */
@@ -177,8 +177,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session: one that belongs to none of now shows at least that the board speaks version 2. One whose
-     * commands have begun already is of a session that another computer has begun with the same nonce.
+     * Takes a WELCOME while there is no session. One that does not answer the last HELLO shows at least that the board speaks version 2. If
+     * commands of its session have begun already, another computer has begun that session with the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -434,14 +434,14 @@ public final class ComputerSession<C extends SessionCommand> {
 
     /** Commands of one frame. */
     private final class Row {
-        private final boolean isFirst; // of what is out, so it may be longer than the credit
+        private final boolean isFirst; // it is the first that is out, so it may be longer than the credit
         private String payload = "";
 
         Row(boolean isFirst) {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if it fits into the frame, and the frame to what is out. */
+        /** Adds an item if it fits into the frame, and the frame into the credit beside those that are out; returns whether it did. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
@@ -513,7 +513,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
     }
 
-    /** Whether there is a frame of commands to be written, be it a repetition. */
+    /** Returns whether there is a frame of commands to be written, be it a repetition. */
     private boolean hasCommands(WaitingCommands<C> waiting) {
         if (window.unsent() < window.size()) {
             return new Row(window.bytes() == 0).add(repetitionOf(window.get(window.unsent())));

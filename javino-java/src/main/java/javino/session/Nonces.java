@@ -36,7 +36,10 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /** A nonce that differs from those before, as long as there are others: a late WELCOME with one of these is none with it. */
+    /**
+     * A nonce that differs from those before, as long as there are others, so that a late WELCOME with an earlier one is not taken for the
+     * answer.
+     */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
         return USABLE.get(last);

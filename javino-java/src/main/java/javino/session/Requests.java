@@ -7,21 +7,21 @@ import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Asks for percepts and reads the answers. What was asked is asked again when the answer is damaged, or later than twice the smoothed
- * time that answers take; the first answer to any request since the last answer counts.
+ * Asks for percepts and reads the answers. A request is repeated when its answer is damaged, or later than twice the smoothed time that
+ * answers take; the first answer to any request since the last answer counts.
  */
 final class Requests {
     private static final int NUMBERS = 255;
     private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
-    /** While no answer has been timed. */
+    /** The timeout while no answer has been timed. */
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final int MAX_DOUBLINGS = 4;
-    /** A line that is silent for as long, or four byte times, is not sending the answer. */
+    /** A line that has been silent for this time, or four byte times, is not sending the answer. */
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     private static final int QUIET_BYTES = 4;
-    /** What comes all the time is something else. */
+    /** Bytes postpone a repetition for this time at most: a line that is never silent brings something else than the answer. */
     private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final int SMOOTHING = 4;
@@ -32,7 +32,7 @@ final class Requests {
     private long asked; // requests in this session
     private long answered; // requests up to the last that was asked when an answer came
     private String wanted; // functors; null: nothing is asked
-    private boolean isOut; // a request for it
+    private boolean isOut; // a request for it is out
     private boolean isDamaged;
     private int repetitions;
     private int doublings;
@@ -64,7 +64,7 @@ final class Requests {
         return wanted != null;
     }
 
-    /** Forgets what belongs to a session; what is wanted is asked in the next one. */
+    /** Forgets the state of a session; wanted percepts are requested in the next one. */
     void reset(long now) {
         reader.forget();
         parts.forget();
@@ -124,7 +124,7 @@ final class Requests {
         isDamaged |= isOut;
     }
 
-    /** Takes a frame of percepts and reports what it completes. */
+    /** Takes a frame of percepts and reports the answer that it completes. */
     <C> void accept(WireFrame frame, long now, int limit, SessionListener<C> listener) {
         AnswerParts.Answer answer = parts.accept(frame);
         if (answer == null) {

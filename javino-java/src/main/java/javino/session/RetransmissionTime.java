@@ -3,13 +3,13 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * When what is out is to be repeated for want of an acknowledgement: twice the smoothed round trip behind its last byte, and later with
- * each repetition in vain. {@link ComputerSession} repeats it, then or when the board shows that it has missed something.
+ * The time after which unacknowledged frames are repeated: twice the smoothed round trip behind their last byte, and longer with each
+ * repetition in vain. {@link ComputerSession} repeats them, then or when the board shows that it has missed something.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
     private static final long MAX_DOUBLED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-    /** While no round trip has been measured. */
+    /** The timeout while no round trip has been measured. */
     private static final long FIRST_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
 
     private static final int SMOOTHING = 8;
@@ -37,7 +37,7 @@ final class RetransmissionTime {
     /**
      * The timeout.
      *
-     * @param lineNanos that what is out takes on the line
+     * @param lineNanos nanoseconds that the unacknowledged frames take on the line
      */
     long nanos(long lineNanos) {
         long base = Math.max(MIN_NANOS, (smoothedNanos == 0 ? FIRST_NANOS : 2 * smoothedNanos) + lineNanos);

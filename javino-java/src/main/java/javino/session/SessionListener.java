@@ -3,7 +3,7 @@ package javino.session;
 import javino.wire.CriticalReport;
 import javino.wire.Welcome;
 
-/** What a session reports, while one of its methods runs; it is not called back from here. */
+/** Receives the reports of a session, while one of the session's methods runs; it does not call the session back. */
 public interface SessionListener<C> {
     /** The board speaks version 2, and a session with it is being begun. */
     void found();
@@ -17,7 +17,7 @@ public interface SessionListener<C> {
     /** The outcome of a command is known. */
     void ended(C command, CommandOutcome outcome);
 
-    /** The answer to what was asked has come. */
+    /** The answer to the request has come. */
     void answered(String percepts);
 
     /** Percepts have come unasked. */

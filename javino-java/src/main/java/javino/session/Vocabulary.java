@@ -49,7 +49,7 @@ final class Vocabulary {
         return complete;
     }
 
-    /** How a command goes out; an empty text is none. */
+    /** The form in which a command goes out: as a rule, by number or as text; an empty text goes out as no command. */
     CommandItem itemOf(SessionCommand command) {
         if (command.rule() != null) {
             return command.rule();
@@ -66,7 +66,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Whether a page was asked for that may come soon; one that has stayed out comes while the line is read for another reason. */
+    /** Returns whether a page was asked for that may come soon; one that has stayed out comes while the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }

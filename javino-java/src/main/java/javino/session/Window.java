@@ -20,7 +20,7 @@ final class Window<C> {
             this.command = command;
         }
 
-        /** Records that it has gone out as no command. */
+        /** Records that "no command" has gone out in its place. */
         void markVoid() {
             isVoid = true;
         }
@@ -61,7 +61,7 @@ final class Window<C> {
         return out.get(place);
     }
 
-    /** Bytes of the frames that carry what is out. */
+    /** Bytes of the frames that carry the commands that are out. */
     int bytes() {
         int bytes = 0;
         for (Sent frame : frames) {
@@ -75,7 +75,7 @@ final class Window<C> {
         out.add(new Entry<>(command));
     }
 
-    /** Lets all that is out be sent again. */
+    /** Lets all commands that are out be sent again. */
     void repeat() {
         unsent = 0;
         frames.clear();
@@ -114,7 +114,7 @@ final class Window<C> {
         return handled;
     }
 
-    /** The round trip of the newest frame that was acknowledged last and had been sent once. */
+    /** The round trip of the newest frame in the last acknowledgement that had been sent once; empty: there is none. */
     OptionalLong roundTrip() {
         return roundTrip;
     }

@@ -20,8 +20,8 @@ import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /**
- * What runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the version
- * of the protocol in which it came.
+ * Runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the version of the
+ * protocol in which it came.
  *
  * <p>One loop serves one opening of the port. Its thread, the board's, calls all methods; {@link #say} and {@link #write} are safe on any.
  */
@@ -63,7 +63,7 @@ public final class BoardLoop {
     /**
      * @param line the board's end
      * @param reads the version whose messages are found, or both
-     * @param capacity what it tells computers of version 2
+     * @param capacity the capacity that it reports to computers of version 2
      * @param clock the line's
      */
     public BoardLoop(
@@ -219,7 +219,7 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** Notes that the message that is being handled has been, as far as others can see. */
+    /** Notes that the current message counts as handled, as far as others can see. */
     void markHandled() {
         if (arrived.isEmpty() && !isHandlingCommands && receiver.nanosUntilIdle(silentNanos) == Long.MAX_VALUE) {
             handled = read;
@@ -231,13 +231,13 @@ public final class BoardLoop {
         return session;
     }
 
-    /** How many times the line has been silent while this waited for a byte; safe on any thread. */
+    /** The number of times that the line has been silent while this waited for a byte; safe on any thread. */
     int silences() {
         return silences;
     }
 
     /**
-     * Whether everything that was written to the board has been read and handled; safe on any thread.
+     * Returns whether everything that was written to the board has been read and handled; safe on any thread.
      *
      * @param silencesBefore {@link #silences} at an earlier time: on a line that cannot be seen to be empty, two more have to follow
      */

@@ -10,7 +10,7 @@ import javino.wire.BoardAction;
  * time; the board does nothing else meanwhile.
  */
 public interface BoardProgram {
-    /** What became of a command. */
+    /** The outcome of a command. */
     enum Outcome {
         /** It was carried out. */
         DONE,
@@ -23,7 +23,7 @@ public interface BoardProgram {
     }
 
     /**
-     * The actions that it tells computers about; none: it does not say. Those without arguments may be called by their place here. At most
+     * The actions that it reports to computers; empty: it reports none. Those without arguments may be called by their place here. At most
      * 126 count: a computer is told how many others there are, and sends none of them.
      */
     default List<BoardAction> vocabulary() {
@@ -41,11 +41,14 @@ public interface BoardProgram {
      */
     String percepts(String request) throws PortException, InterruptedException;
 
-    /** What the sensors show now, as {@link #percepts} would answer; called every few milliseconds while the board watches rules. */
+    /**
+     * The percepts that the sensors show now, in the form of {@link #percepts}; called every few milliseconds while the board watches
+     * rules.
+     */
     default String sensors() throws PortException, InterruptedException {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** The answer to a request has been given to the line, of both so many bytes. */
+    /** Is called when the answer to a request has been given to the line, with the bytes of both. */
     default void answered(int requestBytes, int answerBytes) {}
 }

@@ -10,11 +10,11 @@ import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Finds what a computer sends to a board on a line that both versions of the protocol may share. Times are nanoseconds of any one clock.
- * One thread at a time.
+ * Finds the frames that a computer sends to a board on a line that both versions of the protocol may share. Times are nanoseconds of any
+ * one clock. One thread at a time.
  */
 final class BoardReceiver {
-    /** What was found: one of both. */
+    /** A frame, of one of the two versions. */
     record Found(Frame version1, WireFrame version2) {
         /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
         OptionalInt nonceBehind() {
@@ -58,7 +58,7 @@ final class BoardReceiver {
     /**
      * Takes a byte that has arrived at {@code now}.
      *
-     * @param silenceNanos for how long nothing came before it
+     * @param silenceNanos silence before it
      */
     void accept(byte octet, long now, long silenceNanos) {
         idle(now);

@@ -23,7 +23,7 @@ import javino.wire.WireFrame;
  * {@link #report} are safe on any. Frames are given to the line on the thread that causes them.
  */
 public final class BoardSession {
-    /** Where frames go. */
+    /** Takes the frames that the session sends. */
     @FunctionalInterface
     public interface Line {
         /**
@@ -35,7 +35,7 @@ public final class BoardSession {
     }
 
     /**
-     * What a board has room for.
+     * The capacity of a board.
      *
      * @param credit bytes of frames that it holds while its program is busy, 0 to 255
      * @param longestPayload bytes of payload that it takes, 0 to 255
@@ -43,16 +43,16 @@ public final class BoardSession {
      * @param shapes percept texts that it can number, 0 to 126
      */
     public record Capacity(int credit, int longestPayload, int rules, int shapes) {
-        /** As much as the protocol can say, without rules. */
+        /** The largest capacity that the protocol can express, without rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
-        /** This, with so many rules. */
+        /** This capacity, with so many rules. */
         public Capacity withRules(int value) {
             return new Capacity(credit, longestPayload, value, shapes);
         }
     }
 
-    /** The bytes of an answer in a frame while there are rules, so that what is urgent does not wait for a long frame. */
+    /** The bytes of an answer in a frame while there are rules, so that urgent frames do not wait for a long one. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;
@@ -84,7 +84,7 @@ public final class BoardSession {
         return nonce;
     }
 
-    /** Whether there is a session. */
+    /** Returns whether there is a session. */
     public synchronized boolean isOpen() {
         return nonce != 0;
     }
@@ -106,7 +106,7 @@ public final class BoardSession {
         }
     }
 
-    /** Ends the session, if there is one: a frame of version 1 has come, and who sends it knows of none. */
+    /** Ends the session, if there is one: a frame of version 1 has come, and its sender knows of no session. */
     public void end() {
         begin(0);
     }
@@ -203,9 +203,9 @@ public final class BoardSession {
     }
 
     /**
-     * Reports the outcome of an action that {@link Outcome#LATER} was returned for. That of an earlier session counts no more.
+     * Reports the outcome of an action that {@link Outcome#LATER} was returned for. An action of an earlier session is ignored.
      *
-     * @param action what {@link #openAction} was then
+     * @param action the value of {@link #openAction} at that time
      */
     public void report(long action, boolean isDone) throws PortException, InterruptedException {
         synchronized (this) {
@@ -268,7 +268,7 @@ public final class BoardSession {
 
     // ---- rules ----
 
-    /** Whether there are rules to {@linkplain #look watch}. */
+    /** Returns whether there are rules to {@linkplain #look watch}. */
     public boolean hasRules() {
         return !rules.isEmpty();
     }

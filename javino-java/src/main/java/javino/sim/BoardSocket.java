@@ -9,7 +9,7 @@ import javino.PortGoneException;
 import javino.PortInterruptedException;
 import javino.Transport;
 
-/** What a simulated board is plugged into: runs it while its port is open, one run at a time. */
+/** The socket that a simulated board is plugged into: runs the board while its port is open, one run at a time. */
 final class BoardSocket {
     private static final System.Logger LOG = System.getLogger(BoardSocket.class.getName());
     private static final long LAST_RUN_MILLIS = 2_000;
@@ -81,7 +81,7 @@ final class BoardSocket {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");
         }
-        run.thread.interrupt(); // it has had its time to read what was sent before the port was closed
+        run.thread.interrupt(); // it has had its time to read the bytes sent before the port was closed
         try {
             run.thread.join(LAST_RUN_MILLIS);
         } catch (InterruptedException e) {

@@ -66,7 +66,7 @@ final class HeldRules {
     }
 
     /**
-     * Compares what the sensors show now; a percept that CRITICAL has no room for meets no rule.
+     * Compares the rules with the percepts that the sensors show now; a percept that CRITICAL has no room for meets no rule.
      *
      * @return the rules that begin to be met, in the order of their numbers
      */

@@ -32,7 +32,7 @@ public record LineRecording(List<Entry> entries) {
     private static final String HEADER_WORD = "javino-recording ";
     private static final int MAX_HEADER = 64;
 
-    /** Which way a message went. */
+    /** The direction of a message. */
     public enum Direction {
         /** From the board. */
         IN,
@@ -53,7 +53,7 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param direction which way it went
+     * @param direction from the board or to it
      * @param message its text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
@@ -78,14 +78,14 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** What came from the board as answers, or unasked as all its percepts. */
+    /** The messages that came from the board as answers, or unasked with all its percepts. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)
                 .toList();
     }
 
-    /** Whether the board was asked for its percepts, rather than speaking by itself. */
+    /** Returns whether the board was asked for its percepts, and did not speak by itself. */
     public boolean isOfRequests() {
         return entries.stream()
                 .anyMatch(entry -> entry.direction() == Direction.OUT && PerceptsRequest.isIn(entry.message()));
@@ -95,7 +95,7 @@ public record LineRecording(List<Entry> entries) {
      * Reads a file.
      *
      * @throws java.nio.file.FileSystemException if it cannot be read
-     * @throws IOException also if it is not a recording; the message names file, line and what is wrong there
+     * @throws IOException also if it is not a recording; the message names file, line and fault
      */
     public static LineRecording read(Path file) throws IOException {
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
@@ -103,7 +103,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** As {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
+    /** Like {@link #read(Path)}, from text; {@code source} is its name for messages. The reader is not closed. */
     public static LineRecording read(Reader text, String source) throws IOException {
         LineNumberReader lines = new LineNumberReader(text);
         List<Entry> entries = new ArrayList<>();

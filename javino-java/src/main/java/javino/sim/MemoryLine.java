@@ -17,8 +17,8 @@ import javino.Transport;
  * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
  * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
  *
- * <p>When one end is closed the other may read what was still on its way to it; then the line is gone for both. When it is unplugged it is
- * gone for both at once. All methods are safe on any thread.
+ * <p>When one end is closed the other may read the bytes that were still on their way to it; then the line is gone for both. When it is
+ * unplugged it is gone for both at once. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** Bytes a direction that the line holds unread. */
@@ -98,7 +98,7 @@ public final class MemoryLine {
         }
     }
 
-    /** Whether an end is closed or the line is unplugged. */
+    /** Returns whether an end is closed or the line is unplugged. */
     public boolean isGone() {
         return end != null;
     }
@@ -203,7 +203,7 @@ public final class MemoryLine {
             }
         }
 
-        /** Whether the bytes read from this end are {@code count}, and no other is on its way to it. */
+        /** Returns whether the bytes read from this end are {@code count}, and no other is on its way to it. */
         boolean isRead(long count) {
             lock.lock();
             try {

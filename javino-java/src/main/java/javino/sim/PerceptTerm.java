@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * A percept's text as a board reads it to watch a rule.
  *
- * @param functor what is in front of the arguments, with a {@code ~} if it is negated
+ * @param functor the text in front of the arguments, with a {@code ~} if it is negated
  * @param arguments their texts without the blanks around them
  */
 record PerceptTerm(String functor, List<String> arguments) {
@@ -36,7 +36,7 @@ record PerceptTerm(String functor, List<String> arguments) {
         return text.substring(from, end);
     }
 
-    /** The texts of an answer, each with its {@code ;}. What is behind the last one is a text too. */
+    /** The texts of an answer, each with its {@code ;}. The rest behind the last one is a text too. */
     static List<String> split(String answer) {
         List<String> texts = new ArrayList<>();
         Nesting nesting = new Nesting();
@@ -72,7 +72,7 @@ record PerceptTerm(String functor, List<String> arguments) {
         return arguments;
     }
 
-    /** How many brackets are open, and whether in a text in quotes. */
+    /** Counts the open brackets, and knows whether it is in a text in quotes. */
     private static final class Nesting {
         private int depth;
         private char quote; // 0: none

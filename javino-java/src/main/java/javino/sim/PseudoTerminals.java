@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Two pseudo-terminals joined by the program {@code socat}: what is written to one is read from the other, as over a null-modem
- * cable. For tests and measurements that want the operating system's real serial devices without a board. Not for Windows.
+ * Two pseudo-terminals joined by the program {@code socat}: bytes written to one are read from the other, as over a null-modem cable. For
+ * tests and measurements that want the operating system's real serial devices without a board. Not for Windows.
  */
 public final class PseudoTerminals implements AutoCloseable {
     private static final long START_LIMIT_MILLIS = 10_000;
@@ -22,7 +22,7 @@ public final class PseudoTerminals implements AutoCloseable {
         this.socat = socat;
     }
 
-    /** Whether {@code socat} can be started here. */
+    /** Returns whether {@code socat} can be started here. */
     public static boolean available() {
         try {
             return socat("-V").waitFor() == 0;

@@ -5,7 +5,7 @@ import java.io.Writer;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Writes a {@link LineRecording} as it comes about; what was written is there even if the program is killed. Safe on any thread.
+ * Writes a {@link LineRecording} as it comes about; messages that were written are there even if the program is killed. Safe on any thread.
  */
 public final class RecordingWriter implements AutoCloseable {
     private final Writer out;

@@ -8,12 +8,12 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * A board that sends what a board sent once, from a recording: the port {@code replay:FILE}, or
+ * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, it answers each request with what that board had said by then, counted from the
- * first request, and with the last of it when the recording is over. Else it says everything unasked at its time, counted from the opening
- * of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
+ * <p>If the recorded board was asked for its percepts, this one answers each request with that board's last message by then, counted from
+ * the first request, and with the last of all when the recording is over. Else it says everything unasked at its time, counted from the
+ * opening of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -46,7 +46,7 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * @param clock what the recording's times are of
+     * @param clock the clock of the recording's times
      * @throws IllegalArgumentException if the board says nothing in the recording
      */
     public static ReplayBoard of(LineRecording recording, LineClock clock) {
@@ -58,19 +58,19 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * This board answering the first request with the first thing that was said, the second with the second, whatever the time. A request
-     * that the computer repeats, as it does in version 2 if an answer is late, is another one.
+     * Returns this board, answering the first request with the first message, the second with the second, whatever the time. A request that
+     * the computer repeats, as it does in version 2 if an answer is late, is another one.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
     }
 
-    /** This board beginning anew when the recording is over. */
+    /** Returns this board, beginning anew when the recording is over. */
     public ReplayBoard repeated() {
         return new ReplayBoard(said, asked, inTurn, true, commands, clock);
     }
 
-    /** This board telling {@code listener} each command that it gets, on its own thread. */
+    /** Returns this board, telling {@code listener} each command that it gets, on its own thread. */
     public ReplayBoard tellingCommandsTo(Consumer<String> listener) {
         return new ReplayBoard(said, asked, inTurn, repeated, listener, clock);
     }
@@ -86,7 +86,7 @@ public final class ReplayBoard implements SimulatedBoard {
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));
     }
 
-    /** When a message is due, counted from the first; numbers go on counting in further rounds. */
+    /** The time at which a message is due, counted from the first; numbers go on counting in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
         return rounds * periodMillis()
@@ -99,7 +99,7 @@ public final class ReplayBoard implements SimulatedBoard {
         private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
         private Long firstRequestNanos;
-        private int next; // the number of what is said next
+        private int next; // number of the next message
 
         Run(Transport line) {
             loop = new BoardLoop(line, this, clock);

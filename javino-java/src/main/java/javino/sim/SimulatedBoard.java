@@ -16,16 +16,16 @@ public interface SimulatedBoard {
      * The board's life from the opening of its port, as a sketch's is from reset, until {@code line} is gone.
      *
      * <p>Runs on a thread of its own, never twice at a time for one plugged board. Bytes take their time at the rate the port was opened
-     * with, {@code line.line().baud()}. When the port is closed, calls on {@code line} throw {@link javino.PortGoneException},
-     * as soon as what was sent before has been read; let it through. The thread is interrupted when the board is unplugged,
-     * or opened again before this method has returned. When it returns, the port is gone for who has it open; if it throws something else
-     * they are told so.
+     * with, {@code line.line().baud()}. When the port is closed, calls on {@code line} throw {@link javino.PortGoneException}, as soon as
+     * all bytes sent before have been read; let that exception through. The thread is interrupted when the board is unplugged, or opened
+     * again before this method has returned. When it returns, the port is gone for its owner; if it throws another exception the owner is
+     * told so.
      *
      * @param line the board's end
      */
     void run(Transport line) throws PortException, InterruptedException;
 
-    /** What a board found as a service is called after {@code sim:}; unless overridden, its class's name in lower case. */
+    /** The name behind {@code sim:} of a board found as a service; unless overridden, its class's name in lower case. */
     default String name() {
         return getClass().getSimpleName().toLowerCase(Locale.ROOT);
     }

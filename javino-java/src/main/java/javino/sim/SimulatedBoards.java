@@ -63,7 +63,7 @@ public final class SimulatedBoards {
         return List.copyOf(SOCKETS.keySet());
     }
 
-    /** Whether the program of the board that is plugged in under this name runs, or is about to. */
+    /** Returns whether the program of the board that is plugged in under this name runs, or is about to. */
     static boolean isRunning(String name) {
         BoardSocket socket = SOCKETS.get(name);
         return socket != null && socket.isRunning();

@@ -5,16 +5,16 @@ import javino.PortException;
 import javino.Transport;
 
 /**
- * A board in a program, as two functions: what its sensors show, and what it does. It speaks both versions of the protocol.
+ * A board in a program, as two functions: one returns percepts, one carries out commands. It speaks both versions of the protocol.
  *
  * <p>As any {@link SimulatedBoard} it is the port {@code sim:NAME} once its class is named in
  * {@code META-INF/services/javino.sim.SimulatedBoard}, or {@code SimulatedBoards.plugIn("NAME", sketch)} has been called. One object serves
  * the port however often it is opened. Both functions are called on the board's thread, one at a time, and may take their time: the board
- * does nothing else meanwhile. An exception of theirs takes the port away from who has it open, who gets it in the message.
+ * does nothing else meanwhile. An exception of theirs takes the port away from its owner, who gets it in the message.
  */
 public interface Sketch extends SimulatedBoard {
     /**
-     * What the sensors show now; called for each request.
+     * Returns the percepts that the sensors show now; called for each request.
      *
      * @return the percepts, each a literal as {@code dist(front,30)}, without a {@code ;}
      */

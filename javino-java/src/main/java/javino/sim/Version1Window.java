@@ -34,17 +34,17 @@ final class Version1Window {
         this.found = found;
     }
 
-    /** Whether a frame may begin at any byte from now on, or only at one in front of which it was {@link #quiet}. */
+    /** Returns whether a frame may begin at any byte from now on, or only at one in front of which it was {@link #quiet}. */
     void anywhere(boolean value) {
         isAnywhere = value;
     }
 
-    /** Whether a frame may begin with the next byte. */
+    /** Returns whether a frame may begin with the next byte. */
     void quiet(boolean value) {
         isQuiet = value;
     }
 
-    /** Whether a frame is being read. */
+    /** Returns whether a frame is being read. */
     boolean isReading() {
         return window.length() > delivered;
     }
@@ -60,8 +60,7 @@ final class Version1Window {
     }
 
     /**
-     * Nothing follows: a frame that is incomplete is read again from its second byte. Call it until it {@link #isEmpty}. Returns as
-     * {@link #put}.
+     * Ends the input: an incomplete frame is read again from its second byte. Call it until it {@link #isEmpty}. Returns as {@link #put}.
      */
     String giveUp() {
         if (delivered > 0 && (!isReading() || header(delivered) == Header.COMPLETE)) {
@@ -85,7 +84,7 @@ final class Version1Window {
         return "";
     }
 
-    /** Returns whether anything was decided, as the next does. */
+    /** Returns whether anything was decided, as does the next method. */
     private boolean confirmOrDoubt() {
         boolean isOther = isReading() && window.charAt(delivered) == other;
         switch (isOther ? Header.COMPLETE : header(delivered)) {

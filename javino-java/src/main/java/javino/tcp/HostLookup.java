@@ -21,7 +21,7 @@ final class HostLookup {
 
     /**
      * @param limitNanos nanoseconds to wait at most
-     * @param resolver what {@link InetAddress#getAllByName} does with the host
+     * @param resolver finds the addresses, as {@link InetAddress#getAllByName} does
      * @throws UnknownHostException if there is no such host, or its addresses were not found in time; the message is for a person
      * @throws InterruptedException if the thread is interrupted
      */

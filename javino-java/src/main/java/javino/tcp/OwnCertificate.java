@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.net.ssl.X509ExtendedKeyManager;
 
-/** Shows the computer's certificate to a board that asks for it, whoever the board trusts, and knows whether one asked. */
+/** Shows the computer's certificate to a board that asks for it, whichever issuers the board trusts, and knows whether one asked. */
 final class OwnCertificate extends X509ExtendedKeyManager {
     private static final String ALIAS = "computer";
 
@@ -20,12 +20,12 @@ final class OwnCertificate extends X509ExtendedKeyManager {
         this.own = own;
     }
 
-    /** Whether the board has asked for the computer's certificate. */
+    /** Returns whether the board has asked for the computer's certificate. */
     boolean isAskedFor() {
         return asked;
     }
 
-    /** Whether there is one. */
+    /** Returns whether there is one. */
     boolean isPresent() {
         return own.isPresent();
     }

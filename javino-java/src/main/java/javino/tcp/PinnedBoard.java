@@ -16,8 +16,8 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts the board that shows one certificate, whoever issued it and whatever name is in it; as long as none is known, the first. The
- * messages of its exceptions are for a person.
+ * Trusts only the board that shows one certificate, whoever issued it and whatever name is in it; as long as none is known, the first one
+ * shown. The messages of its exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private final Optional<X509Certificate> expected;
@@ -27,7 +27,7 @@ final class PinnedBoard extends X509ExtendedTrustManager {
 
     /**
      * @param expected the certificate that the board has to show
-     * @param file where it is or will be kept, for messages
+     * @param file the file that holds or will hold it, for messages
      * @param now the time at which it has to be valid
      */
     PinnedBoard(Optional<X509Certificate> expected, String file, Date now) {

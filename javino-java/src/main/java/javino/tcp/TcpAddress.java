@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 import javino.NoSuchPortException;
 
 /**
- * Where a board or a serial server listens: {@code //robot.local:4000}, with an IPv6 address in brackets, {@code //[fe80::1]:4000}.
+ * The address of a board or a serial server: {@code //robot.local:4000}, with an IPv6 address in brackets, {@code //[fe80::1]:4000}.
  *
  * @param host its name or address, without brackets
  * @param number the number of its TCP port, 1 to 65535
@@ -19,7 +19,7 @@ record TcpAddress(String host, int number) {
 
     /**
      * @param port as it was given, for messages
-     * @param address what stands behind the scheme; the two slashes may be missing
+     * @param address the part behind the scheme; the two slashes may be missing
      */
     static TcpAddress of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);

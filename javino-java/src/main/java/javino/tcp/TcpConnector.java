@@ -19,12 +19,12 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit. An interrupt ends the wait. */
 final class TcpConnector {
-    /** For the lookup of the host, and for connecting to all its addresses together; a local network needs a few. */
+    /** The time limit of the host's lookup, and of connecting to all its addresses together; a local network needs a few milliseconds. */
     static final int LIMIT_MILLIS = 3_000;
 
-    /** What is written but not yet taken by the far end: little, so that no command waits behind old ones for long. */
+    /** Bytes written but not yet taken by the far end: few, so that no command waits behind old ones for long. */
     private static final int SEND_BUFFER = 4_096;
-    /** What has come but not been read: little, so that a board that talks all the time cannot fill it with what is old by then. */
+    /** Bytes that have come but not been read: few, so that a board that talks all the time cannot fill it with outdated messages. */
     private static final int RECEIVE_BUFFER = 32_768;
     // a far end that vanished without a word is noticed on a line that rests in some seven seconds
     private static final int KEEPALIVE_IDLE_SECONDS = 2;

@@ -12,7 +12,7 @@ import javino.PortGoneException;
 /** A TCP connection to a board on the network, or to a serial server with a board behind it. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
-    /** How long one read of the socket waits, which no interrupt ends. */
+    /** The time that one read of the socket waits, which no interrupt ends. */
     private static final int MAX_SLICE_MILLIS = 100;
 
     private static final int DRAIN_BYTES = 65_536;
@@ -32,7 +32,7 @@ class TcpTransport extends DriverTransport {
         this.in = in;
     }
 
-    /** Whether what has arrived and what the input says is available are the same; else only a read can tell. */
+    /** Returns whether the input tells all bytes that have arrived as available; else only a read can tell. */
     boolean isInputPlain() {
         return true;
     }
@@ -83,7 +83,7 @@ class TcpTransport extends DriverTransport {
         return "the connection broke"; // known better by then
     }
 
-    /** Why the connection is lost. */
+    /** The reason of a lost connection. */
     String broken(IOException e) {
         return "the connection broke (" + e.getMessage() + ")";
     }
@@ -100,7 +100,7 @@ class TcpTransport extends DriverTransport {
         }
     }
 
-    /** A connection that is closed with bytes unread is reset, and the far end may lose what it was sent last. */
+    /** A connection that is closed with bytes unread is reset, and the far end may lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

@@ -20,7 +20,7 @@ import javino.PortInterruptedException;
 /** Makes a TLS connection of a TCP connection: checks the board's certificate, and shows the computer's own where the board asks for it. */
 final class TlsConnector {
     private static final System.Logger LOG = System.getLogger(TlsConnector.class.getName());
-    /** In TLS 1.3 a board refuses the computer's certificate only after the handshake: how long its refusal is waited for. */
+    /** The wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only after the handshake. */
     private static final int REFUSAL_MILLIS = 300;
 
     private final String port;
@@ -113,7 +113,7 @@ final class TlsConnector {
         }
     }
 
-    /** Why the handshake failed, in words for a person. */
+    /** The reason of a failed handshake, in words for a person. */
     private IOException refusal(Throwable cause) {
         for (Throwable each = cause; each != null; each = each.getCause()) {
             if (each instanceof java.security.cert.CertificateException) {
@@ -149,7 +149,7 @@ final class TlsConnector {
                         + ", and its key beside it into computer.key";
     }
 
-    /** Why a connection was lost later. */
+    /** The reason of a connection that was lost later. */
     private String broken(IOException e) {
         return e instanceof SSLException && own.isAskedFor()
                 ? refusedByBoard(e.getMessage())

@@ -30,13 +30,13 @@ record TlsFolder(Path path) {
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([A-Za-z0-9+/=\\s]+)-----END PRIVATE KEY-----");
 
-    /** That of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
+    /** The folder of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
     static TlsFolder ofUser() {
         String given = System.getProperty("javino.tls");
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
     }
 
-    /** Where the certificate of the board at {@code address} is, or will be. */
+    /** The file that holds, or will hold, the certificate of the board at {@code address}. */
     Path fileOf(TcpAddress address) {
         return path.resolve(address.toString().replaceAll("[^a-z0-9.-]", "_") + ".crt");
     }
@@ -63,12 +63,12 @@ record TlsFolder(Path path) {
         }
     }
 
-    /** Where the computer's own certificate is, or could be. */
+    /** The file that holds, or could hold, the computer's own certificate. */
     Path computerFile() {
         return path.resolve("computer.crt");
     }
 
-    /** What the computer shows of itself: its certificate, with those of its issuers behind it, and the key. */
+    /** The computer's identity: its certificate, with those of its issuers behind it, and the key. */
     record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**

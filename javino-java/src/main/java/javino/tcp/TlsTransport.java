@@ -12,7 +12,7 @@ import javino.LineSettings;
 
 /** A TLS connection to a board on the network. */
 final class TlsTransport extends TcpTransport {
-    /** How long the far end is told that the connection ends, where it does not read. */
+    /** The time limit for telling a far end that does not read that the connection ends. */
     private static final int FAREWELL_MILLIS = 100;
 
     private final SSLSocket socket;
@@ -22,7 +22,7 @@ final class TlsTransport extends TcpTransport {
     /**
      * @param socket a socket whose handshake is done, over {@code plain}; both become this transport's own
      * @param in the socket's input
-     * @param broken why the connection is lost, by what a read or a write has thrown
+     * @param broken gives the reason of a lost connection, from the exception of a read or a write
      */
     TlsTransport(
             SSLSocket socket,
@@ -39,7 +39,7 @@ final class TlsTransport extends TcpTransport {
 
     @Override
     boolean isInputPlain() {
-        return false; // what has arrived may be encrypted still
+        return false; // bytes that have arrived may be encrypted still
     }
 
     @Override

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What one frame carries of an answer: all of it, or a part.
+ * The part of an answer that one frame carries, or all of it.
  *
  * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
  * @param payload the frame's
@@ -15,7 +15,7 @@ public record AnswerPart(FrameKind kind, String payload) {
 
     private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // behind the numbers of request and part
 
-    /** The frames of an answer, as few as can be. As {@link #split(int, String, int)}. */
+    /** The frames of an answer, as few as possible; see {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {
         return items.length() < WireFrame.MAX_PAYLOAD
                 ? List.of(whole(request, items))

@@ -20,7 +20,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         conditions = List.copyOf(conditions);
     }
 
-    /** How an argument is compared with a value. */
+    /** Compares an argument with a value. */
     public enum Operator {
         LESS('<'),
         GREATER('>'),
@@ -62,7 +62,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         }
     }
 
-    /** Whether there is a command that sets it: it is short enough, and each character is a byte. */
+    /** Returns whether a command can set it: it is short enough, and each character is a byte. */
     public boolean isSendable() {
         String text = text(1);
         return text.length() <= CommandItem.MAX_TEXT && text.chars().allMatch(c -> c <= 0xFF);
@@ -128,7 +128,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return isReadable ? new Condition(place, operator, value) : null;
     }
 
-    /** Whether two arguments of that text are compared by value. */
+    /** Returns whether two arguments of that text are compared by value. */
     public static boolean isNumber(String text) {
         return NUMBER.matcher(text).matches();
     }

@@ -1,10 +1,10 @@
 package javino.wire;
 
 /**
- * What a board reports when a rule begins to be met.
+ * A board's report that a rule begins to be met.
  *
  * @param rule the rule's number
- * @param outcome what became of its reflex
+ * @param outcome the outcome of its reflex
  * @param percept the text of the percept that meets it, with its {@code ;}
  */
 public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {

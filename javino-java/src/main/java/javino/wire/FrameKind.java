@@ -2,7 +2,7 @@ package javino.wire;
 
 import java.util.Arrays;
 
-/** What a frame of version 2 is for. */
+/** The purpose of a frame of version 2. */
 public enum FrameKind {
     /** Begins a session; its number is the nonce. */
     HELLO(0x10),
@@ -12,7 +12,7 @@ public enum FrameKind {
     DESCRIBE(0x28),
     /** Commands, the first of which has the frame's number. */
     COMMANDS(0x30),
-    /** As {@link #COMMANDS}; what was refused before has been seen. */
+    /** Like {@link #COMMANDS}; the computer has seen the refusal of the last command handled. */
     COMMANDS_WITH_RESUME(0x31),
 
     /** The answer to {@link #HELLO}, or "no session". */
@@ -49,12 +49,12 @@ public enum FrameKind {
         return code;
     }
 
-    /** Whether the board sends it, else the computer. */
+    /** Returns whether the board sends it, else the computer. */
     public boolean isFromBoard() {
         return (code & FROM_BOARD) != 0;
     }
 
-    /** Whether a frame has the same checksum in all sessions, since it begins one or tells of none. */
+    /** Returns whether a frame has the same checksum in all sessions, since it begins one or tells of none. */
     boolean isOfNoSession() {
         return this == HELLO || this == WELCOME;
     }

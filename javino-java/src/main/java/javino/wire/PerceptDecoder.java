@@ -9,12 +9,12 @@ public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
 
-    /** How many shapes it knows, from 0 without a gap. */
+    /** The number of shapes that it knows, from 0 without a gap. */
     public int known() {
         return known;
     }
 
-    /** Forgets all shapes: the session has ended, or what was read was wrong. */
+    /** Forgets all shapes: the session has ended, or an answer could not be read. */
     public void forget() {
         Arrays.fill(shapes, null);
         known = 0;
@@ -40,7 +40,7 @@ public final class PerceptDecoder {
         }
     }
 
-    /** The text of an answer has more bytes than it may have. */
+    /** Reports that the text of an answer has more bytes than it may have. */
     public static final class TooLongException extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
@@ -49,7 +49,7 @@ public final class PerceptDecoder {
         private static final long serialVersionUID = 1;
     }
 
-    /** One answer. What is cut is found by reading beyond its end. */
+    /** One answer. Reading beyond its end shows that it is cut. */
     private final class Reading {
         private final String items;
         private final int limit;

@@ -15,7 +15,7 @@ public final class PerceptWriter {
         this.capacity = Math.min(capacity, PerceptItems.MAX_IDS);
     }
 
-    /** How many shapes it has numbered in the session. */
+    /** The number of shapes that it has numbered in the session. */
     public int numbered() {
         return ids.size();
     }

@@ -1,6 +1,6 @@
 package javino.wire;
 
-/** What became of the reflex of a rule on a board. */
+/** The outcome of the reflex of a rule on a board. */
 public enum ReflexOutcome {
     /** The rule has no reflex. */
     NONE,

@@ -8,7 +8,7 @@ import java.util.List;
  *
  * @param request number of the request that it answers
  * @param first number of the first action in it
- * @param total how many actions the board has
+ * @param total number of actions that the board has
  * @param actions in the order of their numbers
  */
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {

@@ -1,25 +1,25 @@
 package javino.wire;
 
 /**
- * What a board says of itself when a session begins.
+ * A board's description of itself when a session begins.
  *
  * @param nonce the session's; 0: the board has no session
  * @param credit bytes of frames that it can hold while its program is busy
  * @param longestPayload bytes of payload that it takes
- * @param rules how many critical rules it holds at most
+ * @param rules number of critical rules that it holds at most
  * @param revision the revision of version 2 that it speaks; 0: one before {@link #REVISION}
- * @param actionsLost how many actions of its program found no room
+ * @param actionsLost number of actions of its program that found no room
  */
 public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {
     /** The revision of version 2 that this library speaks. */
     public static final int REVISION = 1;
 
-    /** What a board without a session says. */
+    /** The answer of a board without a session. */
     public static final Welcome NO_SESSION = new Welcome(0, 0, 0, 0);
 
     private static final int LEAST_LENGTH = 4;
 
-    /** That of a board of this revision that has room for all its actions. */
+    /** The description of a board of this revision that has room for all its actions. */
     public Welcome(int nonce, int credit, int longestPayload, int rules) {
         this(nonce, credit, longestPayload, rules, REVISION, 0);
     }

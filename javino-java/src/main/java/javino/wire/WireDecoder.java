@@ -37,7 +37,7 @@ public final class WireDecoder {
     }
 
     /**
-     * As the other; a frame whose payload is longer than {@code longestPayload} ends as damaged with its length.
+     * Like the other constructor; a frame whose payload is longer than {@code longestPayload} ends as damaged with its length.
      */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
@@ -95,7 +95,7 @@ public final class WireDecoder {
         return isInFrame ? Math.max(0, lastByteNanos + timeoutNanos + 1 - now) : Long.MAX_VALUE;
     }
 
-    /** Whether a frame has begun and not ended. */
+    /** Returns whether a frame has begun and not ended. */
     public boolean isInFrame() {
         return isInFrame;
     }

@@ -38,7 +38,7 @@ private fun openDescriptors(): Int = Files.list(descriptors).use { it.count().to
 
 private fun liveThreads(): Int = Thread.getAllStackTraces().size
 
-/** What serial devices do beyond what every transport does. */
+/** The behaviour of serial devices beyond the contract of every transport. */
 class SerialLineSpec : FunSpec({
     val settings = LinkSettings.defaults().withBaud(115_200)
 

@@ -8,13 +8,13 @@ internal class Terminals private constructor(private val pair: PseudoTerminals) 
     val computer: String = pair.computer().path
     val board: String = pair.board().path
 
-    /** Takes both away, which is to each end as if the other were pulled out. */
+    /** Takes both away: for each end that is as if the other were pulled out. */
     fun unplug() = pair.close()
 
     override fun close() = pair.close()
 
     companion object {
-        /** Whether they can be had here. */
+        /** Tells whether pseudo-terminals can be made here. */
         val available: Enabled =
             if (PseudoTerminals.available()) Enabled.enabled
             else Enabled.disabled("needs pseudo-terminals, and socat, which makes them, is not installed")

@@ -9,7 +9,7 @@ import javino.wire.Welcome
 import javino.wire.WireFrame
 
 /**
- * The board's end of version 2 as docs/protocol.md has it, as small as can be: what it answers to each frame, at once.
+ * The board's end of version 2 as docs/protocol.md has it, as small as can be: it answers each frame at once.
  *
  * @param percepts the answer to a request that has these functors
  * @param actions the vocabulary

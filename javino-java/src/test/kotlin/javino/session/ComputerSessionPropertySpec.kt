@@ -31,7 +31,7 @@ private class Way(private val random: SplittableRandom, private val loss: Double
     }
 }
 
-/** A session and a board with a line between them that loses frames, and what became of [COMMANDS] commands. */
+/** A session and a board with a line between them that loses frames, and the outcomes of [COMMANDS] commands. */
 private class Run(seed: Long, loss: Double, restarts: Double) {
     private val random = SplittableRandom(seed)
     private val there = Way(random.split(), loss)

@@ -78,7 +78,7 @@ private class VectorBoard(board: JsonObject) {
         return null
     }
 
-    /** Takes a frame over the line, which it reaches in the session that the computer has begun, or in that with another [nonce]. */
+    /** Takes a frame over the line, in the session that the computer has begun, or in that with another [nonce]. */
     private fun receive(frame: WireFrame, nonce: Int?) {
         if (frame.kind() == FrameKind.HELLO) begun = frame.number()
         val bytes = frame.toBytes(nonce ?: begun)
@@ -99,7 +99,7 @@ private class VectorBoard(board: JsonObject) {
     }
 }
 
-/** A frame, but of WELCOME the nonce only: capacities are the board's own. */
+/** A frame; of WELCOME only the nonce, since capacities are the board's own. */
 private fun comparable(frame: WireFrame) =
     if (frame.kind() != FrameKind.WELCOME) vectorOf(frame)
     else "WELCOME ${frame.number()} ${frame.isRefused} ${frame.isBusy} ${Welcome.read(frame.payload()).nonce()}"

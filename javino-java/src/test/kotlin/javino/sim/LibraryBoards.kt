@@ -12,7 +12,7 @@ internal object LibraryBoards {
     private val sources = Path.of("../javino-arduino/src")
     private val program: Path by lazy(::compile)
 
-    /** Whether there is a C compiler with the sanitizers. */
+    /** Tells whether there is a C compiler with the sanitizers. */
     val available: Enabled by lazy {
         val made = Files.createTempDirectory("argo-c")
         val reason = runCatching { cc(made.resolve("empty"), "-x", "c", "/dev/null", "-shared", "-fPIC") }
@@ -21,7 +21,7 @@ internal object LibraryBoards {
         else Enabled.disabled("needs a C compiler, cc, with its sanitizers, but: ${reason.getOrNull()?.second ?: reason.exceptionOrNull()}")
     }
 
-    /** What it writes for each of the [operations]. */
+    /** Its output for each of the [operations]. */
     fun play(operations: List<String>): List<List<String>> {
         val script = Files.createTempFile("argo-c", ".txt")
         val output = Files.createTempFile("argo-c", ".txt")
@@ -49,7 +49,7 @@ internal object LibraryBoards {
         return made
     }
 
-    /** The exit status of the compiler and what it wrote. */
+    /** The exit status of the compiler and its output. */
     private fun cc(made: Path, vararg arguments: String): Pair<Int, String> {
         val options = listOf("cc", "-std=c99", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-o", "$made")
         val process = ProcessBuilder(options + arguments).redirectErrorStream(true).start()

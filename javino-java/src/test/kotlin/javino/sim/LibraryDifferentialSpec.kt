@@ -41,7 +41,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
         return if (command.startsWith("later")) Outcome.LATER else Outcome.DONE
     }
 
-    /** Those of which the functor stands between a bracket or comma and another: the request may be damaged. */
+    /** The percepts whose functor stands between a bracket or comma and another: the request may be damaged. */
     override fun percepts(request: String): String {
         val isForAll = request.none { it in "(," }
         fun isWanted(functor: String) = Regex("[(,]${Regex.escape(functor)}[,)]").containsMatchIn(request)
@@ -49,7 +49,7 @@ private class DriverProgram(private val carried: (String) -> Unit) : BoardProgra
     }
 }
 
-/** Names what a board sends so that boards can be compared: answers by their text, capacities not at all. */
+/** Names a board's frames so that boards can be compared: answers by their text, capacities not at all. */
 private class Observer {
     private val reader = PerceptDecoder()
     private var parts = ""
@@ -72,7 +72,7 @@ private class Observer {
         return session
     }
 
-    /** A part or a whole answer: where it is cut is the board's own matter. */
+    /** A part or a whole answer: each board cuts it where it likes. */
     private fun answer(head: String, request: Char, items: String) =
         "PERCEPTS $head ${request.code} ${reader.read(items, LIMIT).orElse("unreadable")}"
 }
@@ -122,10 +122,10 @@ private class SessionBoard(rules: Int = 0) {
     }
 }
 
-/** What the library wrote for an operation, named as [SessionBoard.play] does. */
+/** The library's output for an operation, named as [SessionBoard.play] does. */
 private class LibraryOutput {
     private val observer = Observer()
-    private var nonce = 0 // of the session that the last WELCOME told of
+    private var nonce = 0 // nonce of the session in the last WELCOME
 
     fun named(lines: List<String>): List<String> = lines.flatMap { line ->
         val bytes = HEX.parseHex(line.drop(2))

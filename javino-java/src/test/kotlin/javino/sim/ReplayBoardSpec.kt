@@ -128,7 +128,7 @@ private fun plugged(board: ReplayBoard, settings: LinkSettings = LinkSettings.de
     }
 }
 
-/** Stands where it is put; a pause of the board takes its time on the machine's. */
+/** A clock that stands where it is put; a pause of the board takes its time on the machine's. */
 private class HandClock : LineClock {
     val millis = AtomicLong()
 

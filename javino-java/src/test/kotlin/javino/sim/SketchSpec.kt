@@ -13,7 +13,7 @@ import javino.Protocol
 private const val LIMIT_MS = 10_000
 private val SETTINGS = LinkSettings.defaults().withBaud(1_000_000).withBootMillis(0)
 
-/** Shows what it was made to, and keeps the commands that it knows. */
+/** Shows the percepts that it was given, and keeps the commands that it knows. */
 private class Wall(private val shown: () -> List<String>) : Sketch {
     val commands = ArrayList<String>()
 

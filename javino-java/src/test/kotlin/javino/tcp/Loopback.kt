@@ -10,13 +10,13 @@ import java.net.Socket
 /** A program that listens on this machine's loopback address, as a board on a network does. */
 internal class Loopback : AutoCloseable {
     private val server = ServerSocket().apply {
-        receiveBufferSize = 4096 // so that one who does not read is soon noticed
+        receiveBufferSize = 4096 // so that the sender soon notices a far end that does not read
         bind(InetSocketAddress(InetAddress.getLoopbackAddress(), 0))
     }
     val number: Int = server.localPort
     val port: String = "tcp://127.0.0.1:$number"
 
-    /** The next one who connects; with [breaks] its end does not close the connection but breaks it. */
+    /** The next connection; with [breaks] its end does not close it but breaks it. */
     fun accept(breaks: Boolean = false): Socket = server.accept().apply {
         if (breaks) setSoLinger(true, 0)
     }

@@ -16,7 +16,7 @@ import kotlin.io.path.writeText
 
 /**
  * A certificate that its own key has signed, valid for [days] days from [startDays] days after now on. It is made here, since a process of
- * `keytool` for each takes a busy machine longer than all that is tested with them.
+ * `keytool` for each takes a busy machine longer than all tests with them.
  */
 internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 30, algorithm: String = "EC") {
     private val keys = KeyPairGenerator.getInstance(algorithm).apply { initialize(if (algorithm == "EC") 256 else 2048) }.generateKeyPair()
@@ -50,7 +50,7 @@ internal class TestCertificate(name: String, startDays: Long = -1, days: Long = 
     companion object {
         val PASSWORD = "secret".toCharArray()
 
-        /** One that several tests use. */
+        /** A certificate that several tests use. */
         val BOARD by lazy { TestCertificate("board") }
 
         // tags and values of ASN.1

@@ -52,9 +52,9 @@ internal class TlsBoard(own: TestCertificate, private val computer: TestCertific
 /** The far end's transport, within 20 s. */
 internal fun CompletableFuture<TlsTransport>.end(): TlsTransport = get(20, TimeUnit.SECONDS)
 
-/** Sends what is written byte by byte with a pause after each, so that no record of TLS arrives at once. */
+/** Sends written bytes one by one with a pause after each, so that no record of TLS arrives at once. */
 internal class DrippingSocket(private val socket: Socket, private val pauseMillis: Long) : Socket() {
-    /** Whether it drips. */
+    /** True while it drips. */
     @Volatile
     var drips = false
 

@@ -26,7 +26,7 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.seconds
 
-/** The board is a part of this program, so it is given what time it takes. */
+/** The board is a part of this program, so the connection waits for it as long as it takes. */
 private const val LONG_MILLIS = 60_000
 
 private fun open(board: TlsBoard, folder: Path): Transport =
@@ -112,7 +112,7 @@ class TlsPortSpec : FunSpec({
         TlsBoard(TestCertificate("young", startDays = 5, days = 5)).use { refusal(it) shouldContain "Set the clock that is wrong" }
     }
 
-    /** Why the board refuses the computer: it may do so only when the connection is there. */
+    /** The reason why the board refuses the computer: it may refuse only when the connection is there. */
     fun refusalByBoard(board: TlsBoard): String {
         board.accept()
         return shouldThrow<PortException> { open(board, folder).use { it.read(ByteArray(1), 0, 1, LONG_MILLIS) } }.message.orEmpty()

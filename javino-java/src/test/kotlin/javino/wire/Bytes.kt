@@ -18,7 +18,7 @@ internal fun bytesOf(text: String): ByteArray = text.toByteArray(Charsets.ISO_88
 
 internal fun textOf(bytes: ByteArray): String = String(bytes, Charsets.ISO_8859_1)
 
-/** That of the session of frames where no other is given. */
+/** The nonce of frames whose session is not given. */
 internal const val NONCE = 7
 
 /** A receiver of one direction with a time of its own, in milliseconds. */
@@ -49,7 +49,7 @@ internal fun vectorOf(frame: WireFrame): String {
     return HexFormat.of().formatHex(byteArrayOf(kind.toByte(), frame.number().toByte()) + bytesOf(frame.payload()))
 }
 
-/** The frame that test vectors write so. */
+/** The frame that test vectors write in that form. */
 internal fun frameOf(vector: String): WireFrame {
     val text = textOf(HexFormat.of().parseHex(vector))
     val flags = if (text[0].code >= FrameKind.FROM_BOARD) text[0].code and (WireFrame.REFUSED or WireFrame.BUSY) else 0

@@ -12,8 +12,8 @@ import javino.wire.WireFrame
  * A simulated board in virtual time: it answers each request in the version it was asked in, carries out commands but those that begin with
  * `bad`, and takes longer over those that begin with `walk`.
  *
- * @param startsAt the time in ms until which what comes is lost
- * @param damage what the line makes of bytes, in either direction
+ * @param startsAt the time in ms until which bytes that come are lost
+ * @param damage damages bytes of the line, in either direction
  * @param readsVersion1 whether it answers version 1 too
  */
 internal class VirtualBoard2(
@@ -28,13 +28,13 @@ internal class VirtualBoard2(
     /** All frames of version 2 that came. */
     val received = mutableListOf<WireFrame>()
 
-    /** Is called with what is handled, as it is in [handled]; keeps it there unless something else is wanted. */
+    /** Is called with each entry of [handled]; keeps it there unless something else is wanted. */
     var onHandled: (String) -> Unit = { handled += it }
 
     /** Is called with each frame that comes; keeps it in [received] unless something else is wanted. */
     var onReceived: (WireFrame) -> Unit = { received += it }
 
-    /** What the board does with its frames before they go on the line: leaves them out, doubles them. */
+    /** Changes the board's frames before they go on the line: leaves some out, doubles some. */
     var posting: (WireFrame) -> List<WireFrame> = { listOf(it) }
     var answer: (Int) -> String = { "$it;" }
 
@@ -43,7 +43,7 @@ internal class VirtualBoard2(
     var walkTakes = 0.0
     var silent = false
 
-    /** Whether it carries commands and requests out, or leaves frames unread. */
+    /** True if it leaves frames unread; else it carries commands and requests out. */
     var stopped = false
     private var answers = 0
     private val outgoing = ArrayDeque<Pair<Double, ByteArray>>()

@@ -4,7 +4,7 @@ import javino.LineSettings
 import javino.wire.WireFrame
 import kotlin.random.Random
 
-/** What has a bound, as docs/real-time.md lists it. */
+/** The durations that docs/real-time.md bounds. */
 internal enum class Bounded(val words: String) {
     ANSWER("an answer"),
     PARTS("an answer, rules on the board"),
@@ -17,10 +17,10 @@ internal enum class Bounded(val words: String) {
 }
 
 /**
- * A line, a board and what is done with it.
+ * A line, a board and the work on them.
  *
  * @property intervalMs the sensing interval
- * @property percepts how many the board has besides those that are measured by, each with a number of so many [digits]
+ * @property percepts number of percepts that the board has besides the measured ones, each with a number of so many [digits]
  */
 internal data class BoundsCase(
     val baud: Int, val times: BoardTimes, val intervalMs: Int, val percepts: Int, val digits: Int, val hasRules: Boolean,
@@ -31,7 +31,7 @@ internal data class BoundsCase(
         private const val MICROS = 1_000L
         private val RATES = listOf(9_600, 19_200, 57_600, 115_200, 500_000, 1_000_000)
 
-        /** Any within what the bounds assume. */
+        /** A random course within the assumptions of the bounds. */
         fun random(random: Random): BoundsCase {
             val hasRules = random.nextBoolean()
             val times = BoardTimes(
@@ -57,7 +57,7 @@ internal class Bounds(private val course: BoundsCase) {
     private val parts = if (course.hasRules && items > PART) (items + PART - 1) / PART else 1
     private val answer = if (parts > 1) items + parts * AROUND_PART else items + AROUND_PART - 1
 
-    /** To read the sensors, and to write what the port's buffer has no room for. */
+    /** The time to read the sensors, and to write the bytes that the port's buffer has no room for. */
     private val sensors = times.sensors + look + if (parts > 1) 0 else bytes(maxOf(0, answer - LoopBoard.BUFFER))
 
     /** The longest frame that the board may be sending. */
@@ -71,7 +71,7 @@ internal class Bounds(private val course: BoundsCase) {
 
     fun outcome(bytes: Int) = command(bytes) + times.action + bytes(ACKNOWLEDGEMENT)
 
-    /** Behind [ahead] commands that are out. */
+    /** The bound of an urgent command behind [ahead] commands that are out. */
     fun urgent(bytes: Int, ahead: Int) = bytes(LONGEST_ROW + LoopBoard.CREDIT + bytes) + (ahead + 1) * (loop + times.action) + sensors
 
     fun planFromAnswer(bytes: Int) = maxOf(course.intervalMs * NANOS_PER_MS, answer()) + bytes(GRACE) +

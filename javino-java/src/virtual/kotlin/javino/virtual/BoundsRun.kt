@@ -13,7 +13,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** How close what was measured came to its bound; times in ns. */
+/** A measurement and its bound; times in ns. */
 internal class Closest(val measured: Long, val bound: Long, val course: BoundsCase) {
     val share: Double get() = measured.toDouble() / bound
 
@@ -224,7 +224,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         var doneAt = 0L
             private set
 
-        /** Commands that were under way at [await], or carried out between that and the one awaited. */
+        /** Commands that were under way at [await], or carried out between its call and the awaited command. */
         var before = 0
             private set
         private var awaited: String? = null

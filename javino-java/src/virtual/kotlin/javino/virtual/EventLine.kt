@@ -12,17 +12,17 @@ import java.util.concurrent.locks.Condition
 /** Bytes that arrive together, [lateNanos] later than by the line's rate. */
 internal class Piece(val bytes: ByteArray, val lateNanos: Long = 0)
 
-/** What one direction of a line makes of the bytes of one write. */
+/** Faults of one direction of a line, for the bytes of one write. */
 internal fun interface LineFaults {
     fun pass(bytes: ByteArray): List<Piece>
 }
 
-/** Nothing happens to the bytes. */
+/** Leaves the bytes as they are. */
 internal val FAULTLESS = LineFaults { listOf(Piece(it)) }
 
-/** What is at the far end of a line. */
+/** The far end of a line. */
 internal fun interface LineEnd {
-    /** Does what there is to do [now], in ms since the link was opened; called again and again. */
+    /** Does the work that is due [now], in ms since the link was opened; called again and again. */
     fun look(end: Transport, now: Double)
 }
 
@@ -34,11 +34,11 @@ internal interface EventBoard : LineEnd {
 
 /**
  * A paced line, a link and a board on one thread, in a time of their own that jumps from one event to the next: so a million exchanges take
- * seconds. What is written arrives in one piece when its last byte does, unless faults break it up.
+ * seconds. Written bytes arrive in one piece when the last of them does, unless faults break it up.
  *
  * @param open makes the link
  * @param goneAfter bytes in both directions after which the line is gone
- * @param startMillis what the clock shows when the line is opened
+ * @param startMillis time of the clock when the line is opened
  */
 internal class EventLine(
     settings: LinkSettings,
@@ -69,7 +69,7 @@ internal class EventLine(
 
     override fun close() = link.close()
 
-    /** Ends the read that waits, so that its thread writes what has been queued: there is no other that would. */
+    /** Ends the read that waits, so that its thread writes the queued commands: no other thread would. */
     fun wake() {
         isWoken = true
     }

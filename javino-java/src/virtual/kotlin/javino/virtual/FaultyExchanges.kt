@@ -11,7 +11,7 @@ import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 
 /**
- * What became of so many exchanges on a faulty line of 115,200 baud to a board of version 2: half of them commands, in rows of four, and
+ * The outcome of so many exchanges on a faulty line of 115,200 baud to a board of version 2: half of them commands, in rows of four, and
  * half requests for nine percepts, with 500 ms for the answer.
  */
 internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
@@ -27,16 +27,16 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
     var corruptFrames = 0L
         private set
 
-    /** What may not be, in words: commands that were carried out wrongly or out of order, or confirmed and not carried out. */
+    /** Violations, in words: commands that were carried out wrongly or out of order, or confirmed and not carried out. */
     val wrong = mutableListOf<String>()
 
-    /** Answers that were believed and are not what the board sent. */
+    /** Answers that were believed and that the board did not send. */
     val corruptBelieved = mutableListOf<String>()
 
-    /** Commands whose outcome was that they were carried out. */
+    /** The number of commands that were confirmed as carried out. */
     val confirmations: Int get() = confirmed.count { it }
 
-    /** Commands that were carried out more than once. */
+    /** The number of commands that were carried out more than once. */
     val twice: Int get() = carriedOut.count { it > 1 }
 
     init {

@@ -12,7 +12,7 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop of a round of the sketch's `loop()`, without what the others are
+ * @property loop of a round of the sketch's `loop()`, without the times below
  * @property action of an action
  * @property sensors to read the sensors for an answer and to code it
  * @property ruleSensors to read the sensors of the rules and to compare
@@ -20,7 +20,7 @@ import kotlin.random.Random
  */
 internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Long, val ruleSensors: Long, val isSteady: Boolean)
 
-/** What a [LoopBoard] reads and does. */
+/** The percepts of a [LoopBoard], and its commands. */
 internal interface TimedSketch {
     /** The percepts at [nanos], each with a `;` behind it. */
     fun percepts(nanos: Long): String
@@ -30,7 +30,7 @@ internal interface TimedSketch {
 }
 
 /**
- * A board of version 2 whose sketch calls the library once in each round of its `loop()`, as the Arduino library works: a call handles up to
+ * A board of version 2 whose sketch calls the library once each round of its `loop()`, as the Arduino library works: a call handles up to
  * eight messages; sensors of rules are read every 5 ms at most; parts of an answer go out when the line is free; and a write waits for room
  * in the port's buffer.
  */
@@ -45,7 +45,7 @@ internal class LoopBoard(
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
     private var now = 0L // the program's, ahead of the line's while it works
-    private var spent = 0L // since now
+    private var spent = 0L // time spent since now
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
     private var messages = 0 // of this call
@@ -71,7 +71,7 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Often the longest, since bounds are about that. */
+    /** Draws a time, often the longest, since bounds are about that. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
     /** Reads the sensors of the rules, handles a message, or ends the call if there is none. */
@@ -102,7 +102,7 @@ internal class LoopBoard(
         spent = 0
     }
 
-    /** That of the session to which bytes that arrive now belong, once the frames before them have been handled. */
+    /** The nonce of the session to which bytes that arrive now belong, once the frames before them have been handled. */
     private fun nonce() = arrived.lastOrNull { it.kind() == FrameKind.HELLO }?.number() ?: session.nonce()
 
     private fun send(frame: WireFrame, nonce: Int) {

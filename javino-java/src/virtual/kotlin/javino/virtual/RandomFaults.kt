@@ -5,7 +5,7 @@ import kotlin.math.ln
 import kotlin.math.pow
 
 /**
- * What goes wrong on a line, byte by byte and each by chance.
+ * Faults of a line, byte by byte and each by chance.
  *
  * @param bitErrors the probability that a bit is turned over
  * @param lost that a byte does not arrive
@@ -23,11 +23,11 @@ internal class RandomFaults(
     private val random = SplittableRandom(seed)
     private val wrongByte = 1 - (1 - bitErrors).pow(8)
 
-    /** Whether the last bytes that passed arrived as they were, though perhaps late. */
+    /** True if the last bytes that passed arrived undamaged, though perhaps late. */
     var intact = true
         private set
 
-    /** By how much the last bytes that passed were late at most, in ns. */
+    /** The longest delay, in ns, of the last bytes that passed. */
     var lateNanos = 0L
         private set
 
@@ -58,7 +58,7 @@ internal class RandomFaults(
         else -> byteArrayOf(byte, byte)
     }
 
-    /** At least one bit. */
+    /** Picks the bits of a byte that are turned over: at least one. */
     private fun wrongBits(): Int {
         val first = (ln(1 - random.nextDouble() * wrongByte) / ln(1 - bitErrors)).toInt().coerceIn(0, 7)
         return (first + 1..7).fold(1 shl first) { bits, bit -> if (random.nextDouble() < bitErrors) bits or (1 shl bit) else bits }
