@@ -45,7 +45,7 @@ class McapReader(path: Path) : Closeable {
     /** What of the file cannot be read, for a person: one sentence for each place, of many the first. */
     val problems: List<String> get() = contents.problems
 
-    /** Whether the file was closed by its writer, and all of it can be read. */
+    /** True if the file was closed by its writer, and all of it can be read. */
     val isComplete: Boolean get() = problems.isEmpty()
 
     /**
@@ -72,7 +72,7 @@ class McapReader(path: Path) : Closeable {
 
     companion object {
         /**
-         * Whether the file [path] begins as one of MCAP, of any version.
+         * Returns true if the file [path] begins as one of MCAP, of any version.
          * @throws McapException if it is empty
          * @throws java.io.IOException if it cannot be read
          */

@@ -18,7 +18,7 @@ internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$numb
 /** The name of the attachment with the filter [filter] of [agent]. */
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
 
-/** Whether the attachment called [name] is a file of an agent's program, and not the `.mas2j`. */
+/** Returns true if the attachment called [name] is a file of an agent's program, and not the `.mas2j`. */
 internal fun isProgram(name: String) = name.startsWith("program/") && '/' in name.removePrefix("program/")
 
 /** The name of the attachment with the file [file] of the program of [agent]. */

@@ -34,7 +34,7 @@ internal object Counters {
         }
     }
 
-    /** Whether one has begun an intention since they stood at [start]. */
+    /** Returns true if one has begun an intention since they stood at [start]. */
     fun hasNewIntentions(start: List<Int>) = ofIntentions in start.indices && all[ofIntentions].get() != start[ofIntentions]
 
     /** The number of the last intention when they stood at [start]. */
@@ -49,7 +49,7 @@ internal object Counters {
     /** Where they stand. */
     fun read(): List<Int> = all.map { it.get() }
 
-    /** Whether they stand where [read] returned [values]. */
+    /** Returns true if they stand where [read] returned [values]. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
     /** The number of the first plan among [plans] that Jason has named; null: it has named none. */

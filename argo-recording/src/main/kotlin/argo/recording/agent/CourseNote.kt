@@ -22,7 +22,7 @@ internal class CourseNote(
     /** The name of the first message that was sent; null: none was. */
     val firstMessage: String? get() = mail.firstOrNull()?.id
 
-    /** Whether an event was chosen, or a step carried out. */
+    /** True if an event was chosen, or a step carried out. */
     val hasHappened: Boolean get() = event != null || step != null
 
     /** Any thread. */

@@ -65,7 +65,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
-    /** Whether lines that plans printed may be missing, as Java is ending. */
+    /** True if lines that plans printed may be missing, as Java is ending. */
     val missesPrints: Boolean get() = prints.isClosed
 
     /** Nothing is watched any more. */

@@ -60,16 +60,16 @@ internal object JasonCode {
     /** The nature of the class called [type]; null: it is not known. */
     fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
 
-    /** Whether a replay takes the recorded result of what has this [nature]. */
+    /** Returns true if a replay takes the recorded result of what has this [nature]. */
     fun isRecorded(nature: Nature) = nature == Nature.INPUT || nature == Nature.EFFECT
 
     /** The name that programs have for the internal action of the class [type]. */
     fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
 
-    /** Whether [type], a class, is Jason's or ARGO's, and no code of a project. */
+    /** Returns true if [type], a class, is Jason's or ARGO's, and no code of a project. */
     fun isOwn(type: Class<*>): Boolean = type.packageName.let { it == "argo" || it.startsWith("jason.") }
 
-    /** Whether [code], an action or a function, is Jason's and not in the table. */
+    /** Returns true if [code], an action or a function, is Jason's and not in the table. */
     fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
 
     /** The name that programs have for [code], an action or a function. */

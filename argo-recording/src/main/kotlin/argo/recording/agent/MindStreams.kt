@@ -140,7 +140,7 @@ private val ALLOWED_OF_JAVA = setOf(
     "java.lang.Double", "java.lang.Boolean", "java.lang.Number", "java.lang.Enum", "java.lang.Object",
 )
 
-/** Whether objects of [type] may stand in a recording: terms, and what intentions consist of. */
+/** Returns true if objects of [type] may stand in a recording: terms, and what intentions consist of. */
 private fun isAllowed(type: Class<*>): Boolean = when {
     type.isPrimitive -> true
     type.isArray -> isAllowed(type.componentType)

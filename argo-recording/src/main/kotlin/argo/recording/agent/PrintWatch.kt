@@ -11,7 +11,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     private var lines = ArrayList<String>()
     private var thread: Thread? = null
 
-    /** Whether lines may have been missed: when Java ends, it takes the handlers of all loggers away while agents still reason. */
+    /** True if lines may have been missed: when Java ends, it takes the handlers of all loggers away while agents still reason. */
     @Volatile
     var isClosed = false
         private set

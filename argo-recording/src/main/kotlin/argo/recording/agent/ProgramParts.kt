@@ -48,11 +48,11 @@ internal class ProgramParts(val agent: Agent) {
     /** The part with this [number]. */
     fun part(number: Int): Any = parts[number]
 
-    /** Whether the plans of the agent are those of the program. */
+    /** Returns true if the plans of the agent are those of the program. */
     fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
 
     companion object {
-        /** Whether objects like [one] may be parts of a program. */
+        /** Returns true if objects like [one] may be parts of a program. */
         fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || Plans.isLibrary(one) || one is Rule
     }
 }

@@ -165,7 +165,7 @@ internal class TermWriter {
         }
     }
 
-    /** Whether it is one word, which may be an atom or a literal. */
+    /** Returns true if it is one word, which may be an atom or a literal. */
     private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) &&
         !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() && literal.ns == Literal.DefaultNS
 
@@ -270,13 +270,13 @@ internal class TermWriter {
         /** Words that are more than a functor. */
         val RESERVED = setOf("true", "false", "default", "not")
 
-        /** Whether [functor] is written as it is. */
+        /** Returns true if [functor] is written as it is. */
         fun isPlain(functor: String) = WORD.matches(functor) && functor !in RESERVED
 
         /** The text of what could not be written because of [why]. */
         fun refusedText(why: String) = "$REFUSED${quoted(why)})"
 
-        /** Whether [text] is of a term that could not be written. */
+        /** Returns true if [text] is of a term that could not be written. */
         fun isRefused(text: String) = text.startsWith(REFUSED)
 
         /** What the term is whose [text] is refused. */

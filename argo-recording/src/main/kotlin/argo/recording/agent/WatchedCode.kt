@@ -213,7 +213,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Whether [code] is to be watched and is not yet. What is not known is, too, so that no replay carries it out. */
+        /** Returns true if [code] is to be watched and is not yet. What is not known is, too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true

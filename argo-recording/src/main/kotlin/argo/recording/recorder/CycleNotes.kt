@@ -30,16 +30,16 @@ internal class CycleNotes(val ns: Long) {
     /** The call that is being carried out; null: none is. */
     var underWay: CallNote? = null
 
-    /** Whether the cycle has work from those before it: one that only clears away an intention that has ended shows nothing else. */
+    /** True if the cycle has work from those before it: one that only clears away an intention that has ended shows nothing else. */
     var isAtWork = false
 
-    /** Whether a message is on its way. */
+    /** True if a message is on its way. */
     var isSending = false
 
     /** The cycle is over. */
     fun end() = calls.forEach(CallNote::end)
 
-    /** Whether nothing has entered the agent. */
+    /** Returns true if nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
         filters.isEmpty() && !isChangedOutside
 

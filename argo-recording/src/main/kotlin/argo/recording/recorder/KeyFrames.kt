@@ -191,7 +191,7 @@ internal class KeyFrameNote(
     /** About the room that it takes. */
     val size: Int get() = (beliefs.size + perceived.size) * BELIEF_BYTES + mind.size
 
-    /** Whether there is one. */
+    /** True if there is one. */
     val isThere: Boolean get() = frame.missing == null
 
     /** Any thread. */

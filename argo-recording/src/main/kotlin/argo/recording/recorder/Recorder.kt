@@ -126,7 +126,7 @@ internal class Recorder(
         track.close()
     }
 
-    /** Whether all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
+    /** Returns true if all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
     private fun isKnown(agent: Running): Boolean = try {
         agent.code.watchAdded()
         true

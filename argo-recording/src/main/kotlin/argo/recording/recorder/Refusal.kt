@@ -25,7 +25,7 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     }
 }
 
-/** Whether an agent is being made as another's clone by the calling thread; nothing in the clone tells of it. */
+/** Returns true if an agent is being made as another's clone by the calling thread; nothing in the clone tells of it. */
 private fun isCloned() = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).walk { frames ->
     frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
 }

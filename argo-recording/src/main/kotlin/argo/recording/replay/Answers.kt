@@ -25,13 +25,13 @@ import java.util.concurrent.TimeUnit
  * to one agent, and to its thread, except for [left].
  */
 internal interface Answers {
-    /** Whether the agent has done step by step what was recorded. */
+    /** True if the agent has done step by step what was recorded. */
     val isAsRecorded: Boolean get() = true
 
     /** What waits for an outcome, as it was recorded; empty: that is not known. */
     val suspending: String get() = ""
 
-    /** Whether the agent has work though it was recorded to rest. */
+    /** True if the agent has work though it was recorded to rest. */
     val isHeldAwake: Boolean get() = false
 
     /** The agent of [inputs] begins, at [start] with [timers] under way, by their numbers; null: as its program has it. */
@@ -97,7 +97,7 @@ internal class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), Schedule
 /** How [args] of a call are compared. */
 internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf(it)) }
 
-/** Whether it was a call of [name] with [args], as [compared] has them. */
+/** Returns true if it was a call of [name] with [args], as [compared] has them. */
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
 /** What the function gave; null: it is none. Throws what it threw. */

@@ -43,7 +43,7 @@ private fun Course.asFarAs(recorded: Course) = copy(
     beliefs = recorded.beliefs,
 )
 
-/** Whether [all] lines have these [lines] in their order. */
+/** Returns true if [all] lines have these [lines] in their order. */
 private fun isWithin(lines: List<String>, all: List<String>): Boolean =
     all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 

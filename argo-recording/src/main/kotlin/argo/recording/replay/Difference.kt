@@ -20,7 +20,7 @@ data class Difference(
     val now: String?,
     val cause: String,
 ) {
-    /** Whether only the project's own action or function gave another result: the recorded one was used, and the agent run on. */
+    /** True if only the project's own action or function gave another result: the recorded one was used, and the agent run on. */
     val isOfResult: Boolean get() = what.startsWith(RESULT)
 
     override fun toString() =

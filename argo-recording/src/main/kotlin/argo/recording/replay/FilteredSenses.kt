@@ -64,7 +64,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
             now = session.perceive(message.texts, ms)
         }
 
-        /** Whether the filter lets something through that it has held back. */
+        /** Returns true if the filter lets something through that it has held back. */
         fun takeDue(ms: Long): Boolean = session.due(ms)?.also { now = it } != null
 
         private fun read(text: String): List<Literal> {

@@ -178,7 +178,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Whether an option of the recorded agent is for the agent: those of observers, such as a live view, would begin something. */
+/** Returns true if an option of the recorded agent is for the agent: those of observers, such as a live view, would begin something. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

@@ -22,7 +22,7 @@ import java.nio.file.Path
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
 
-    /** Whether the program is the recorded one. */
+    /** True if the program is the recorded one. */
     val isOfRecordedProgram: Boolean get() = beside == null
 
     /** Who is asked about the code of the program and of what it includes. */

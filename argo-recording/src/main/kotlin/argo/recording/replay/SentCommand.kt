@@ -13,7 +13,7 @@ import java.time.Duration
  * @property place the file and the line of the step that sent it; null: not known
  */
 data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
-    /** Whether [other] is the same command to the same board. */
+    /** Returns true if [other] is the same command to the same board. */
     fun isSame(other: SentCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
 }
 

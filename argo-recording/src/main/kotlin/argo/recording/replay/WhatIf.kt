@@ -177,5 +177,5 @@ class WhatIf internal constructor(
     }
 }
 
-/** Whether something entered the agent that may have woken it. */
+/** True if something entered the agent that may have woken it. */
 private val Cycle.isWoken: Boolean get() = input.run { percepts != null || mail.isNotEmpty() || ends.isNotEmpty() || events.isNotEmpty() }

@@ -183,7 +183,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         if (end != null) endWith(end, carryOut) else endIn(delayNs, carryOut)
     }
 
-    /** Whether the step that is carried out is the recorded one. */
+    /** Returns true if the step that is carried out is the recorded one. */
     private fun isStepOf(before: Course) = before.step?.text?.let(::normal) == inputs.course.step?.step()?.text?.let(::normal)
 
     private fun endIn(delayNs: Long, carryOut: (CallFailure?) -> Unit) {

@@ -56,7 +56,7 @@ enum class Sender {
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
     override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
 
-    /** Whether [command] is what is asked about, at any time. */
+    /** Returns true if [command] is what is asked about, at any time. */
     fun isAbout(command: String): Boolean = command == text || command.substringBefore('(') == text
 
     /**

@@ -167,7 +167,7 @@ internal class Trace(
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
 
-    /** Whether the context of [plan] is true under [un]. */
+    /** Returns true if the context of [plan] is true under [un]. */
     fun isApplicable(plan: Plan, un: Unifier): Boolean =
         plan.context.let { context -> context == null || inputs.asking { conditions.solution(context, un) != null } }
 
@@ -190,7 +190,7 @@ internal class Trace(
         return Adopted(cause)
     }
 
-    /** Whether the plan calls itself as its last step, so that Jason forgets the one before. */
+    /** Returns true if the plan calls itself as its last step, so that Jason forgets the one before. */
     private fun isTail(intention: Intention, plan: Plan): Boolean =
         intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
 

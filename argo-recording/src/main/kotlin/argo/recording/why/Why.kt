@@ -107,7 +107,7 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
-    /** Whether the filter of the board on [port] drops [percept] after the cycles [before]. */
+    /** Returns true if the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
         val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
@@ -166,7 +166,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     override fun close() = programs.close()
 }
 
-/** Whether [one] and [other] differ in numbers alone, or not at all. */
+/** Returns true if [one] and [other] differ in numbers alone, or not at all. */
 internal fun isOfKind(one: Literal, other: Literal): Boolean = one.functor == other.functor && one.arity == other.arity &&
     one.negated() == other.negated() && one.ns == other.ns &&
     (0 until one.arity).all { one.getTerm(it) == other.getTerm(it) || one.getTerm(it).isNumeric && other.getTerm(it).isNumeric }
