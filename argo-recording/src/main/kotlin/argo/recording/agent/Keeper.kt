@@ -8,8 +8,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.ScheduledFuture
 
 /**
- * Owns the timers and the work that an agent or other threads begin outside of its thread, and carries them out in the agent's cycles. A
- * recorder or a replay.
+ * Owns the timers that an agent begins and the work that other threads leave for it, and carries them out in the agent's cycles: a recorder
+ * or a replay.
  */
 internal interface Keeper {
     /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler do something at that time. */

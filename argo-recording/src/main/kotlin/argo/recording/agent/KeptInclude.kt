@@ -8,7 +8,7 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Handles the files that an agent includes, at the beginning or as it runs. A recorder or a replay. */
+/** Handles the files that an agent includes, at the beginning or as it runs: a recorder or a replay. */
 internal fun interface Includes {
     /** Returns the content that [directive] includes into [outer], or null for none; [live] makes Jason look for the file and read it. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?

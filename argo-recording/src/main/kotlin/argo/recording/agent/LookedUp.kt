@@ -38,7 +38,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     }
 }
 
-/** Jason's functions for all agents, which terms get that agents make from texts. */
+/** Jason's functions for all agents; the terms that agents make from texts get them. */
 internal object WatchedFunctions {
     /** Makes the functions that draw a number or read a clock ask the watch of the calling agent, for the whole program. */
     @Synchronized

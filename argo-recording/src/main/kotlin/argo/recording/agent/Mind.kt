@@ -10,7 +10,7 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
 
-/** The events, the intentions, the waits of these and the plans of an agent at the end of a cycle. */
+/** The events, intentions, waits and plans of an agent at the end of a cycle. */
 internal class Mind(
     val events: ArrayList<Event>,
     val atomicEvent: Event?,

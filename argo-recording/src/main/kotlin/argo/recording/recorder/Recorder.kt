@@ -65,7 +65,7 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** An end that waits for the next cycle, and the work of another thread if that left it. */
+    /** An end that waits for the next cycle, with its work if another thread left that. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
