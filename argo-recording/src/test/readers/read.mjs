@@ -13,7 +13,7 @@ const line = (topic, message) => console.log(`${topic} ${message.sequence} ${mes
 const attachment = (of) => console.log(`attachment ${of.name} ${of.mediaType} ${text(of.data)}`);
 const metadata = (of) => console.log(`metadata ${of.name} ${[...of.metadata.values()][0]}`);
 
-// By the index at its end.
+// Reads the file by the index at its end.
 async function whole() {
   const readable = {
     size: async () => BigInt(bytes.length),
@@ -26,7 +26,7 @@ async function whole() {
   console.log(`count ${reader.statistics.messageCount}`);
 }
 
-// From its beginning, as far as it goes.
+// Reads the file from its beginning, as far as it is whole.
 function cut() {
   const reader = new McapStreamReader({ validateCrcs: true, decompressHandlers });
   const topics = new Map();

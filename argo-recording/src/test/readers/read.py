@@ -12,7 +12,7 @@ def line(topic, message):
 
 
 def whole(file):
-    """By the index at its end."""
+    """Reads the file by the index at its end."""
     reader = make_reader(file, validate_crcs=True)
     for schema, channel, message in reader.iter_messages(log_time_order=False):
         assert schema.encoding == "jsonschema" and channel.message_encoding == "json"
@@ -25,7 +25,7 @@ def whole(file):
 
 
 def cut(file):
-    """From its beginning, until the file ends within a record."""
+    """Reads the file from its beginning, until it ends within a record."""
     channels = {}
     try:
         for record in StreamReader(file, validate_crcs=True).records:

@@ -3,8 +3,8 @@ package argo.insides
 import java.lang.reflect.Field
 
 /**
- * A private field of Jason's, of objects of [owner], called by one of [names], of which each version of Jason has one. In another version
- * it may not be there: then [get] and [set] throw a [LinkageError] that names it.
+ * A private field of Jason's in objects of [owner]. Each known version of Jason has it under one of [names]. If another version has no such
+ * field, [get] and [set] throw a [LinkageError] that names it.
  */
 class Inside<T> internal constructor(private val owner: () -> Class<*>, private vararg val names: String) {
     private val member: Field by lazy {
@@ -12,18 +12,18 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         there.apply { isAccessible = true }
     }
 
-    /** Whether this version of Jason has it. */
+    /** True if this version of Jason has the field. */
     val isThere: Boolean get() = try {
         member.name in names
     } catch (_: LinkageError) {
         false
     }
 
-    /** Its value in [one]; null: in the class. */
+    /** Returns the field's value in [one]; null: in the class. */
     @Suppress("UNCHECKED_CAST")
     operator fun get(one: Any?): T = member.get(one) as T
 
-    /** Gives it this [value] in [one]; null: in the class. */
+    /** Sets the field in [one] to [value]; null: in the class. */
     operator fun set(one: Any?, value: T) = member.set(one, value)
 
     override fun toString() = try {
@@ -33,7 +33,7 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
     }
 }
 
-/** What [find] finds in Jason, which is called [name]. Throws a [LinkageError] if this version has none. */
+/** Returns the member of Jason called [name], which [find] finds. Throws a [LinkageError] if this version of Jason has no such member. */
 internal fun <T> inside(name: String, find: () -> T): T = try {
     find()
 } catch (missing: ReflectiveOperationException) {

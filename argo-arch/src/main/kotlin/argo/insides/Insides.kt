@@ -24,48 +24,48 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * All private members of Jason that ARGO reaches, and beside each why no extension point does. They are for ARGO's own modules: another
- * version of Jason may have others. Where the members of `.wait` are, see [WaitEvents].
+ * All private members of Jason that ARGO uses, except those of `.wait`, which [WaitEvents] has. The comment of each member gives the reason
+ * why no extension point of Jason suffices. Only ARGO's own modules may use them: another version of Jason may have others.
  */
 object Insides {
     private val found = ArrayList<Inside<*>>()
 
-    /** Jason gives its scheduler, for `.wait` and `.at`, and takes none. */
+    /** Jason hands out the scheduler of `.wait` and `.at`, but nobody can replace it. */
     val scheduler: Inside<ScheduledExecutorService> = of(Agent::class.java, "scheduler")
 
-    /** `setIA` wants each name before it is used; a term made of a text asks for any. */
+    /** `setIA` sets one action, whose name must be known before its use; a term made from a text may ask for any name. */
     val actions: Inside<Map<String, InternalAction>> = of(Agent::class.java, "internalActions")
 
-    /** `addFunction` refuses a name that there is, as that of `math.random`. */
+    /** `addFunction` refuses a name that exists already, such as `math.random`. */
     val functions: Inside<MutableMap<String, ArithFunction>> = of(FunctionRegister::class.java, "functions")
 
-    /** A term gets its function when it is made, and shows it to nobody who could wrap it. */
+    /** A term gets its function when it is made, and has no setter for a wrapped one. */
     val functionOfTerm: Inside<ArithFunction?> = of(ArithFunctionTerm::class.java, "function")
 
-    /** `registerDirective` changes no directive that has been used; and it would make another `include`, without the source path. */
+    /** `registerDirective` does not replace a directive that has been used; and it would make a new `include`, without the source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
-    /** `runAtBeginOfNextCycle` tells nobody that another thread has left work. */
+    /** `runAtBeginOfNextCycle` notifies nobody when another thread leaves work. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 
-    /** How many cycles the agent has not perceived (`nrcbp`): only Jason counts. */
+    /** The cycles since the agent last perceived (`nrcbp`): Jason counts them, and does not publish the number. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** Whether the agent has been told that it falls asleep: nothing shows it. */
+    /** True if Jason has notified the agent that it falls asleep: no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    // what an agent that begins in the middle of its life has in mind: Jason makes it by reasoning only
+    // the events and intentions of an agent that a replay begins in the middle of its life: Jason makes them only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
 
-    /** It can be had by removing it only. */
+    /** The public method that returns it also removes it. */
     val atomicIntention: Inside<Intention?> = of(Circumstance::class.java, "AI")
 
     /** There is no setter. */
     val isAtomicSuspended: Inside<Boolean> = of(Circumstance::class.java, "atomicIntSuspended")
 
-    /** Only Jason counts them, and shows whether there are any. */
+    /** Jason counts them, and shows only whether there are any. */
     val goalConditions: Inside<Int> = of(Circumstance::class.java, "intentionsWithGoalCondition")
 
     /** There is no setter. */
@@ -77,10 +77,10 @@ object Insides {
     /** There is no setter. */
     val selectedIntention: Inside<Intention?> = of(Circumstance::class.java, "SI")
 
-    /** The order of percepts follows from the size of this set; beliefs are added one by one. */
+    /** The order of percepts follows from the capacity of this set, which public methods, adding beliefs one by one, cannot choose. */
     val percepts: Inside<Set<Literal>> = of(DefaultBeliefBase::class.java, "percepts")
 
-    /** Jason's counters, which all agents of a program share: they are drawn from, and neither shown nor set. */
+    /** Jason's counters, which all agents of a program share: Jason neither shows nor sets their values. */
     val intentionCounter: Inside<AtomicInteger> = of(Intention::class.java, "idCount")
     val messageCounter: Inside<AtomicInteger> = of(Message::class.java, "idCount")
     val planCounter: Inside<AtomicInteger> = of(Agent::class.java.getMethod("getPL").returnType, "lastPlanLabel")
@@ -88,7 +88,7 @@ object Insides {
     val callCounter: Inside<AtomicInteger> = of(ConcurrentInternalAction::class.java, "actcount", "actCount") // 3.2.1, 3.3.0
     val atCounter: Inside<AtomicInteger> = of(at::class.java, "idCount")
 
-    /** All of them, with those of `.wait`. */
+    /** All fields above, and those of `.wait`. */
     val all: List<Inside<*>> get() = found + WaitEvents.fields
 
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }

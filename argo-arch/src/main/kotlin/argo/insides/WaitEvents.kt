@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * What a `.wait` of Jason's is while it waits: a listener of the agent's circumstance, of a class that nobody else can name, make or ask.
- * In another version of Jason that may be otherwise: all but [isThere] throw a [LinkageError] then.
+ * The object by which a `.wait` of Jason's waits: a listener of the agent's circumstance, whose class is private. If another version of
+ * Jason has no such class or member, all members but [isThere] throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"
@@ -31,30 +31,32 @@ object WaitEvents {
     val formula: Inside<LogicalFormula?> = of("formula")
     val reason: Inside<Literal> = of("pendingReason")
 
-    /** The name under which its intention is pending. */
+    /** The name under which the intention of the `.wait` is pending. */
     val key: Inside<String> = of("tEvt")
     val unifier: Inside<Unifier> = of("un")
     val intention: Inside<Intention> = of("si")
     val isDropped: Inside<Boolean> = of("dropped")
     val elapsed: Inside<Term?> = of("elapsedTimeTerm")
 
-    /** In ms; below 0: it has no timer. */
+    /** The timeout in ms; below 0: the `.wait` has no timer. */
     val timeout: Inside<Long> = of("timeout")
 
     internal val fields: List<Inside<*>>
         get() = listOf(trigger, formula, reason, key, unifier, intention, isDropped, elapsed, timeout)
 
-    /** Whether this version of Jason has all of it. */
+    /** True if this version of Jason has the class and all members. */
     val isThere: Boolean get() = try {
         make.parameterCount > 0 && fields.all { it.isThere }
     } catch (_: LinkageError) {
         false
     }
 
-    /** Whether [listener] is one. */
+    /** Returns true if [listener] is a waiting `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
-    /** Makes one for the selected intention of [ts], which it suspends; with a [timeout] of 0 or more ms it begins a timer. */
+    /**
+     * Makes a waiting `.wait` for the selected intention of [ts], and suspends that. With a [timeout] of 0 or more ms it begins a timer.
+     */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,
     ): CircumstanceListener = make.newInstance(wait(), trigger, formula, un, ts, timeout, elapsed) as CircumstanceListener

@@ -2,7 +2,7 @@ package argo.mcap
 
 import java.util.zip.CRC32
 
-/** Where a message begins in the records of its chunk. */
+/** The log time of a message, and its place in the records of its chunk. */
 internal class IndexEntry(val logTimeNs: Long, val offset: Long)
 
 /** The chunk that is being filled. */
@@ -13,14 +13,14 @@ internal class ChunkBytes {
 
     val size: Int get() = records.size
 
-    /** The channels of its messages. */
+    /** The numbers of the channels of the chunk's messages. */
     val channels: Set<Int> get() = index.keys
 
-    /** From the first to the last log time of its messages; null: it has none. */
+    /** The range of the log times of the chunk's messages; null: it has none. */
     var times: LongRange? = null
         private set
 
-    /** Where the messages of [channel] are, in the order of their times. */
+    /** Returns the places of the messages of [channel], in the order of their times. */
     fun entries(channel: Int): List<IndexEntry> = index.getValue(channel).sortedBy { it.logTimeNs }
 
     fun message(channel: Int, sequence: Long, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {
@@ -29,7 +29,7 @@ internal class ChunkBytes {
         records.record(Op.MESSAGE) { u16(channel).u32(sequence).u64(logTimeNs).u64(publishTimeNs).bytes(data) }
     }
 
-    /** All of its record that comes before [compressed], which are its [records], written into [target]. */
+    /** Writes into [target] the part of the chunk's record that stands before its [compressed] records, and returns [target]. */
     fun head(target: RecordBytes, compressed: RecordBytes): RecordBytes {
         val head = RecordBytes().u64(times?.first ?: 0).u64(times?.last ?: 0).u64(size.toLong())
             .u32(CRC32().apply { update(records.array(), 0, size) }.value).text(Lz4.NAME).u64(compressed.size.toLong())
@@ -47,6 +47,6 @@ internal class ChunkBytes {
     }
 }
 
-/** From the first to the last of these and [timeNs]. */
+/** Returns the smallest range that covers this one and [timeNs]. */
 internal fun LongRange?.covering(timeNs: Long): LongRange =
     if (this == null) timeNs..timeNs else minOf(first, timeNs)..maxOf(last, timeNs)

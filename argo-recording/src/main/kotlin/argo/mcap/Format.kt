@@ -1,12 +1,12 @@
 package argo.mcap
 
-/** What a file begins and ends with; the sixth byte is the version of the format. */
+/** The bytes with which a file begins and ends; the sixth is the version of the format. */
 internal val MAGIC = byteArrayOf(0x89.toByte()) + "MCAP0\r\n".encodeToByteArray()
 
 /** The place of the version in [MAGIC]. */
 internal const val VERSION_AT = 5
 
-/** The first byte of a record: what it is. */
+/** The first byte of a record: its kind. */
 internal object Op {
     const val HEADER = 0x01
     const val FOOTER = 0x02
@@ -25,8 +25,8 @@ internal object Op {
     const val DATA_END = 0x0F
 }
 
-/** The bytes before a record's content: what it is, and the length of the content. */
+/** The number of bytes before a record's content: its kind, and the length of the content. */
 internal const val RECORD_HEAD_BYTES = 9
 
-/** The bytes of a footer's content. */
+/** The number of bytes of a footer's content. */
 internal const val FOOTER_BYTES = 20

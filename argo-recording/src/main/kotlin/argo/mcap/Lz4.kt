@@ -13,7 +13,7 @@ import java.nio.ByteOrder
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)
 
-    /** A frame with the first [length] bytes of [data]. */
+    /** Returns a frame with the first [length] bytes of [data]. */
     fun compress(data: ByteArray, length: Int): RecordBytes {
         val frame = RecordBytes(length / 2).bytes(HEAD)
         var at = 0
@@ -50,7 +50,7 @@ internal class Lz4 {
         return block.sequence(data, literals, end, 0, 0)
     }
 
-    /** The bytes of [data] from [from] until [until], and behind them the match at [offset], if there is one. */
+    /** Writes the bytes of [data] from [from] until [until], and behind them the match at [offset], if there is one. */
     private fun RecordBytes.sequence(data: ByteArray, from: Int, until: Int, offset: Int, more: Int): RecordBytes {
         val literals = until - from
         u8((minOf(literals, NIBBLE) shl NIBBLE_BITS) or minOf(more, NIBBLE))
@@ -78,7 +78,7 @@ internal class Lz4 {
         /** The name of the compression in a chunk. */
         const val NAME = "lz4"
 
-        /** The magic number, independent blocks of at most 4 MB, and the checksum of that. */
+        /** The head of a frame: the magic number, the flags for independent blocks of at most 4 MB, and the checksum of the flags. */
         private val HEAD = byteArrayOf(0x04, 0x22, 0x4D, 0x18, 0x60, 0x70, 0x73)
         private const val MAGIC_NUMBER = 0x184D2204
         private const val MAX_BLOCK_BYTES = 4 shl 20
@@ -87,15 +87,15 @@ internal class Lz4 {
         private const val HASH_FACTOR = -1640531535
         private const val MAX_OFFSET = 0xFFFF
         private const val MIN_MATCH = 4
-        private const val LAST_MATCH = 12 // a match does not begin in so many bytes at the end, by the format
+        private const val LAST_MATCH = 12 // the format forbids a match to begin within so many bytes of the end
         private const val LAST_LITERALS = 5
         private const val NIBBLE = 15
         private const val NIBBLE_BITS = 4
         private const val FULL_BYTE = 255
 
         /**
-         * The [length] bytes that [frame] holds; any frame without a dictionary. Its checksums are not looked at.
-         * @throws McapException if it does not hold so many
+         * Returns the [length] bytes that [frame] holds. Reads any frame without a dictionary, and ignores its checksums.
+         * @throws McapException if [frame] does not hold so many bytes
          */
         fun decompress(frame: ByteBuffer, length: Int): ByteBuffer = try {
             Frame(frame.order(ByteOrder.LITTLE_ENDIAN), ByteArray(length)).read()

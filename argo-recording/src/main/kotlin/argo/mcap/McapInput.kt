@@ -14,7 +14,7 @@ internal class McapInput(val path: Path) : AutoCloseable {
     /** The length of the file when it was opened. */
     val size = file.size()
 
-    /** The bytes [at] … [at] + [length] of the file. */
+    /** Returns the [length] bytes of the file from [at] on. */
     fun read(at: Long, length: Long): ByteBuffer {
         if (length > MAX_RECORD_BYTES) throw McapException("a record of $length bytes, more than $MAX_RECORD_BYTES")
         val bytes = ByteBuffer.allocate(length.toInt()).order(ByteOrder.LITTLE_ENDIAN)
@@ -24,7 +24,7 @@ internal class McapInput(val path: Path) : AutoCloseable {
         return bytes.flip()
     }
 
-    /** The checksum of the bytes [at] … [at] + [length]. */
+    /** Returns the checksum of the [length] bytes of the file from [at] on. */
     fun checksum(at: Long, length: Long): Long {
         val checksum = CRC32()
         for (from in 0 until length step BLOCK_BYTES) checksum.update(read(at + from, minOf(BLOCK_BYTES, length - from)))
@@ -34,7 +34,7 @@ internal class McapInput(val path: Path) : AutoCloseable {
     override fun close() = file.close()
 
     companion object {
-        /** Longer records are refused, so that a damaged length takes no memory. */
+        /** The longest record that is read. Longer ones are refused, so that a damaged length takes no memory. */
         const val MAX_RECORD_BYTES = 64L * 1024 * 1024
 
         private const val BLOCK_BYTES = 64L * 1024

@@ -6,10 +6,10 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all, also one that was cut off or has damaged parts: it gives
- * what is whole.
+ * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all. Of a file that was cut off or has damaged parts it reads
+ * the whole parts.
  *
- * The whole file is looked through once when it is opened, one chunk in memory at a time. For one thread.
+ * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *
  * @param path the file; it should not change while it is read
  * @throws McapException if it is empty or no MCAP file, or of a newer version of the format
@@ -27,34 +27,34 @@ class McapReader(path: Path) : Closeable {
     /** The channels, in the order of their first appearance. */
     val channels: List<McapChannel> get() = contents.channels.values.toList()
 
-    /** The files inside, in their order. Their data is read when it is asked for, while this reader is open. */
+    /** The files inside, in their order. Each reads its data on demand, for which this reader must be open. */
     val attachments: List<McapAttachment> get() = contents.attachments
 
-    /** What was written by [McapWriter.metadata], in its order. */
+    /** The entries that [McapWriter.metadata] wrote, in their order. */
     val metadata: List<McapMetadata> get() = contents.metadata
 
-    /** What wrote the file. */
+    /** The library that wrote the file. */
     val library: String get() = contents.library
 
     /** The number of messages that can be read. */
     val messageCount: Long get() = contents.messageCount
 
-    /** The log times of the first and of the last message; null: there is none. */
+    /** The range from the earliest to the latest log time; null: there is no message. */
     val times: LongRange? get() = contents.times
 
-    /** What of the file cannot be read, for a person: one sentence for each place, of many the first. */
+    /** The parts of the file that cannot be read: one sentence for a person for each, and only the first hundred. */
     val problems: List<String> get() = contents.problems
 
-    /** Whether the file was closed by its writer, and all of it can be read. */
+    /** True if the writer closed the file, and all of it can be read. */
     val isComplete: Boolean get() = problems.isEmpty()
 
     /**
-     * The messages in the order in which they were written.
+     * Returns the messages in the order in which they were written.
      *
      * @param from the first log time in ns
-     * @param until the log time in ns behind the last one
+     * @param until the end of the log times in ns, itself excluded
      * @param topics the channels' topics; null: all
-     * @return read while it is iterated, which throws [McapException] if the file has changed meanwhile
+     * @return a sequence that reads the file while it is iterated, and throws [McapException] if the file has changed meanwhile
      */
     fun messages(from: Long = 0, until: Long = Long.MAX_VALUE, topics: Set<String>? = null): Sequence<McapMessage> {
         val wanted = contents.channels.filterValues { topics == null || it.topic in topics }
@@ -72,7 +72,7 @@ class McapReader(path: Path) : Closeable {
 
     companion object {
         /**
-         * Whether the file [path] begins as one of MCAP, of any version.
+         * Returns true if the file [path] begins as an MCAP file of any version.
          * @throws McapException if it is empty
          * @throws java.io.IOException if it cannot be read
          */
@@ -84,7 +84,7 @@ class McapReader(path: Path) : Closeable {
     }
 }
 
-/** The message in this record; null: it is of a channel that is not in [channels]. */
+/** Returns the message in this record; null: its channel is not in [channels]. */
 private fun ByteBuffer.message(channels: Map<Int, McapChannel>): McapMessage? {
     val channel = channels[u16()] ?: return null
     return McapMessage(channel, u32(), u64(), u64(), bytes(remaining().toLong()))

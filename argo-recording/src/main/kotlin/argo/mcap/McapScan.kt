@@ -4,13 +4,13 @@ import java.nio.ByteBuffer
 import java.nio.file.Path
 import java.util.zip.CRC32
 
-/** A place in the file with whole records of messages, whose log times are in [times]. */
+/** A part of the file with whole records of messages. [times] is the range of their log times. */
 internal class MessagePart(private val at: Long, private val length: Long, private val packed: Packed, val times: LongRange) {
-    /** Its records, which [input] has. */
+    /** Returns the records of this part, read from [input]. */
     fun records(input: McapInput): ByteBuffer = packed.unpacked(input.read(at, length))
 }
 
-/** How the records of a chunk are packed: by [compression], as MCAP calls it, and into how many [bytes] they unfold. */
+/** The packing of a chunk's records: the MCAP name of their [compression], and the number of unpacked [bytes]. */
 internal class Packed(private val compression: String, private val bytes: Long) {
     fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
         "" -> records
@@ -22,7 +22,7 @@ internal class Packed(private val compression: String, private val bytes: Long) 
     }
 }
 
-/** What a file holds, and where. */
+/** The contents of a file, and their places. */
 internal class McapContents {
     val schemas = HashMap<Int, McapSchema>()
     val channels = LinkedHashMap<Int, McapChannel>()
@@ -43,10 +43,10 @@ internal class McapContents {
     }
 }
 
-/** What is wrong with [path], a file without any byte. */
+/** Returns the problem of [path], a file without any byte, for a person. */
 internal fun emptyFile(path: Path) = "$path is empty: the recording ended, or the disk was full, before anything was written"
 
-/** Looks through a file from its beginning, as far as its records are whole. */
+/** Scans a file from its beginning, as far as its records are whole. */
 internal class McapScan(private val input: McapInput) {
     private val contents = McapContents()
     private var isDataOver = false
@@ -89,14 +89,14 @@ internal class McapScan(private val input: McapInput) {
     private fun isMagic(at: Long) =
         input.size - at >= MAGIC.size && ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)
 
-    /** The length of the content of the record at [at]; null: it is not whole. */
+    /** Returns the length of the content of the record at [at]; null: the record is not whole. */
     private fun lengthOf(at: Long): Long? {
         val rest = input.size - at - RECORD_HEAD_BYTES
         if (rest < 0) return null
         return input.read(at + 1, RECORD_HEAD_BYTES - 1L).getLong().takeIf { it in 0..rest }
     }
 
-    /** Takes the record of kind [op] that begins at [start], with its content at [at]. */
+    /** Reads the record of kind [op] that begins at [start], with its content at [at]. */
     private fun take(op: Int, start: Long, at: Long, length: Long) {
         if (op == Op.FOOTER) {
             if (!isDataOver) contents.problem("the record is missing that ends the messages; the file is damaged before byte $start")
@@ -108,7 +108,7 @@ internal class McapScan(private val input: McapInput) {
             Op.SCHEMA -> schema(input.read(at, length))
             Op.CHANNEL -> channel(input.read(at, length))
             Op.MESSAGE -> {
-                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one") // an index is but one bit from it
+                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one") // one bit turns an index into one
                 val record = input.read(start, RECORD_HEAD_BYTES + length)
                 messages(record) { MessagePart(start, RECORD_HEAD_BYTES + length, Packed("", 0), it) }
             }
@@ -152,7 +152,9 @@ internal class McapScan(private val input: McapInput) {
         messages(records) { MessagePart(place, bytes, packed, it) }
     }
 
-    /** Takes schemas and channels of [records], and notes where the messages are, of which [partOf] makes a place by their times. */
+    /**
+     * Reads the schemas and channels in [records]. If there are messages, notes the part that [partOf] makes of the range of their times.
+     */
     private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
         var count = 0L
@@ -211,7 +213,7 @@ internal class McapScan(private val input: McapInput) {
     private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
 
     private companion object {
-        /** Names and types of attachments are shorter. */
+        /** More bytes than the name and the type of an attachment take. */
         const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
     }
 }

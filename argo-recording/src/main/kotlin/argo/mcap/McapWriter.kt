@@ -5,13 +5,14 @@ import java.util.zip.CRC32
 
 /**
  * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks that LZ4 compresses, each with its checksum and an index
- * behind it, and a summary at the end. What has been written up to the last chunk can be read without the rest.
+ * behind it, and a summary at the end. A reader can read the file up to its last whole chunk without the rest.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink; the file is then of no more use than what was whole before.
+ * For one thread. Each function throws the [java.io.IOException] of the sink; then only the parts of the file that were whole before are of
+ * use.
  *
- * @param sink where the file goes, from its first byte on; [close] closes it
- * @param library what wrote the file, for people
- * @param chunkBytes the length from which a chunk is ended, without waiting for [flush]
+ * @param sink receives the file, from its first byte on; [close] closes it
+ * @param library the name of the program that writes the file, for people
+ * @param chunkBytes the length from which a chunk ends without [flush]
  */
 class McapWriter(
     private val sink: WritableByteChannel,
@@ -27,11 +28,14 @@ class McapWriter(
 
     private var written = 0L
 
-    /** The length of the file up to the last whole chunk, attachment or other record. What a failed function has written lies behind it. */
+    /**
+     * The length of the file up to the last whole chunk, attachment or other record. Bytes that a failed function has written lie behind
+     * it.
+     */
     var wholeBytes = 0L
         private set
 
-    /** The bytes of messages that wait for the end of their chunk. */
+    /** The number of bytes of messages that wait for the end of their chunk. */
     val pendingBytes: Int get() = chunk.size
 
     init {
@@ -53,7 +57,7 @@ class McapWriter(
     /**
      * Adds a channel of messages in JSON, and returns its number.
      *
-     * @param schema what [schema] returned
+     * @param schema the number that the function [schema] returned
      */
     fun channel(topic: String, schema: Int, metadata: Map<String, String> = emptyMap()): Int {
         require(schema in 1..summary.schemas.size) { "no schema $schema has been written" }
@@ -67,7 +71,7 @@ class McapWriter(
     /**
      * Adds a message.
      *
-     * @param channel what [channel] returned
+     * @param channel the number that the function [channel] returned
      * @param logTimeNs when it was recorded, in ns, not below 0
      * @param publishTimeNs when it was made, in ns, not below 0
      */
@@ -78,7 +82,7 @@ class McapWriter(
         if (chunk.size >= chunkBytes) flush()
     }
 
-    /** Adds a file. It is written at once, behind the chunk that is ended for it. */
+    /** Adds a file. Ends the chunk and writes the file behind it at once. */
     fun attachment(name: String, mediaType: String, data: ByteArray, timeNs: Long = 0) {
         flush()
         write(record.clear().attachment(name, mediaType, data, timeNs))
@@ -86,7 +90,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Adds names and values under [name]. They are written at once, behind the chunk that is ended for them. */
+    /** Adds names and values under [name]. Ends the chunk and writes them behind it at once. */
     fun metadata(name: String, values: Map<String, String>) {
         flush()
         write(record.clear().record(Op.METADATA) { text(name).map(values) })
@@ -94,7 +98,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Ends the chunk, so that the sink has all that was added. */
+    /** Ends the chunk, so that the sink has received everything that was added. */
     fun flush() {
         if (chunk.size == 0) return
         val compressed = compression.compress(chunk.records.array(), chunk.size)
@@ -131,7 +135,7 @@ class McapWriter(
     }
 
     companion object {
-        /** The length from which a chunk is ended unless another is given. */
+        /** The default length from which a chunk ends. */
         const val DEFAULT_CHUNK_BYTES = 256 * 1024
 
         private const val MAX_ID = 0xFFFF

@@ -3,7 +3,7 @@ package argo.mcap
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
-/** Bytes that grow, and are written in the number formats of MCAP: little-endian, texts and maps behind their length. */
+/** A growing buffer that writes values in the formats of MCAP: little-endian numbers, texts and maps behind their length. */
 internal class RecordBytes(capacity: Int = 256) {
     private var buffer = ByteBuffer.allocate(capacity).order(ByteOrder.LITTLE_ENDIAN)
 
@@ -24,7 +24,7 @@ internal class RecordBytes(capacity: Int = 256) {
         u32(bytes.size.toLong()).bytes(bytes)
     }
 
-    /** What [write] writes, behind its length in four bytes. */
+    /** Writes the bytes that [write] writes, behind their length in four bytes. */
     fun sized(write: RecordBytes.() -> Unit) = apply {
         val at = size
         u32(0).write()
@@ -33,7 +33,7 @@ internal class RecordBytes(capacity: Int = 256) {
 
     fun map(values: Map<String, String>) = sized { values.forEach { (name, value) -> text(name).text(value) } }
 
-    /** A record of kind [op] whose content [write] writes. */
+    /** Writes a record of kind [op] whose content [write] writes. */
     fun record(op: Int, write: RecordBytes.() -> Unit) = apply {
         val at = u8(op).size
         u64(0).write()
@@ -42,10 +42,10 @@ internal class RecordBytes(capacity: Int = 256) {
 
     fun clear() = apply { buffer.clear() }
 
-    /** The array that holds the bytes, of which the first [size] are in use. */
+    /** Returns the array that holds the bytes; its first [size] bytes are in use. */
     fun array(): ByteArray = buffer.array()
 
-    /** The bytes as a buffer to be read. It changes with the next call. */
+    /** Returns the bytes as a buffer to read. The next call changes it. */
     fun toRead(): ByteBuffer = buffer.duplicate().flip()
 
     private fun room(bytes: Int): ByteBuffer {

@@ -17,7 +17,7 @@ internal fun ByteBuffer.u32(): Long {
     return int.toLong() and 0xFFFF_FFFFL
 }
 
-/** A length, place or time. Those from 2^63 on are refused: nobody has such. */
+/** Reads a length, place or time. Refuses values from 2^63 on, which no file or clock reaches. */
 internal fun ByteBuffer.u64(): Long {
     need(Long.SIZE_BYTES.toLong())
     return long.also { if (it < 0) throw McapException("a record has a number that is too large") }
@@ -28,7 +28,7 @@ internal fun ByteBuffer.bytes(length: Long): ByteArray {
     return ByteArray(length.toInt()).also { get(it) }
 }
 
-/** The next [length] bytes, which are skipped here. */
+/** Returns the next [length] bytes, and skips them in this buffer. */
 internal fun ByteBuffer.part(length: Long): ByteBuffer {
     need(length)
     return slice(position(), length.toInt()).order(order()).also { position(position() + length.toInt()) }
@@ -41,7 +41,7 @@ internal fun ByteBuffer.map(): Map<String, String> {
     return buildMap { while (entries.hasRemaining()) put(entries.text(), entries.text()) }
 }
 
-/** Calls [take] with kind and content of each record in this. */
+/** Calls [take] with the kind and the content of each record in this buffer. */
 internal inline fun ByteBuffer.forEachRecord(take: (op: Int, content: ByteBuffer) -> Unit) {
     while (hasRemaining()) {
         val op = get().toInt() and 0xFF

@@ -1,7 +1,7 @@
 package argo.mcap
 
 /**
- * How the messages of some channels are to be read.
+ * The schema of the messages of some channels.
  *
  * @property id its number in the file, from 1
  * @property name its name, such as `argo.Cycle`
@@ -15,9 +15,9 @@ data class McapSchema(val id: Int, val name: String, val encoding: String, val t
  *
  * @property id its number in the file
  * @property topic its name, such as `/robot/cycle`
- * @property schema how its messages are to be read; null: the file says nothing of that
+ * @property schema the schema of its messages; null: the file has none for it
  * @property messageEncoding `json` in the files of [McapWriter]
- * @property metadata what else the file says of it
+ * @property metadata further names and values of the channel
  */
 data class McapChannel(
     val id: Int,
@@ -31,12 +31,12 @@ data class McapChannel(
  * One message of a channel.
  *
  * @property sequence counts the messages of the channel, from 0, in the files of [McapWriter]
- * @property logTimeNs when it was recorded, in ns; since 1970 where it is a time of day
- * @property publishTimeNs when it was made, on the same clock
+ * @property logTimeNs the time of recording, in ns; since 1970 if it is a time of day
+ * @property publishTimeNs the time at which the message was made, on the same clock
  * @property data its bytes; not to be changed
  */
 class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: Long, val publishTimeNs: Long, val data: ByteArray) {
-    /** [data] as text in UTF-8, as of messages in JSON. */
+    /** [data] as text in UTF-8, such as the text of messages in JSON. */
     val text: String get() = data.decodeToString()
 
     override fun toString() = "${channel.topic} #$sequence @$logTimeNs: ${data.size} bytes"
@@ -45,11 +45,11 @@ class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: L
 /**
  * A file inside the file.
  *
- * @property mediaType what it is, such as `text/plain`
- * @property timeNs when it was recorded, on the clock of the messages
+ * @property mediaType its media type, such as `text/plain`
+ * @property timeNs the time of recording, on the clock of the messages
  */
 class McapAttachment internal constructor(val name: String, val mediaType: String, val timeNs: Long, read: () -> ByteArray) {
-    /** Its bytes; not to be changed. Read from the file at the first call, for which the reader is to be open. */
+    /** The file's bytes; not to be changed. The first call reads them, for which the reader must be open. */
     val data: ByteArray by lazy(LazyThreadSafetyMode.NONE, read)
 
     /** [data] as text in UTF-8. */

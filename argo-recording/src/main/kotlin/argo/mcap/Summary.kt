@@ -23,7 +23,7 @@ internal class AttachmentIndex(
 
 internal class MetadataIndex(val at: Long, val length: Long, val name: String)
 
-/** What stands at the end of a file, so that a reader finds the rest: schemas, channels, indexes and counts. */
+/** The summary at the end of a file, by which a reader finds the rest: schemas, channels, indexes and counts. */
 internal class Summary {
     val schemas = ArrayList<McapSchema>()
     val channels = ArrayList<McapChannel>()
@@ -32,10 +32,10 @@ internal class Summary {
     val metadata = ArrayList<MetadataIndex>()
     private val counts = HashMap<Int, Long>()
 
-    /** Counts a message of [channel], and returns how many came before it. */
+    /** Counts a message of [channel], and returns the number of messages before it. */
     fun count(channel: Int): Long = counts.getOrDefault(channel, 0L).also { counts[channel] = it + 1 }
 
-    /** The summary, where each group of records is in it, and the footer, for a place in the file [start]. */
+    /** Returns the summary, the places of its groups of records, and the footer, for a summary that begins at [start] in the file. */
     fun bytes(start: Long): RecordBytes {
         val bytes = RecordBytes()
         val groups = listOf<Pair<Int, RecordBytes.() -> Unit>>(

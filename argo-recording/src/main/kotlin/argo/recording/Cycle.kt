@@ -2,7 +2,7 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/** A reasoning cycle of an agent: what entered it, and what came of that. Nothing of it changes. */
+/** A reasoning cycle of an agent: its input, and the course that the agent took. Immutable. */
 @Serializable
 data class Cycle(
     @Holds("counts the recorded cycles of the agent, from 1; cycles in which nothing happened are not recorded")
@@ -23,7 +23,7 @@ data class Cycle(
     val missesPrints: Boolean = false,
 )
 
-/** What entered an agent in a cycle. */
+/** The input that entered an agent in a cycle. */
 @Serializable
 data class Input(
     @Holds("triggers that another thread had put into its event queue since its last cycle, or in this one until it took them")
@@ -54,11 +54,11 @@ data class Input(
     val eventPlaces: Map<Int, Int> = emptyMap(),
 )
 
-/** The terms that a replay reads. */
+/** Returns the texts of the terms that a replay reads. */
 internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.now.orEmpty() + mail.asSequence().map { it.content } +
     calls.asSequence().flatMap { it.answers }.flatMap { it.values }
 
-/** How a list of percepts differs from the one before: the first [keep] and the last [keepLast] stay, [now] stands between them. */
+/** The change from one list of percepts to the next: the first [keep] and the last [keepLast] percepts stay, [now] stands between them. */
 @Serializable
 data class PerceptChange(
     @Holds("how many at the beginning stay")
@@ -75,7 +75,7 @@ data class PerceptChange(
     internal val others: Map<Int, String> = emptyMap(),
 )
 
-/** A message between agents: what is said and to whom, as of Jason's internal action `.send`. */
+/** A message between agents, such as Jason's internal action `.send` sends. */
 @Serializable
 data class Mail(
     @Holds("what the message is, such as tell or achieve")
@@ -94,7 +94,7 @@ data class Mail(
     val failure: String? = null,
 )
 
-/** Something has ended that an agent began outside of its thread. */
+/** The end of something that an agent began outside of its thread. */
 @Serializable
 data class End(
     @Holds("its number, in the order in which the agent began things; 0: another thread began it")
@@ -107,7 +107,7 @@ data class End(
     val thread: String? = null,
 )
 
-/** Why a call failed. */
+/** The failure of a call. */
 @Serializable
 data class CallFailure(
     @Holds("the atom of the annotation error(…) of the failed plan")
@@ -150,7 +150,7 @@ data class Sent(
     val text: String,
 )
 
-/** The agent perceives through a filter from now on. */
+/** A change to a filter, through which the agent perceives from then on. */
 @Serializable
 data class FilterChange(
     @Holds("the port of the board alone that is perceived so; missing: all boards")
@@ -161,7 +161,7 @@ data class FilterChange(
     val file: String? = null,
 )
 
-/** What came of a cycle. */
+/** The course of a cycle: the choices, steps and actions of the agent. */
 @Serializable
 data class Course(
     @Holds("the trigger of the event that was chosen")
@@ -180,7 +180,7 @@ data class Course(
     val beliefs: Int = 0,
 )
 
-/** Where a plan stands. */
+/** The place of a plan in a program. */
 @Serializable
 data class Place(
     @Holds("the label of the plan")
@@ -221,7 +221,7 @@ data class PerceivedSnapshot(
     val kept: List<String>? = null,
 )
 
-/** What became of a command. */
+/** The outcome of a command. */
 @Serializable
 data class CommandEnd(
     @Holds("the number of the command")
@@ -238,7 +238,7 @@ data class CommandEnd(
     val failure: CallFailure? = null,
 )
 
-/** The reflex of a critical rule, and what became of it. */
+/** The reflex of a critical rule, and its outcome. */
 @Serializable
 data class ReflexEnd(
     @Holds("the command")
@@ -253,14 +253,14 @@ data class ReflexEnd(
     val failure: CallFailure? = null,
 )
 
-/** Why a recording was wanted at this place. */
+/** The reason for which an agent asked to save the recording at this place. */
 @Serializable
 internal data class Mark(
     @Holds("the argument of argo.record")
     val why: String,
 )
 
-/** What an agent believed, and which events it had, when its program had been read: there a program may draw numbers or read clocks. */
+/** The beliefs and events of an agent just after Jason read its program, which may draw numbers or read clocks meanwhile. */
 @Serializable
 data class Beginning(val beliefs: List<String>, val events: List<String>)
 
@@ -270,8 +270,8 @@ data class Beginning(val beliefs: List<String>, val events: List<String>)
  * @property source the name of the attachment that holds its program
  * @property options its options in the `.mas2j`
  * @property isConditional whether Jason left out parts of a cycle that had nothing to do, as its Local infrastructure does
- * @property address where Jason read the program, as it shows that in annotations and errors; null: not known
- * @property beginning what it began with; null: not known
+ * @property address the address of the program as Jason shows it in annotations and errors; null: not known
+ * @property beginning its beliefs and events at the beginning; null: not known
  * @property firstLabel the number that Jason gave its first plan without a name; null: it has none
  * @property config settings of Jason's for all agents
  */

@@ -13,14 +13,16 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 
-/** What a field of a recording holds, in [text]. It stands in the schema of the file, for who reads it with another program. */
+/**
+ * Describes the content of a field of a recording in [text]. The schema in the file has this text, for readers that use another program.
+ */
 @OptIn(ExperimentalSerializationApi::class)
 @SerialInfo
 @MustBeDocumented
 @Target(AnnotationTarget.PROPERTY)
 annotation class Holds(val text: String)
 
-/** The JSON Schema of messages of [descriptor], with the type and the meaning of each field. */
+/** Returns the JSON Schema of messages of [descriptor], with the type and the meaning of each field. */
 internal fun jsonSchema(descriptor: SerialDescriptor): String = "${schemaOf(descriptor)}"
 
 @OptIn(ExperimentalSerializationApi::class)

@@ -2,7 +2,7 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/** All that an agent was at the end of a cycle, so that a replay can begin behind it. Nothing of it changes. */
+/** The whole state of an agent at the end of a cycle, so that a replay can begin behind it. Immutable. */
 @Serializable
 data class KeyFrame(
     @Holds("the index of the cycle at whose end the agent was like this")

@@ -1,12 +1,12 @@
 package argo.recording
 
-/** This cycle as a file has it, where each thing stands once; [whole] turns it back. */
+/** Returns this cycle as a file holds it: nothing stands in it twice. [whole] reverses this. */
 internal fun Cycle.lean(): Cycle = copy(
     input = input.copy(percepts = input.percepts?.lean(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == course.plan) it.copy(plan = Place()) else it }),
 )
 
-/** This cycle as it was before it was made [lean]. */
+/** Returns this cycle as it was before [lean]. */
 internal fun Cycle.whole(): Cycle = copy(
     input = input.copy(percepts = input.percepts?.whole(input.snapshots)),
     course = course.copy(step = course.step?.let { if (it.plan == Place()) it.copy(plan = course.plan ?: Place()) else it }),
@@ -27,6 +27,6 @@ private fun PerceptChange.whole(snapshots: List<PerceivedSnapshot>): PerceptChan
     return PerceptChange(keep, List(take) { others[it] ?: texts[skip + it] }, keepLast)
 }
 
-/** What filters let through of these, as beliefs are written: without blanks. */
+/** Returns the percepts of these snapshots that the filters kept, in the notation of beliefs: without blanks. */
 private fun List<PerceivedSnapshot>.texts(): List<String> =
     flatMap { it.kept ?: it.texts }.map { if ('"' in it) it else it.filterNot(Char::isWhitespace) }

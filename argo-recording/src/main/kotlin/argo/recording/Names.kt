@@ -3,26 +3,26 @@ package argo.recording
 import jason.util.Config
 import java.nio.file.Path
 
-/** The version of what a recording of an agent holds; a reader refuses a newer one. */
+/** The version of the content of agents' recordings; a reader refuses a newer one. */
 const val FORMAT = "2"
 
-/** The versions that are read. The first one wrote terms as Jason does. */
+/** The versions that this program reads. Version 1 wrote terms as Jason does. */
 internal val FORMATS = setOf("1", FORMAT)
 
-/** The name of the metadata of the agent called [name]. */
+/** Returns the name of the metadata of the agent called [name]. */
 internal fun agentMetadata(name: String) = "agent/$name"
 
-/** The name of the metadata of the file that is the one with this [number] among those that [agent] has included. */
+/** Returns the name of the metadata of the file that [agent] included as its [number]th. */
 internal fun includeMetadata(agent: String, number: Int) = "include/$agent/$number"
 
-/** The name of the attachment with the filter [filter] of [agent]. */
+/** Returns the name of the attachment with the filter [filter] of [agent]. */
 internal fun filterName(agent: String, filter: String) = "filter/$agent/$filter.xml"
 
-/** Whether the attachment called [name] is a file of an agent's program, and not the `.mas2j`. */
+/** Returns true if the attachment called [name] is a file of an agent's program, and not the `.mas2j`. */
 internal fun isProgram(name: String) = name.startsWith("program/") && '/' in name.removePrefix("program/")
 
-/** The name of the attachment with the file [file] of the program of [agent]. */
+/** Returns the name of the attachment with the file [file] of the program of [agent]. */
 internal fun programName(agent: String, file: Path) = "program/$agent/${file.joinToString("/")}"
 
-/** Settings of Jason's, for all agents, that change what agents do. */
+/** Settings of Jason's for all agents that change the agents' behaviour. */
 internal val CONFIG = listOf(Config.SHORT_UNNAMED_VARS, Config.KQML_RECEIVED_FUNCTOR)

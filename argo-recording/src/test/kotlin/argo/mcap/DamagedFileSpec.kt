@@ -21,7 +21,7 @@ import kotlin.io.path.readBytes
 import kotlin.io.path.writeBytes
 import kotlin.random.Random
 
-/** The messages of [file] in short, with all attachments and metadata read too, and its problems. */
+/** Returns the messages of [file] in short, and its problems. Reads all attachments and metadata, too. */
 private fun read(file: Path) = McapReader(file).use { read ->
     read.attachments.forEach { it.data }
     read.messages().map { it.inShort() }.toList() to read.problems
@@ -42,7 +42,7 @@ class DamagedFileSpec : FunSpec({
                 } else {
                     val (messages, problems) = read(file)
                     val last = parts.lastOrNull { it.bytes <= length }?.messages.orEmpty()
-                    // the chunk is there before its index is
+                    // a file may end with a whole chunk without its index
                     (messages == last || messages in parts.map { it.messages } && messages.size > last.size) shouldBe true
                     problems.shouldNotBeEmpty()
                 }

@@ -16,13 +16,13 @@ import kotlin.io.path.writeBytes
 private val installed = Path.of("build/readers").toAbsolutePath()
 private val scripts = Path.of("src/test/readers").toAbsolutePath()
 
-/** Another implementation of the format, as a command that reads a file. */
+/** Another implementation of the format, run by a command that reads a file. */
 private class OtherReader(val name: String, private val program: Path, val command: (how: String, file: Path) -> List<String>) {
     val enabled =
         if (program.exists()) Enabled.enabled
         else Enabled.disabled("the reader of $name is missing: argo-recording/install-readers installs it")
 
-    /** The lines that it prints of [file]. */
+    /** Returns the lines that the reader prints for [file]. */
     fun read(how: String, file: Path): List<String> {
         val process = ProcessBuilder(command(how, file)).start()
         var errors = ""

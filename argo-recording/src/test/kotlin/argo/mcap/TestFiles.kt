@@ -5,14 +5,14 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 
-/** Writes the existing file [path] anew with chunks of [chunkBytes]. */
+/** Overwrites the existing file [path] with chunks of [chunkBytes] bytes. */
 internal fun <T> writeMcap(path: Path, chunkBytes: Int = McapWriter.DEFAULT_CHUNK_BYTES, write: McapWriter.() -> T): T =
     McapWriter(FileChannel.open(path, WRITE, TRUNCATE_EXISTING), chunkBytes = chunkBytes).use(write)
 
-/** A message in short: where, when and what. */
+/** Returns a message in short: topic, number, time and text. */
 internal fun McapMessage.inShort() = "${channel.topic} $sequence $logTimeNs $text"
 
-/** A length of the file [writeSmall] up to which all is whole, and the messages up to there. */
+/** A length of the file of [writeSmall] up to which all of it is whole, and the messages up to there. */
 internal class Whole(val bytes: Long, val messages: List<String>)
 
 /** Writes a small file with all kinds of records in [path], and returns where its whole parts end. */

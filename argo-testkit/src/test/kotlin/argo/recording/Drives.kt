@@ -44,7 +44,7 @@ internal fun recordedMas(vararg agents: Pair<String, String>, drive: TestMas.() 
     return file
 }
 
-/** All of [file] is replayed, and does what was recorded; [isChecking] as of [replayOf]. */
+/** Fails unless all of [file] is replayed without a difference; [isChecking] is that of [replayOf]. */
 internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
     val outcome = replayOf(file, isChecking)
     withClue(outcome.differences.joinToString("\n")) { outcome.differences.shouldBeEmpty() }

@@ -103,7 +103,7 @@ class ExactReplaySpec : FunSpec({
         val file = recordedBy { ts -> ts.settings.isSync = true }
         Recording(file).use { it.cycles("agent").mapNotNull { cycle -> cycle.course.event }.toList() }.first { "hello" in it } shouldContain
             "kqml_received"
-        shouldReplay(file, isChecking = true) // its architecture is of the project
+        shouldReplay(file, isChecking = true) // its architecture belongs to the project
     }
 
     test("beliefs and goals whose values are drawn when Jason reads the program") {

@@ -35,7 +35,7 @@ import kotlin.io.path.exists
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
-/** Replays the recording that is its argument, and says so before. */
+/** Replays the recording that is its argument, after it has printed a line. */
 object EndlessReplay {
     @JvmStatic
     fun main(arguments: Array<String>) = Recording(Path.of(arguments.single())).use { recording ->

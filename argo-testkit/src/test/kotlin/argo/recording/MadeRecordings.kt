@@ -11,7 +11,7 @@ internal fun made(
     program: String,
     values: Map<String, String> = emptyMap(),
     files: Map<String, String> = emptyMap(),
-    cycles: List<String> = (1..12).map { """{"index":$it,"number":$it,"ns":$it,"isEnding":true}""" }, // its actions count as no difference
+    cycles: List<String> = (1..12).map { """{"index":$it,"number":$it,"ns":$it,"isEnding":true}""" }, // ending cycles may differ
     keyFrame: String? = null,
 ): Path {
     val file = recordingFile()

@@ -179,7 +179,7 @@ class RealTimeReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
-    /** A robot whose sensors, silence and cable are of chance, which stays unplugged now and then. */
+    /** A robot with random percepts and pauses, whose cable is unplugged at random times. */
     class FaultyRobot(seed: Long) : Sketch {
         private val chance = Random(seed)
 

@@ -66,9 +66,9 @@ internal class SharePivots(
     }
 
     /**
-     * Random noncentralities for what was seen of a chi-squared number with [freedom]. Their density is a mixture of those of gamma
-     * distributions, as that of the chi-squared number is; it is that of a noncentral chi-squared number with two degrees of freedom, whose
-     * own noncentrality is what was seen less a central number, and of 0 where less than that was seen.
+     * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Their density is a mixture of
+     * those of gamma distributions, as that of the chi-squared number is; it is that of a noncentral chi-squared number with two degrees of
+     * freedom, whose own noncentrality is the observed number less a central one, and of 0 if that is negative.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)

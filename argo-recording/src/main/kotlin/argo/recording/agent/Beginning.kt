@@ -7,13 +7,13 @@ import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 import jason.bb.DefaultBeliefBase
 
-/** What the agent of [ts], whose program has just been read, believes and has to do. */
+/** Returns the beliefs and events of the agent of [ts], whose program Jason has just read. */
 internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the agent of [ts], whose program has just been read again, what it believed and had to do then. That differs where the program
- * draws a number or reads a clock, and of an agent that was made as a copy of another.
+ * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if it
+ * draws a number or reads a clock, or if the agent was made as a copy of another.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
@@ -29,7 +29,7 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/** What is believed at [place], where [now] the program has [belief]. */
+/** Returns the belief that was recorded at [place], where the program, with the beliefs [now], has [belief]; null: none was. */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief

@@ -7,12 +7,11 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Jason's counters, which all agents of a program share: the numbers of variables, intentions, messages, suspended calls, `.at` and plans
- * without a name. They
- * are in names, and so in the order of Jason's maps.
+ * without a name. A replay restores them, since names contain these numbers, and the order of Jason's maps follows from names.
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
-        .filter { it.isThere } // in another version of Jason numbers differ, and nothing else
+        .filter { it.isThere } // if a version of Jason lacks one, only numbers differ
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
     private val ofCalls = known.indexOf(Insides.callCounter)
@@ -20,11 +19,11 @@ internal object Counters {
     private val ofMessages = known.indexOf(Insides.messageCounter)
 
     /**
-     * Where they stood before this agent's own draws in a cycle that began when they stood at [start]: other agents may have drawn
+     * Returns the counters before this agent's own draws in a cycle that began with the counters at [start]: other agents may have drawn
      * meanwhile.
      *
      * @param intention the number of its first new intention; null: it has none
-     * @param message the name of the first message that it sent; null: none
+     * @param message the name of the first message that it sent; null: it sent none
      */
     fun before(start: List<Int>, intention: Int?, message: String?): List<Int> = start.mapIndexed { place, value ->
         when (place) {
@@ -34,34 +33,36 @@ internal object Counters {
         }
     }
 
-    /** Whether one has begun an intention since they stood at [start]. */
+    /** Returns true if an agent has begun an intention since the counters stood at [start]. */
     fun hasNewIntentions(start: List<Int>) = ofIntentions in start.indices && all[ofIntentions].get() != start[ofIntentions]
 
-    /** The number of the last intention when they stood at [start]. */
+    /** Returns the number of the last intention when the counters stood at [start]. */
     fun lastIntention(start: List<Int>): Int = start[ofIntentions]
 
-    /** A question that waits for its answer draws two. */
+    /** Returns the counter before the draw of [message]. A question that waits for its answer draws two numbers. */
     private fun numberBefore(message: String): Int? = when {
         message.startsWith(Message.msgIdSyncAskPrefix) -> message.removePrefix(Message.msgIdSyncAskPrefix).toIntOrNull()?.minus(2)
         else -> message.removePrefix(Message.msgIdPrefix).toIntOrNull()?.minus(1)
     }
 
-    /** Where they stand. */
+    /** Returns the values of the counters. */
     fun read(): List<Int> = all.map { it.get() }
 
-    /** Whether they stand where [read] returned [values]. */
+    /** Returns true if the counters stand at [values], which [read] returned. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
-    /** The number of the first plan among [plans] that Jason has named; null: it has named none. */
+    /** Returns the lowest number of a plan among [plans] that Jason has named; null: it has named none. */
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 
-    /** The next plan that Jason names has the number [label]. */
+    /** Makes Jason give the next plan that it names the number [label]. */
     fun nameFrom(label: Int) {
         all.getOrNull(ofLabels)?.set(label - 1)
     }
 
-    /** Sets them to what [read] returned in another program; older recordings of Jason 3.3.0 do not have that of calls. */
+    /**
+     * Sets the counters to [values], which [read] returned in another program; older recordings of Jason 3.3.0 lack the counter of calls.
+     */
     fun write(values: List<Int>) {
         val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }
         written.zip(values).forEach { (counter, value) -> counter.set(value) }

@@ -9,7 +9,7 @@ import jason.asSemantics.Event
 import jason.asSyntax.PlanBody
 import jason.asSyntax.Trigger
 
-/** What came of a cycle, whose texts are not made yet. Nothing of it changes. */
+/** The course of a cycle, whose texts are not made yet. Immutable. */
 internal class CourseNote(
     private val event: (() -> String)?,
     private val plan: Place?,
@@ -19,32 +19,35 @@ internal class CourseNote(
     private val printed: List<String>,
     private val beliefs: Int,
 ) {
-    /** The name of the first message that was sent; null: none was. */
+    /** The name of the first message that the agent sent; null: it sent none. */
     val firstMessage: String? get() = mail.firstOrNull()?.id
 
-    /** Whether an event was chosen, or a step carried out. */
+    /** True if the agent chose an event or carried out a step. */
     val hasHappened: Boolean get() = event != null || step != null
 
-    /** Any thread. */
+    /** Makes the texts, on any thread. */
     fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
 }
 
-/** A [Step] whose text need not be made yet; [body] is null: the plan had ended. */
+/** A [Step] whose text need not be made yet; a null [body] means that the plan had ended. */
 internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, body: PlanBody?) {
     private val line: Int? = body?.srcInfo?.srcLine
     private val text = body?.run { laterText(listOf(bodyTerm)) { "$bodyType$bodyTerm" } }
 
-    /** Any thread. */
+    /** Makes the texts, on any thread. */
     fun step() = Step(intention, depth, plan, line, text?.invoke())
 }
 
-/** The text of the trigger of this event as it is now: the literal of a belief is the belief itself, which may get other annotations. */
+/**
+ * Returns the text of the trigger of this event as it is now: the literal of a belief is the belief itself, which may get other
+ * annotations.
+ */
 internal fun Event.triggerNow(): () -> String {
     val now = trigger.run { Trigger(operator, type, literal.copy()) }
     return laterText(listOf(now.literal)) { "$now" }
 }
 
-/** The text of this action as it is now: the environment, which gets it, may do with it what it wants. */
+/** Returns the text of this action as it is now: the environment, which gets the action, may change it. */
 internal fun ActionExec.termNow(): () -> String {
     val now = actionTerm.copy()
     return laterText(listOf(now)) { "$now" }

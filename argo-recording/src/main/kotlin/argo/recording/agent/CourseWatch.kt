@@ -11,11 +11,11 @@ import jason.asSyntax.Term
 import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
-/** What comes of the cycles of the agent of [ts]. Belongs to the agent's thread. */
+/** Observes the course of each cycle of the agent of [ts]. Belongs to the agent's thread. */
 internal class CourseWatch(private val ts: TransitionSystem) {
     private val numbers = WeakHashMap<Intention, Int>()
 
-    /** How many intentions have been counted. */
+    /** The number of intentions counted so far. */
     var intentions = 0
         private set
 
@@ -24,27 +24,27 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     private var mail = ArrayList<Mail>()
     private val prints = PrintWatch(ts)
 
-    /** The step that is carried out in the cycle that runs; null: none yet. */
+    /** The step that the agent carries out in the present cycle; null: none yet. */
     var step: StepNote? = null
         private set
 
-    /** The number of [intention]; null: no step of it has been carried out. */
+    /** Returns the number of [intention]; null: the agent has carried out no step of it. */
     fun numberOf(intention: Intention): Int? = numbers[intention]
 
-    /** [intentions] were counted, and those that are left have these [numbers]. */
+    /** Continues after [intentions] counted intentions; the remaining ones have these [numbers]. */
     fun restore(intentions: Int, numbers: Map<Intention, Int>) {
         this.intentions = intentions
         this.numbers.putAll(numbers)
     }
 
-    /** A cycle begins. */
+    /** Begins to observe a cycle. */
     fun begin() {
         selected = ts.c.selectedIntention
         step = null
         prints.begin()
     }
 
-    /** Jason may have chosen an intention. */
+    /** Checks whether Jason has chosen an intention. */
     fun ruleApplied() {
         val now = ts.c.selectedIntention
         if (now === selected) return
@@ -52,12 +52,12 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         if (now != null && !now.isFinished) step = stepOf(now)
     }
 
-    /** The agent has sent [message]. */
+    /** Notes that the agent has sent [message]. */
     fun sent(message: Mail) {
         mail += message
     }
 
-    /** What came of the cycle that ends. */
+    /** Ends the observation of the cycle, and returns its course. */
     fun end(): CourseNote {
         val event = ts.c.selectedEvent
         val sent = if (mail.isEmpty()) emptyList() else mail.also { mail = ArrayList() }
@@ -65,10 +65,10 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
-    /** Whether lines that plans printed may be missing, as Java is ending. */
+    /** True if lines that plans printed may be missing, as Java is ending. */
     val missesPrints: Boolean get() = prints.isClosed
 
-    /** Nothing is watched any more. */
+    /** Ends all observation. */
     fun close() = prints.close()
 
     private fun stepOf(intention: Intention): StepNote {
@@ -77,7 +77,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return StepNote(numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan), body)
     }
 
-    /** Where [plan] stands. */
+    /** Returns the place of [plan] in the program. */
     fun placeOf(plan: Plan): Place {
         if (places.size >= MAX_CACHED) places.clear()
         return places.getOrPut(plan) {
@@ -87,15 +87,15 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 
     private companion object {
-        /** A program may make plans while it runs. */
+        /** The largest number of cached places: a program may make plans while it runs. */
         const val MAX_CACHED = 10_000
     }
 }
 
-/** The name of the file at [path], which Jason writes as a URL or as the system does: `file:robot.asl` if it is relative. */
+/** Returns the name of the file at [path], which Jason writes as a URL or as the system does: `file:robot.asl` if it is relative. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
-/** [message] as a recording has it. */
+/** Returns [message] in the form of a recording. */
 internal fun mailOf(message: Message, failure: String? = null) = Mail(
     message.ilForce, message.sender, message.receiver,
     contentText(message.propCont), message.msgId, message.inReplyTo, failure,

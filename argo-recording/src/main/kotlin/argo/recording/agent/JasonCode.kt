@@ -2,12 +2,15 @@ package argo.recording.agent
 
 import jason.asSemantics.ArithFunction
 
-/** What an internal action or function of Jason's has to do with what is outside of its agent. */
+/** The relation of an internal action or function of Jason's to the world outside of its agent. */
 internal enum class Nature {
-    /** Nothing: its result follows from the agent, and it changes nothing else. A replay carries it out again. */
+    /** None: its result follows from the agent, and it changes nothing else. A replay carries it out again. */
     PURE,
 
-    /** Its messages, percepts and timers pass the boundary and the keeper of timers, which a replay holds. It carries it out again. */
+    /**
+     * Its messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay carries it
+     * out again.
+     */
     BOUNDARY,
 
     /** Its result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded one. */
@@ -18,8 +21,8 @@ internal enum class Nature {
 }
 
 /**
- * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. What is not listed is refused by its name, in a
- * recording as in a replay.
+ * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse an unlisted one
+ * by its name.
  */
 internal object JasonCode {
     private const val ACTIONS = "jason.stdlib."
@@ -44,7 +47,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.skew
-        """, // from the second line on ARGO's own, in their other forms
+        """, // from the second line on ARGO's own actions, in their other forms
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()
@@ -57,22 +60,22 @@ internal object JasonCode {
         Nature.INPUT to "Random time",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$FUNCTIONS$it" to nature } }.toMap()
 
-    /** The nature of the class called [type]; null: it is not known. */
+    /** Returns the nature of the class called [type]; null: it is not known. */
     fun natureOf(type: String): Nature? = actions[type] ?: functions[type]
 
-    /** Whether a replay takes the recorded result of what has this [nature]. */
+    /** Returns true if a replay takes the recorded result of code of this [nature]. */
     fun isRecorded(nature: Nature) = nature == Nature.INPUT || nature == Nature.EFFECT
 
-    /** The name that programs have for the internal action of the class [type]. */
+    /** Returns the name of the internal action of the class [type] in programs. */
     fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
 
-    /** Whether [type], a class, is Jason's or ARGO's, and no code of a project. */
+    /** Returns true if [type], a class, is Jason's or ARGO's, and no code of a project. */
     fun isOwn(type: Class<*>): Boolean = type.packageName.let { it == "argo" || it.startsWith("jason.") }
 
-    /** Whether [code], an action or a function, is Jason's and not in the table. */
+    /** Returns true if [code], an action or a function, is Jason's and not in the table. */
     fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
 
-    /** The name that programs have for [code], an action or a function. */
+    /** Returns the name of [code], an action or a function, in programs. */
     fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(code.javaClass.name)
 
     private fun wordsOf(names: String) = names.trim().split(Regex("\\s+"))

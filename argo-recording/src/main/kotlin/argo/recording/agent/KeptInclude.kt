@@ -8,13 +8,16 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Who watches over the files that an agent includes, at the beginning or as it runs: a recorder or a replay. */
+/** Handles the files that an agent includes, at the beginning or as it runs: a recorder or a replay. */
 internal fun interface Includes {
-    /** What [directive] includes into [outer]; [live] has Jason look for the file and read it. */
+    /** Returns the content that [directive] includes into [outer], or null for none; [live] makes Jason look for the file and read it. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?
 }
 
-/** Jason's directive `include`, which the action `.include` calls too: on a thread that has [current] it is theirs, on others Jason's. */
+/**
+ * Replaces Jason's directive `include`, which the action `.include` calls too. It asks [current] if the calling thread has one, otherwise
+ * Jason's own directive.
+ */
 internal class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
         val includes = CURRENT.get()
@@ -30,12 +33,12 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
         private const val NAME = "include"
         private val CURRENT = ThreadLocal<Includes?>()
 
-        /** Who watches over what the calling thread includes; null: nobody. */
+        /** The handler of the files that the calling thread includes; null: Jason includes them itself. */
         var current: Includes?
             get() = CURRENT.get()
             set(includes) = if (includes == null) CURRENT.remove() else CURRENT.set(includes)
 
-        /** Does [work], which [includes] watch over. */
+        /** Does [work] with [includes] as the [current] handler. */
         inline fun <T> within(includes: Includes, work: () -> T): T {
             val around = current
             current = includes
@@ -46,7 +49,7 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
             }
         }
 
-        /** Puts it in the place of Jason's, for the whole program. */
+        /** Replaces Jason's directive for the whole program. */
         @Synchronized
         fun install() {
             val below = DirectiveProcessor.getDirective(NAME) as Include
@@ -54,19 +57,22 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
             Insides.directives[null][NAME] = KeptInclude(below)
         }
 
-        /** Where Jason looks for included files. */
+        /** The directories in which Jason looks for included files. */
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
-        /** How a recording calls the file that [outer] is read from: the agent [ag] itself, or a file that it includes. */
+        /**
+         * Returns the name in a recording of the file that [outer] is read from: `.` for the running agent [ag], empty while its program or
+         * a block is being read, otherwise the address of the included file.
+         */
         fun placeOf(outer: Agent, ag: Agent?): String = when {
-            outer.aslSrc == null -> "" // it is being read, or a block of it
+            outer.aslSrc == null -> "" // the program, or a block of it, is being read
             outer === ag -> RUNNING
             else -> outer.aslSrc
         }
 
         private const val RUNNING = "."
 
-        /** The file that [directive] names. */
+        /** Returns the name of the file in [directive]. */
         fun fileOf(directive: Pred): String = (directive.getTerm(0) as StringTerm).string.replace('\\', '/')
     }
 }

@@ -10,8 +10,8 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * The [text] of what consists of [terms], which any thread may ask for later; made at once if they may change: [mayChange], or one of them
- * holds what does, since Jason never copies its maps, sets and Java objects.
+ * Returns a function that gives the [text] of [terms] later, on any thread. Makes the text at once if the terms may change: if [mayChange],
+ * or if one of them holds a map, a set or a Java object, which Jason never copies.
  */
 internal fun <T> laterText(terms: List<Term?>, mayChange: Boolean = false, text: () -> T): () -> T =
     if (mayChange || terms.any(::changes)) text().let { { it } } else text

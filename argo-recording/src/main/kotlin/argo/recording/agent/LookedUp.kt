@@ -5,8 +5,8 @@ import jason.asSemantics.Agent
 import jason.asSemantics.InternalAction
 
 /**
- * The actions that an agent has looked up, by their classes, in the place of Jason's table: [found] says what each name stands for from
- * now on, also if a term asks for it that the agent has made of a text.
+ * Replaces Jason's table of the actions that an agent has looked up. [found] gives the action for each name from now on, also if a term
+ * that the agent has made from a text asks for it.
  */
 internal class WatchedActions private constructor(private val agent: Agent, private val found: (String, InternalAction) -> InternalAction) :
     HashMap<String, InternalAction>() {
@@ -14,7 +14,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun get(key: String): InternalAction? {
         super.get(key)?.let { return it }
-        if (key == lookedUp) return null // Jason makes it now, and puts it here
+        if (key == lookedUp) return null // Jason makes the action now, and puts it here
         lookedUp = key
         try {
             agent.getIA(key)
@@ -26,11 +26,11 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** A program may write its agent: without who watches it. */
+    /** Leaves the watch out if the program writes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {
-        /** Has [found] asked about what [agent] has looked up, and what it will. */
+        /** Asks [found] for each action that [agent] has looked up or will look up. */
         fun install(agent: Agent, found: (String, InternalAction) -> InternalAction) {
             val before = Insides.actions[agent]
             Insides.actions[agent] = WatchedActions(agent, found).apply { before.forEach { (name, action) -> put(name, action) } }
@@ -38,9 +38,9 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     }
 }
 
-/** Jason's functions for all agents, in the texts that agents make terms of. */
+/** Jason's functions for all agents; the terms that agents make from texts get them. */
 internal object WatchedFunctions {
-    /** Has the agent's watch asked about those that draw or read a clock, for the whole program. */
+    /** Makes the functions that draw a number or read a clock ask the watch of the calling agent, for the whole program. */
     @Synchronized
     fun install() = Insides.functions[null].replaceAll { _, function -> WatchedCode.watched(function, NobodyWatches) }
 }

@@ -10,7 +10,7 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
 
-/** What an agent has in mind at the end of a cycle: its events, its intentions with what they wait for, and its plans. */
+/** The events, intentions, waits and plans of an agent at the end of a cycle. */
 internal class Mind(
     val events: ArrayList<Event>,
     val atomicEvent: Event?,
@@ -20,12 +20,12 @@ internal class Mind(
     val pending: LinkedHashMap<String, Intention>,
     val pendingEvents: LinkedHashMap<String, Event>,
     val goalConditions: Int,
-    /** What the last cycle chose; a cycle that has nothing to choose leaves it. */
+    /** The event that a cycle chose last; a cycle without a choice leaves it. */
     val event: Event?,
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions that have been numbered, and their numbers. */
+    /** The intentions that have got a number; [numbers] has their numbers in the same order. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
     /** The agent's plans; null: those of its program. */
@@ -39,8 +39,8 @@ internal class Mind(
 /**
  * A `.wait` of Jason's.
  *
- * @property timer the number of its timer; null: none is under way
- * @property isListening whether it waits still: a timer runs on when its `.wait` has ended
+ * @property timer the number of its timer; null: no timer is under way
+ * @property isListening whether the `.wait` still waits: its timer runs on when it has ended
  */
 internal class Wait(
     val timer: Int?,

@@ -17,36 +17,36 @@ import java.io.OutputStream
 import java.io.Serializable
 import java.lang.reflect.Method
 
-/** In the place of a part of the program. */
+/** Stands for a part of the program. */
 private class PartReference(val number: Int) : Serializable
 
-/** In the place of an internal action of the class [type]. */
+/** Stands for an internal action of the class [type]. */
 private class ActionReference(val type: String) : Serializable
 
-/** In the place of the function [name]. */
+/** Stands for the function [name]. */
 private class FunctionReference(val name: String) : Serializable
 
-/** In the place of the agent. */
+/** Stands for the agent. */
 private class AgentReference : Serializable
 
 /**
- * [mind] in bytes; what [program] has is referred to.
- * @throws NotSerializableException if it holds a Java object that cannot be written; the message says so to a person
+ * Returns [mind] in bytes, with references to the parts of [program].
+ * @throws NotSerializableException if [mind] holds a Java object that cannot be written; the message is for a person
  */
 internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
     ByteArrayOutputStream().also { bytes -> MindOutput(bytes, program).use { it.writeObject(mind) } }.toByteArray()
 
 /**
- * What [bytesOf] wrote, for the agent of [code]: its intentions are of the plans of [program].
- * @throws java.io.IOException if it is something else, or was written by another version of Jason
+ * Reads the mind that [bytesOf] wrote, for the agent of [code]; its intentions get the plans of [program].
+ * @throws java.io.IOException if [bytes] are something else, or were written by another version of Jason
  */
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {
     MindInput(bytes, program, code).use { it.readObject() as Mind }
 } catch (refused: InvalidClassException) {
-    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // as the filter gives its reason
+    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // the filter's own reason
 } catch (missing: ClassNotFoundException) {
     throw InvalidClassException("class ${missing.message} is missing")
-} catch (other: RuntimeException) { // what stands there does not fit together
+} catch (other: RuntimeException) { // the objects do not fit together
     throw InvalidClassException("$other")
 }
 
@@ -59,8 +59,8 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
         one === program.agent -> AgentReference()
         one is InternalAction -> ActionReference(one.javaClass.name)
         one is ArithFunction -> FunctionReference(one.name)
-        one is Throwable -> null // Java writes why it cannot write
-        one is Method -> null // what an object term remembers of its object
+        one is Throwable -> null // Java writes the reason for which it cannot write
+        one is Method -> null // an object term caches a method of its object
         ProgramParts.mayBePart(one) -> program.numberOf(one)?.let(::PartReference) ?: allowed(one)
         else -> allowed(one)
     }
@@ -78,7 +78,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // of all arrays
-    private var replacement: Class<*>? = null // of what has just been put in the place of a reference: Java asks the filter about it, too
+    private var replacement: Class<*>? = null // of the last object that replaced a reference: Java asks the filter about it, too
 
     init {
         enableResolveObject(true)
@@ -94,7 +94,10 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
         }
     }
 
-    /** Whoever has made the recording: only terms and intentions are made, and no more than its bytes can describe. */
+    /**
+     * Returns the reason to refuse an object, or null. Any stranger may have made the recording, so it can make only terms and intentions,
+     * and no more of them than its bytes can describe.
+     */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"
         info.depth() > MAX_DEPTH -> "its objects are nested more than $MAX_DEPTH deep"
@@ -118,13 +121,13 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 }
 
-/** The bytes at most of what an agent has in mind. */
+/** The largest number of bytes of a mind. */
 internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
-/** An element of a list stands within the one before. */
+/** The deepest nesting of objects: each element of a list stands within the element before it. */
 private const val MAX_DEPTH = 10_000L
 
-/** A hash table has up to eight places for each entry. */
+/** The most array elements for each byte: a hash table has up to eight places for each entry. */
 private const val MAX_ELEMENTS_OF_BYTE = 16
 
 private val OWN = setOf(
@@ -140,17 +143,17 @@ private val ALLOWED_OF_JAVA = setOf(
     "java.lang.Double", "java.lang.Boolean", "java.lang.Number", "java.lang.Enum", "java.lang.Object",
 )
 
-/** Whether objects of [type] may stand in a recording: terms, and what intentions consist of. */
+/** Returns true if objects of [type] may stand in a recording: terms, and parts of intentions. */
 private fun isAllowed(type: Class<*>): Boolean = when {
     type.isPrimitive -> true
     type.isArray -> isAllowed(type.componentType)
     type in OWN || type.name in ALLOWED_OF_JAVA -> true
     type.name.startsWith("jason.stdlib.fork$") -> true
-    CODE.any { it.isAssignableFrom(type) } -> false // in their place are references
+    CODE.any { it.isAssignableFrom(type) } -> false // references stand for them
     else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
 
 private val CODE = listOf(InternalAction::class.java, ArithFunction::class.java, Agent::class.java)
 
-/** What belongs to one run of an agent. */
+/** The classes of objects that belong to one run of an agent. */
 private val REFUSED = setOf("jason.asSemantics.TransitionSystem", "jason.asSemantics.Circumstance", "jason.asSemantics.Agent")

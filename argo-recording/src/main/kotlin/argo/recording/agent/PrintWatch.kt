@@ -5,13 +5,13 @@ import java.util.logging.Handler
 import java.util.logging.LogRecord
 import java.util.logging.SimpleFormatter
 
-/** The lines that the plans of the agent of [ts] print. */
+/** Collects the lines that the plans of the agent of [ts] print. */
 internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     private val texts = SimpleFormatter()
     private var lines = ArrayList<String>()
     private var thread: Thread? = null
 
-    /** Whether lines may have been missed: when Java ends, it takes the handlers of all loggers away while agents still reason. */
+    /** True if lines may be missing: when Java ends, it removes the handlers of all loggers while agents still reason. */
     @Volatile
     var isClosed = false
         private set
@@ -20,12 +20,12 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
         ts.logger.addHandler(this)
     }
 
-    /** A cycle begins, on the thread that calls. */
+    /** Begins a cycle, on the calling thread. */
     fun begin() {
         thread = Thread.currentThread()
     }
 
-    /** The lines since it was asked last. */
+    /** Returns the lines since the last call. */
     fun take(): List<String> = if (lines.isEmpty()) emptyList() else lines.also { lines = ArrayList() }
 
     override fun publish(record: LogRecord) {
@@ -40,7 +40,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     }
 
     private companion object {
-        /** Jason reports on an agent by the logger that plans print with. */
+        /** The prefix of the classes by which Jason itself logs about an agent, to the logger with which plans print. */
         val JASON: String = TransitionSystem::class.java.packageName + "."
     }
 }

@@ -9,7 +9,9 @@ import jason.asSyntax.parser.as2jConstants
 import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
-/** What the [text] of a program names outside of itself: read by Jason's own tokens, and nothing of it is carried out. */
+/**
+ * The names of files, classes and directives in the [text] of a program. Reads the text by Jason's own tokens, and executes no part of it.
+ */
 internal class ProgramNames(text: String) {
     /** A file that a program includes, as its text names it; Jason looks for one in a block `{ begin … }` only in the source path. */
     data class Included(val name: String, val isInBlock: Boolean)
@@ -20,19 +22,21 @@ internal class ProgramNames(text: String) {
         if (!isAt(at, "{")) blocks else if (isAt(at + 1, "begin")) blocks + 1 else if (isAt(at + 1, "end")) blocks - 1 else blocks
     }
 
-    /** The files that it includes, in their order. */
+    /** The files that the program includes, in their order. */
     val includes: List<Included> = tokens.indices.filter { isAt(it, "{") }.mapNotNull { at ->
         val name = argumentOf("include", if (isAt(at + 1, "begin")) at + 2 else at + 1)
         name?.let { Included(it.replace('\\', '/'), blocks[at] > 0) }
     }
 
-    /** The classes that Jason may make as it reads the text: of functions, and of actions, in blocks without asking the agent. */
+    /**
+     * The classes of functions and actions that Jason may instantiate as it reads the text; in blocks it does so without asking the agent.
+     */
     val classes: Set<String> = tokens.indices.mapNotNullTo(LinkedHashSet()) { at ->
         argumentOf("register_function", at)
             ?: tokens[at].takeIf { isFunctor(it) && '.' in it.image.drop(1) && (blocks[at] > 0 || isAt(at + 1, "(")) }?.image
     }
 
-    /** The names of the directives in it. */
+    /** The names of the directives in the text. */
     val directives: Set<String> = tokens.indices.filter { isAt(it, "{") && !isAt(it + 1, "end") }
         .mapNotNullTo(LinkedHashSet()) { at -> tokens.getOrNull(if (isAt(at + 1, "begin")) at + 2 else at + 1)?.takeIf(::isFunctor)?.image }
 
@@ -40,7 +44,7 @@ internal class ProgramNames(text: String) {
 
     private fun isAt(place: Int, image: String) = tokens.getOrNull(place)?.image == image
 
-    /** The string that is the first argument of [functor], if that stands at [place]. */
+    /** Returns the string that is the first argument of [functor], if [functor] stands at [place]. */
     private fun argumentOf(functor: String, place: Int): String? {
         val string = tokens.getOrNull(place + 2)
         if (!isAt(place, functor) || !isAt(place + 1, "(") || string?.kind != as2jConstants.STRING) return null
@@ -53,7 +57,7 @@ internal class ProgramNames(text: String) {
         try {
             while (true) tokens += manager.nextToken.takeIf { it.kind != as2jConstants.EOF } ?: break
         } catch (_: TokenMgrError) {
-            // Jason reads no further, and says so
+            // Jason reports it, and reads no further
         }
         return tokens
     }

@@ -8,17 +8,17 @@ import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
 /**
- * The plans, steps of plans and rules that the program of [agent] has, with their numbers: the same program gives the same numbers. Made
- * before the agent's first cycle, since later it may have others.
+ * Numbers the plans, steps of plans and rules of the program of [agent]: the same program gives the same numbers. Make it before the
+ * agent's first cycle, since the agent may have other plans and rules later.
  */
 internal class ProgramParts(val agent: Agent) {
     private val numbers = IdentityHashMap<Any, Int>()
     private val parts = ArrayList<Any>()
 
-    /** The plans as the program has them. */
+    /** The plans of the program. */
     val plans: List<Plan> = Plans.of(agent).all.toList()
 
-    /** The rules as the program has them. */
+    /** The rules of the program. */
     val rules: List<Rule> = agent.bb.filterIsInstance<Rule>()
 
     init {
@@ -26,7 +26,7 @@ internal class ProgramParts(val agent: Agent) {
         rules.forEach(::note)
     }
 
-    /** How many parts there are. */
+    /** The number of parts. */
     val size: Int get() = parts.size
 
     private fun visit(plans: Plans) {
@@ -42,17 +42,17 @@ internal class ProgramParts(val agent: Agent) {
         if (numbers.putIfAbsent(part, parts.size) == null) parts += part
     }
 
-    /** The number of [part]; null: the program does not have it. */
+    /** Returns the number of [part]; null: the program does not have it. */
     fun numberOf(part: Any): Int? = numbers[part]
 
-    /** The part with this [number]. */
+    /** Returns the part with this [number]. */
     fun part(number: Int): Any = parts[number]
 
-    /** Whether the plans of the agent are those of the program. */
+    /** Returns true if the plans of the agent are those of the program. */
     fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
 
     companion object {
-        /** Whether objects like [one] may be parts of a program. */
+        /** Returns true if objects like [one] may be parts of a program. */
         fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || Plans.isLibrary(one) || one is Rule
     }
 }

@@ -32,26 +32,26 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the [text] that [TermWriter] wrote: the same term, and nothing of Jason's counters moves.
+ * Reads the same term back from the [text] that [TermWriter] wrote, without a change of Jason's counters.
  *
- * @param agent whose functions are meant; null: those that Jason knows itself
+ * @param agent the agent whose functions the text may name; null: only Jason's own functions
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
-    /** It is not what [TermWriter] writes. */
+    /** [TermWriter] does not write such a text. */
     class Unreadable : Exception()
 
     private var at = 0
 
-    /** The term. */
+    /** Reads the term. */
     fun term(): Term = whole(::next)
 
-    /** The literal, where only a literal can stand. */
+    /** Reads the literal, where only a literal can stand. */
     fun literal(): Literal = whole {
         val read = next() as? Literal ?: fail()
         if (read.javaClass == Atom::class.java && !text.startsWith("#atom(")) LiteralImpl(read.ns, Literal.LPos, read.functor) else read
     }
 
-    /** The text in quotes. */
+    /** Reads the text in quotes. */
     fun quotedText(): String = whole(::quoted)
 
     private inline fun <T> whole(read: () -> T): T {
@@ -107,7 +107,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return text.substring(start, at).toDouble()
     }
 
-    /** A string as Jason reads it. */
+    /** Reads a string as Jason does. */
     private fun plainString(): String {
         val start = ++at
         while (peek() != '"') {
@@ -186,7 +186,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return ArithExpr(left as NumberTerm, operator, next() as NumberTerm)
     }
 
-    /** A variable or a literal, with its namespace. */
+    /** Reads a variable or a literal, with its namespace. */
     private fun literalHere(): Literal {
         val isNegated = take("~")
         val first = name()
@@ -247,7 +247,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return literal
     }
 
-    /** In the order in which they are written: Jason would sort them, and it cannot compare terms of each kind. */
+    /** Adds the annotations in their written order: Jason would sort them, and cannot compare terms of every kind. */
     private fun annotate(literal: Literal) {
         if (peek() == '[') literal.annotatedBy(list())
     }
@@ -303,7 +303,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         }
     }
 
-    /** Without copies, in which Jason loses the negation of variables. */
+    /** Sets [terms] without copying them: Jason loses the negation of variables in copies. */
     private fun <T : Structure> T.with(terms: List<Term>?): T = also { if (!terms.isNullOrEmpty()) it.terms = terms }
 
     private fun flag(): Boolean = if (take("1")) true else if (take("0")) false else fail()
@@ -363,7 +363,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             val type = then { PlanBody.BodyType.valueOf(word(Char::isLetter)) }
             val place = then(::place)
             val term = then { orNone(::next) }
-            if (place != null && term != null && term.srcInfo == null) term.srcInfo = place // from there a copy of the step has it
+            if (place != null && term != null && term.srcInfo == null) term.srcInfo = place // copies of the step take it from there
             val step = PlanBodyImpl(type, term, isTerm)
             step.srcInfo = place
             steps += step
@@ -381,7 +381,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             mapOf("NaN" to Double.NaN, "Infinity" to Double.POSITIVE_INFINITY, "-Infinity" to Double.NEGATIVE_INFINITY)
         val LOGICAL = listOf(LogExpr.LogicalOp.and, LogExpr.LogicalOp.or)
 
-        /** Longer signs first. */
+        /** The relational signs, longer ones first. */
         val RELATIONAL = RelExpr.RelationalOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
         val ARITHMETIC = ArithExpr.ArithmeticOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
     }

@@ -10,39 +10,39 @@ import jason.asSyntax.Trigger
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
-/** The text of [term] in a recording, from which [termOf] makes the same term; see [TermWriter]. */
+/** Returns the text of [term] in a recording, from which [termOf] makes the same term; see [TermWriter]. */
 internal fun textOf(term: Term): String = TermWriter().text(term)
 
-/** The text of [literal] where only a literal can stand, as a percept or a belief. */
+/** Returns the text of [literal] where only a literal can stand, such as a percept or a belief. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
-/** The text of an event with [trigger]. */
+/** Returns the text of an event with [trigger]. */
 internal fun triggerText(trigger: Trigger): String =
     if (trigger.type.name == SIGNAL) textOf(trigger)
     else "${trigger.operator}${trigger.type}${literalText(trigger.literal)}"
 
-/** The text of the [content] of a message: a term, or a text that Jason reads when the message is taken. */
+/** Returns the text of the [content] of a message: a term, or a text that Jason reads when the agent takes the message. */
 internal fun contentText(content: Any?): String = when (content) {
     is Term -> textOf(content)
     is String -> "$TEXT${TermWriter.quoted(content)})"
     else -> TermWriter.refusedText("a Java object of the class ${content?.javaClass?.name}")
 }
 
-/** The content that [contentText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the content that [contentText] wrote as [text]. Throws as [termOf] does. */
 internal fun contentOf(text: String, agent: Agent): Any =
     if (text.startsWith(TEXT)) TermReader(text.substring(TEXT.length, text.length - 1)).quotedText() else termOf(text, agent)
 
 private const val TEXT = "#text("
 
-/** Written as a belief; a type of event that Jason 3.2.1 does not have. */
+/** The operator of signals, a type of event that Jason 3.2.1 does not have; they are written as beliefs. */
 private const val SIGNAL = "signal"
 
 /**
- * The term that [textOf] wrote as [text].
+ * Returns the term that [textOf] wrote as [text].
  *
- * @param agent whose functions it may hold
- * @throws UnrecordableTerm if it could not be written
- * @throws IllegalArgumentException if it is none
+ * @param agent the agent whose functions the term may hold; null: only Jason's own functions
+ * @throws UnrecordableTerm if [textOf] could not write the term
+ * @throws IllegalArgumentException if [text] is no text of a term
  */
 internal fun termOf(text: String, agent: Agent? = null): Term = try {
     TermReader(text, agent).term()
@@ -50,14 +50,14 @@ internal fun termOf(text: String, agent: Agent? = null): Term = try {
     perceptOf(text) ?: parsed(text) { ASSyntax.parseTerm(it) }
 }
 
-/** The literal that [literalText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the literal that [literalText] wrote as [text]. Throws as [termOf] does. */
 internal fun literalOf(text: String): Literal = try {
     TermReader(text).literal()
 } catch (_: TermReader.Unreadable) {
     perceptOf(text) ?: parsed(text) { ASSyntax.parseLiteral(it) }
 }
 
-/** The trigger that [triggerText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the trigger that [triggerText] wrote as [text]. Throws as [termOf] does. */
 internal fun triggerOf(text: String): Trigger {
     if (text.startsWith("#")) return termOf(text) as Trigger
     val operator = Trigger.TEOperator.entries.find { text.startsWith("$it") } ?: return parsed(text, ASSyntax::parseTrigger)
@@ -66,7 +66,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Recordings of format 1 hold strings as boards write them, which Jason's parser does not read. */
+/** Reads a percept of a recording of format 1, which holds strings as boards write them; Jason's parser does not read those. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -31,30 +31,30 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term: as Jason writes them where that has one meaning, otherwise as `#kind(…)`, which no
- * term of Jason's begins with.
+ * Writes terms so that [TermReader] reads the same term: in Jason's notation where that has only one meaning, otherwise as `#kind(…)`, with
+ * which no term of Jason's begins.
  *
  * | written | is |
  * |---|---|
  * | `-1`, `(-1)` | a negative number, an expression that Jason has not evaluated |
  * | `#NaN`, `#Infinity`, `#-Infinity` | numbers |
  * | `hello`, `hello()` | an atom, a literal without arguments, which can get annotations |
- * | `#structure(f(1))`, `#pred(f)`, `#atom(f)` | what Java code has made, and Jason believes none of these |
+ * | `#structure(f(1))`, `#pred(f)`, `#atom(f)` | terms that Java code has made; Jason does not believe them |
  * | `#"Upper Case"(1)` | a structure with a functor that is no word |
  * | `#string("a\\b")` | a string that Jason's syntax cannot hold |
  * | `_12`, `#var("_12",-12)` | a variable that Jason has numbered; one with another name or number |
  * | `#set(a)`, `#map(a,1)` | a set, a map of keys and values |
  * | `#fun("math.max",1,2)` | a function that is not evaluated |
  * | `#plan(…)`, `#rule(…)`, `#body(…)`, `#event(…)` | parts of programs |
- * | `#refused("why")` | what cannot be written |
+ * | `#refused("why")` | a term that cannot be written |
  */
 internal class TermWriter {
     private val out = StringBuilder()
 
-    /** The text of [term]; never throws. */
+    /** Returns the text of [term]; never throws. */
     fun text(term: Term): String = written { term(term) }
 
-    /** The text of [literal] where only a literal can stand. */
+    /** Returns the text of [literal] where only a literal can stand. */
     fun literalText(literal: Literal): String = written {
         when {
             !isBare(literal) -> term(literal)
@@ -117,7 +117,7 @@ internal class TermWriter {
         },
     )
 
-    /** Jason resolves some escapes and drops some signs, and reads no others back. */
+    /** Writes a string. Jason resolves some escapes and drops some signs, and does not read the others back. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }
@@ -126,7 +126,7 @@ internal class TermWriter {
     private fun list(list: ListTerm) {
         append("[")
         var rest = list
-        while (!rest.isVar && !(rest.term == null && rest.next == null)) { // Jason asks a list for its end by recursion
+        while (!rest.isVar && !(rest.term == null && rest.next == null)) { // Jason looks for the end of a list by recursion
             if (rest !== list) append(",")
             if (rest.term != null) term(rest.term)
             rest = rest.next
@@ -165,7 +165,7 @@ internal class TermWriter {
         }
     }
 
-    /** Whether it is one word, which may be an atom or a literal. */
+    /** Returns true if [literal] is a single word, which may be an atom or a literal without arguments. */
     private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) &&
         !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() && literal.ns == Literal.DefaultNS
 
@@ -197,7 +197,7 @@ internal class TermWriter {
         if (literal.hasAnnot()) list(literal.annots)
     }
 
-    /** As Jason writes it, which is in parentheses. */
+    /** Writes [operation] as Jason does, in parentheses. */
     private fun operation(operation: Structure) {
         val sign = operation.functor
         if (operation.arity == 1) {
@@ -248,41 +248,41 @@ internal class TermWriter {
         source?.run { "#at(${srcFile?.let(::quoted) ?: NONE},$beginSrcLine,$endSrcLine)" } ?: NONE
 
     companion object {
-        /** Stands for something that is not there. */
+        /** Stands for a missing part. */
         const val NONE = "#none"
 
         private val KNOWN: Set<Class<*>> = setOf(
             Atom::class.java, LiteralImpl::class.java, InternalActionLiteral::class.java,
             Rule::class.java, // its head
-            Pred.createSource(Atom("self")).javaClass, // an annotation that Jason never copies
+            Pred.createSource(Atom("self")).javaClass, // the class of an annotation that Jason never copies
         )
 
-        /** Doubles below hold each whole number. */
+        /** Doubles hold each whole number below this one. */
         private const val LARGEST_WHOLE = 1e15
         private const val REFUSED = "#refused("
         private val VARIABLE = Regex("""\p{Lu}[\p{L}\p{N}_]*""")
 
-        /** The name that Jason gives a variable, with its number. */
+        /** Matches a name that Jason gives a variable, with its number. */
         val NUMBERED = Regex("""_([1-9]\d{0,9})(?!\d)[\p{L}\p{N}_]*""")
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
 
-        /** Words that are more than a functor. */
+        /** Words with a meaning besides that of a functor. */
         val RESERVED = setOf("true", "false", "default", "not")
 
-        /** Whether [functor] is written as it is. */
+        /** Returns true if [functor] is written without quotes. */
         fun isPlain(functor: String) = WORD.matches(functor) && functor !in RESERVED
 
-        /** The text of what could not be written because of [why]. */
+        /** Returns the text of a term that could not be written because of [why]. */
         fun refusedText(why: String) = "$REFUSED${quoted(why)})"
 
-        /** Whether [text] is of a term that could not be written. */
+        /** Returns true if [text] stands for a term that could not be written. */
         fun isRefused(text: String) = text.startsWith(REFUSED)
 
-        /** What the term is whose [text] is refused. */
+        /** Returns the description of the refused term for which [text] stands. */
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** [text] in quotes, in characters that each encoding has. */
+        /** Returns [text] in quotes, with only those characters that every encoding has. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {
@@ -296,5 +296,5 @@ internal class TermWriter {
     }
 }
 
-/** A recording cannot hold a term: [message] is what it is. */
+/** A recording cannot hold a term; [message] describes the term. */
 internal class UnrecordableTerm(override val message: String) : IllegalArgumentException(message)

@@ -9,12 +9,12 @@ import jason.asSyntax.Term
 import jason.stdlib.random
 import java.io.Serializable
 
-/** Stands in the place of [code], an internal action or a function, and is written as that: a program may write its plans. */
+/** Replaces [code], an internal action or a function. A program that writes its plans writes [code] instead. */
 internal sealed interface Watched : Serializable {
     val code: Any
 }
 
-/** [code], which the program calls [name]; the agent's watch is asked about its calls. */
+/** Wraps [code], which the program calls [name], and asks the agent's watch about each call. */
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
@@ -31,7 +31,10 @@ internal class WatchedAction(private val name: String, override val code: Intern
     }
 }
 
-/** `.random`, called as [watched] is; `.set_random_seed` casts it to Jason's class, and takes the generator of [code]. */
+/**
+ * Wraps `.random`, and passes calls to [watched]. It extends Jason's class, since `.set_random_seed` casts to that and takes the generator,
+ * which is that of [code].
+ */
 internal class WatchedRandom(override val code: random, private val watched: WatchedAction) : random(), Watched {
     private fun writeReplace(): Any = code
 
@@ -40,7 +43,7 @@ internal class WatchedRandom(override val code: random, private val watched: Wat
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = watched.execute(ts, un, args)
 }
 
-/** The function [code]; the agent's watch is asked about its calls, and [watch] if it has none. */
+/** Wraps the function [code], and asks the agent's watch about each call, or [watch] if the agent has none. */
 internal class WatchedFunction(override val code: ArithFunction, val watch: CallWatch) : ArithFunction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
 
@@ -50,12 +53,12 @@ internal class WatchedFunction(override val code: ArithFunction, val watch: Call
         current(watch).evaluate(code.name, args, isOfProject) { code.evaluate(ts, args) }
 }
 
-/** Has all code carried out. */
+/** Carries out all code. */
 internal object NobodyWatches : CallWatch {
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any = live(call.un)
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live()
 }
 
-/** Who watches the agent that calls: a plan that one agent tells another comes with the code of the first. */
+/** Returns the watch of the calling agent, or [own]: a plan that one agent tells another comes with the code of the first. */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own

@@ -23,34 +23,35 @@ import jason.stdlib.random
 import java.util.Collections
 import java.util.IdentityHashMap
 
-/** Whose an internal action is. */
+/** The owner of an internal action. */
 internal enum class WatchedKind {
-    /** Jason's or ARGO's: its results come from outside. */
+    /** Jason or ARGO: the results of the action come from outside. */
     OUTSIDE,
 
-    /** The project's. */
+    /** The project. */
     PROJECT,
 
-    /** The project's, and its intention waits for another thread. */
+    /** The project, and the intention waits for another thread. */
     SUSPENDING,
 }
 
-/** Who is asked about each call of code whose results are not in the program. Belongs to the agent's thread. */
+/** Decides on each call of code whose results do not follow from the program. Belongs to the agent's thread. */
 internal interface CallWatch {
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** The program of an agent has an action or function of Jason's that is not in the table [JasonCode]; the message names it. */
+/** The program of an agent has an action or function of Jason's that the table [JasonCode] lacks; the message names it. */
 internal class UnknownCodeException(name: String) :
     Exception(
         "the program uses $name, of which this version of ARGO does not know whether it reads or changes what is outside of the agent",
     )
 
 /**
- * Keeps what the agent of [ts] begins outside of its thread, and is asked about its calls, from now on. Returns its code.
- * @throws UnknownCodeException if its program has code that cannot be watched; the agent is as it was then
+ * Makes this object the keeper and the watch of the agent of [ts] from now on: it gets the operations that the agent begins outside of its
+ * thread, and decides on its calls. Returns the agent's watched code.
+ * @throws UnknownCodeException if the program has code that cannot be watched; then this object does not become the agent's keeper
  */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
     val code = WatchedCode(ts, this).apply { begin() }
@@ -61,35 +62,38 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Has [watch] asked about the internal actions and functions of an agent that give what is not in its program, or change what is outside of
- * it: those of the project, and those of Jason that [JasonCode] calls inputs and effects. Jason looks an action up when it reads a program,
- * so the program's own terms are changed.
+ * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of it: those of the
+ * project, and those of Jason that [JasonCode] calls inputs and effects. Jason looks an action up when it reads a program, so this class
+ * changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // by the visit that is under way
+    private var seen = identities() // by the present visit
     private val actions = HashMap<String, InternalAction>()
-    private var plans: List<Plan> = emptyList() // those that have been visited
+    private var plans: List<Plan> = emptyList() // the visited ones
     private var isStale = false
-    private var unknown: UnknownCodeException? = null // what it has looked up since
+    private var unknown: UnknownCodeException? = null // code that the agent has looked up since
 
-    /** The agent whose code it is. */
+    /** The agent that has this code. */
     val agent: Agent get() = ts.ag
 
-    /** Watches all plans and rules that the agent has now, and what it looks up later. */
+    /** Watches all plans and rules that the agent has now, and all code that it looks up later. */
     fun begin() {
         visitAll()
-        ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments are evaluated later
+        ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments Jason evaluates later
         WatchedActions.install(ts.ag, ::found)
         WatchedFunctions.install()
     }
 
-    /** The agent has looked [action] up, which the program calls [name]: as its program has it, or a term that it has made of a text. */
+    /**
+     * Returns the watched form of [action], which the agent has looked up by [name] for its program or for a term that it has made from a
+     * text.
+     */
     private fun found(name: String, action: InternalAction): InternalAction {
         if (JasonCode.isUnknown(action)) unknown = UnknownCodeException(JasonCode.nameOf(action))
         return watched(name, action)
     }
 
-    /** Watches what the agent gets in a message: the sender may have looked its code up. */
+    /** Watches the [content] of a message that the agent gets: the sender may have looked up code in it. */
     fun received(content: Any?) = try {
         visit(content)
     } catch (refused: UnknownCodeException) {
@@ -98,14 +102,17 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         seen.clear()
     }
 
-    /** The agent includes a file: Jason looks the actions of all its plans up anew, also where the file has beliefs and rules only. */
+    /**
+     * Notes that the agent includes a file: then Jason looks up the actions of all its plans anew, even if the file has only beliefs and
+     * rules.
+     */
     fun included() {
         isStale = true
     }
 
     /**
-     * Watches what the agent has been told or has included since: Jason looks its actions up anew.
-     * @throws UnknownCodeException if it has code that cannot be watched
+     * Watches the plans that the agent has got from messages or included files since the last call: Jason has looked up their actions anew.
+     * @throws UnknownCodeException if the agent has code that cannot be watched
      */
     fun watchAdded() {
         unknown?.let { throw it }
@@ -117,27 +124,27 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private fun visitAll() {
         plans = Plans.of(ts.ag).all.toList()
         plans.forEach(::visit)
-        ts.ag.bb.forEach { visit(it as Any) } // a belief may hold code, which a plan takes out of it
+        ts.ag.bb.forEach { visit(it as Any) } // a plan may take code out of a belief
         seen = identities()
         isStale = false
     }
 
-    /** [action], which the program calls [name], watched if it is to be. */
+    /** Returns [action], which the program calls [name], in its watched form if it must be watched. */
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
-    /** [function], watched if it is to be. */
+    /** Returns [function] in its watched form if it must be watched. */
     fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
-     * The action of the program whose class is called [type], as [watched] has it.
-     * @throws ReflectiveOperationException if there is none
+     * Returns the action of the program whose class is called [type], as [watched] returns it.
+     * @throws ReflectiveOperationException if there is no such action
      */
     fun action(type: String): InternalAction = watched(type, ts.ag.getIA(type))
 
     /**
-     * The function [name] of the program, as [watched] has it.
-     * @throws IllegalArgumentException if it has none
+     * Returns the function [name] of the program, as [watched] returns it.
+     * @throws IllegalArgumentException if the program has no such function
      */
     fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }?.let(::watched)
         ?: throw IllegalArgumentException("there is no function $name")
@@ -174,14 +181,14 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         if (literal.hasAnnot()) literal.annots.forEach { visit(it as Any?) }
     }
 
-    /** The action that [term] calls; null: there is none, of which Jason tells when it is called. */
+    /** Returns the action that [term] calls; null: there is none, and Jason reports that when the agent calls it. */
     private fun actionOf(term: InternalActionLiteral): InternalAction? = try {
         term.getIA(ts.ag)
     } catch (_: ReflectiveOperationException) {
         null
     } catch (_: LinkageError) {
         null
-    } catch (_: ClassCastException) { // of a class that is no action
+    } catch (_: ClassCastException) { // the class is no action
         null
     }
 
@@ -196,14 +203,14 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
-        /** [action], which the program calls [name]; if it is to be watched [watch] is asked about its calls. */
+        /** Returns [action], which the program calls [name]; in a form that asks [watch] about each call if it must be watched. */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
             action is random -> WatchedRandom(action, WatchedAction(calledName(name, action), action, watch))
             else -> WatchedAction(calledName(name, action), action, watch)
         }
 
-        /** [function]; if it is to be watched [watch] is asked about it. */
+        /** Returns [function]; in a form that asks [watch] about each call if it must be watched. */
         fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
             function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
             isPlain(function) -> WatchedFunction(function, watch)
@@ -213,7 +220,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Whether [code] is to be watched and is not yet. What is not known is, too, so that no replay carries it out. */
+        /** Returns true if [code] must be watched and is not yet. That includes unknown code, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true

@@ -9,9 +9,9 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Term
 
 /**
- * A call whose result is not known yet, or may become known later in the cycle.
+ * A call whose result becomes known later, perhaps in parts during the cycle.
  *
- * @param args those that the action or function gets: Jason has copied them, but one of the project's may do with them what it wants
+ * @param args the arguments that the action or function gets: Jason has copied them, but code of the project may change them
  */
 internal class CallNote(private val name: String, args: Array<Term>, private val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }
@@ -23,7 +23,7 @@ internal class CallNote(private val name: String, args: Array<Term>, private val
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Another way to answer it has been found. What a loop finds in a later cycle is not recorded. */
+    /** Adds another answer to the call. Ignores answers that a loop finds in a later cycle. */
     fun answered(answer: Map<Int, String>) {
         if (!hasEnded) answers += answer
     }
@@ -32,7 +32,7 @@ internal class CallNote(private val name: String, args: Array<Term>, private val
         commands += Sent(command.number, command.port, command.text)
     }
 
-    /** The cycle is over. */
+    /** Ends the call with its cycle. */
     fun end() {
         hasEnded = true
     }

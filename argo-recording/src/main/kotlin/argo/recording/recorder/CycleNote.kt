@@ -3,7 +3,7 @@ package argo.recording.recorder
 import argo.recording.Cycle
 import argo.recording.agent.CourseNote
 
-/** A recorded cycle, whose texts are made by the thread that stores it. Nothing of it changes. */
+/** A recorded cycle; the thread that stores it makes its texts. Immutable. */
 internal class CycleNote(
     val index: Long,
     val number: Int,
@@ -14,9 +14,9 @@ internal class CycleNote(
 ) {
     val ns: Long = notes.ns
 
-    /** How many percepts it holds. */
+    /** The number of percepts in the cycle. */
     val percepts: Int get() = notes.percepts?.size ?: 0
 
-    /** Any thread. */
+    /** Makes the texts, on any thread. */
     fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints)
 }

@@ -10,7 +10,7 @@ import argo.recording.agent.laterText
 import argo.recording.agent.literalText
 import jason.asSyntax.Literal
 
-/** What has entered an agent in a cycle. Belongs to the agent's thread; from the end of the cycle on to the thread that stores it. */
+/** Collects the input of an agent in a cycle. Belongs to the agent's thread, from the end of the cycle on to the thread that stores it. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
@@ -27,30 +27,30 @@ internal class CycleNotes(val ns: Long) {
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
 
-    /** The call that is being carried out; null: none is. */
+    /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
-    /** Whether the cycle has work from those before it: one that only clears away an intention that has ended shows nothing else. */
+    /** True if the cycle has work from earlier cycles: if it only clears an ended intention away, nothing else shows that it happened. */
     var isAtWork = false
 
-    /** Whether a message is on its way. */
+    /** True while the agent is sending a message. */
     var isSending = false
 
-    /** The cycle is over. */
+    /** Ends the cycle. */
     fun end() = calls.forEach(CallNote::end)
 
-    /** Whether nothing has entered the agent. */
+    /** Returns true if nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
         filters.isEmpty() && !isChangedOutside
 
-    /** What has entered it, once the cycle is over. */
+    /** Returns the agent's input, once the cycle is over. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
         mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces,
     )
 }
 
-/** How percepts differ from those before, see [PerceptChange]. Jason believes copies of them, in which it shares sets and maps. */
+/** The change from the percepts before, see [PerceptChange]. Jason believes copies of the literals, which share their sets and maps. */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     private val texts = laterText(now) { now.map(::literalText) }
 

@@ -5,24 +5,24 @@ import jason.asSemantics.Event
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
- * The events that come into an agent's queue by another thread, at any moment of a cycle or between two.
+ * Collects the events that other threads put into an agent's queue, at any moment of a cycle or between two.
  *
- * @param isOwn whether the calling thread carries out a cycle of the agent
+ * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
 internal class ForeignEvents(private val isOwn: () -> Boolean) : CircumstanceListener {
     @Transient
     private val added = ConcurrentLinkedQueue<Event>()
 
-    /** Any thread. */
+    /** Collects [event] if another thread adds it. Any thread. */
     override fun eventAdded(event: Event) {
         if (!isOwn()) added += event
     }
 
     fun isEmpty(): Boolean = added.isEmpty()
 
-    /** Takes those that have come. */
+    /** Takes all collected events. */
     fun take(): List<Event> = generateSequence { added.poll() }.toList()
 
-    /** Takes [event], if it is one of them. */
+    /** Takes [event]; returns false if it is not among the collected ones. */
     fun take(event: Event): Boolean = added.removeIf { it === event }
 }

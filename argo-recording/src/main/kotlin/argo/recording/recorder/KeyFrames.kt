@@ -26,8 +26,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts], now and then, at the end of a cycle at which all that it is doing can be described. Made before
- * its first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time, at the end of a cycle in which everything that the agent is doing can be
+ * described. Make it before the agent's first cycle. Belongs to the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
@@ -40,14 +40,14 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     private var dueNs = Long.MIN_VALUE
     private var missingNs = Long.MIN_VALUE
 
-    /** The agent has begun a timer with [number], for [delayNs] from [ns] on. */
+    /** Notes that the agent has begun the timer [number], for [delayNs] from [ns] on. */
     fun timer(number: Int, ns: Long, delayNs: Long) {
         val wait = ts.c.listeners.lastOrNull() ?: return // a .wait has just been added when it begins its timer
         if (!isKnown || !WaitEvents.isWait(wait) || timers.values.any { it.wait === wait }) return
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
-    /** What had [number] has ended. */
+    /** Notes that the operation [number] has ended. */
     fun ended(number: Int) {
         timers -= number
     }
@@ -57,18 +57,18 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         filters[change.port] = change
     }
 
-    /** The agent perceives [count] percepts. */
+    /** Notes that the agent perceives [count] percepts. */
     fun perceived(count: Int) {
         mostPercepts = maxOf(mostPercepts, count)
     }
 
     /**
-     * A key frame at the end of [cycle], which another thread writes; null: it is not time for one, or there can be none, which is
-     * said once for each time.
+     * Returns a key frame at the end of [cycle], whose texts another thread makes; null: none is due. If one is due but cannot be made,
+     * returns once in each interval a key frame that has only the reason.
      *
-     * @param begun how many things the agent has begun outside of its thread
-     * @param open the numbers of those that have not ended
-     * @param perceived what it perceives
+     * @param begun the number of operations that the agent has begun outside of its thread
+     * @param open the numbers of the operations that have not ended
+     * @param perceived the percepts of the agent
      */
     fun take(cycle: CycleNote, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
         if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
@@ -81,9 +81,9 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             inside.message ?: "a Java object"
         } catch (other: LinkageError) {
             "this version of Jason has other fields ($other)"
-        } catch (_: StackOverflowError) { // Java writes a list element within element
+        } catch (_: StackOverflowError) { // Java nests the elements of a list as it writes them
             "a list in an intention was too long"
-        } catch (other: RuntimeException) { // a thread of the project's may work on the agent; recording is never its trouble
+        } catch (other: RuntimeException) { // a thread of the project may be changing the agent, and a failed key frame must not disturb it
             "the agent was being changed ($other)"
         }
         if (cycle.ns < missingNs) return null
@@ -91,7 +91,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
     }
 
-    /** Why the agent cannot be described now; null: nothing is known against it. */
+    /** Returns the reason why the agent cannot be described now; null: none is known. */
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
@@ -103,7 +103,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** What an intention waits for that cannot be described; null: none does so. */
+    /** Describes an intention that waits for something that a key frame cannot hold; null: there is none. */
     private fun waitingIntention(open: Set<Int>): String? {
         val waiting = ts.c.listeners.filter(WaitEvents::isWait).mapTo(HashSet()) { WaitEvents.intention[it] }
         return ts.c.pendingIntentions.entries.firstNotNullOfOrNull { (key, intention) ->
@@ -112,7 +112,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** It waits for the answer of another agent, which is recorded. */
+    /** Returns true if [intention] waits for the answer of another agent, which is recorded. */
     private fun isAsk(intention: Intention) = "${intention.suspendedReason}" == "waiting_ask"
 
     private fun described(intention: Intention): String {
@@ -168,13 +168,13 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     }
 
     private companion object {
-        /** A key frame is taken so often at most. */
+        /** The shortest time between two key frames. */
         val INTERVAL_NS = TimeUnit.SECONDS.toNanos(5)
 
-        /** So often it is tried at least. */
+        /** The longest time until the next key frame is due. */
         val MAX_INTERVAL_NS = TimeUnit.SECONDS.toNanos(20)
 
-        /** Many beliefs take longer to write: so much time for each. */
+        /** The time that each belief adds: many beliefs take longer to write. */
         val OF_BELIEF_NS = TimeUnit.MILLISECONDS.toNanos(20)
     }
 }
@@ -188,13 +188,13 @@ internal class KeyFrameNote(
 ) {
     val ns: Long get() = frame.ns
 
-    /** About the room that it takes. */
+    /** The approximate size of the key frame, in bytes. */
     val size: Int get() = (beliefs.size + perceived.size) * BELIEF_BYTES + mind.size
 
-    /** Whether there is one. */
+    /** True if this is a key frame, and not only the reason for a missing one. */
     val isThere: Boolean get() = frame.missing == null
 
-    /** Any thread. */
+    /** Makes the texts, on any thread. */
     fun frame(): KeyFrame =
         if (!isThere) frame else frame.copy(beliefs = beliefs.map(::literalText), perceived = perceived.map(::literalText), mind = packed())
 

@@ -19,7 +19,7 @@ import java.io.IOException
 
 /**
  * Stores the program of the agent of [ts] with all files that it includes, its options and all versions.
- * @throws IOException if the program cannot be read, or only by code of the project
+ * @throws IOException if the program cannot be read, or only code of the project can read it
  */
 internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
     val name = ts.agArch.agName
@@ -55,7 +55,10 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
     return program
 }
 
-/** The [settings] that an infrastructure may set besides the options, such as an execution control, which has its agents wait for it. */
+/**
+ * Returns those of [settings] that an infrastructure may change besides the options. An execution control, for example, makes agents wait
+ * for it.
+ */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",
     "intBels" to if (settings.sameFocus()) "sameFocus" else "newFocus",

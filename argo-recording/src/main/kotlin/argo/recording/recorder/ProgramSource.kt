@@ -9,22 +9,22 @@ import java.net.URI
 import java.net.URL
 import java.nio.file.Path
 
-/** A file of a program: where Jason has found it, and what it holds. */
+/** A file of a program: the address at which Jason has found it, and its content. */
 internal class ProgramSource(val address: String, val bytes: ByteArray) {
     val text: String get() = bytes.decodeToString()
 
-    /** Its path; null: it is in a jar, on the class path or on another computer. */
+    /** The path of the file; null: it is in a jar, on the class path or on another computer. */
     val path: Path? by lazy { pathOf(address) }
 
     companion object {
         /**
-         * The file at [address].
+         * Reads the file at [address].
          * @throws IOException if it cannot be read
          */
         fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
 
         /**
-         * The file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without.
+         * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
          *
          * @param outer the address of the file that includes it; null: the agent's program, at its beginning
          */
@@ -55,7 +55,7 @@ internal class ProgramSource(val address: String, val bytes: ByteArray) {
             when {
                 address.startsWith("file:/") -> Path.of(URI(address))
                 address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // behind the letter of a drive of Windows
+                ':' in address.drop(2) -> null // further on than the colon behind a drive letter of Windows
                 else -> Path.of(address)
             }?.toAbsolutePath()?.normalize()
         } catch (_: java.net.URISyntaxException) {

@@ -56,8 +56,8 @@ import java.util.concurrent.ScheduledFuture
 import java.util.logging.Logger
 
 /**
- * Records the cycles of one agent to [track]. It stands on the agent's boundary: it notes what enters there, once in a cycle, and what the
- * agent has begun outside of its thread ends in a cycle of the agent.
+ * Records the cycles of one agent to [track]. It stands on the agent's boundary: it notes all input of a cycle there, and lets operations
+ * that the agent has begun outside of its thread end only at the beginning of a cycle.
  */
 internal class Recorder(
     private val agent: ObservedAgent,
@@ -65,7 +65,7 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** What has ended, and the work that another thread has left with it. */
+    /** An end that waits for the next cycle, with its work if another thread left that. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
@@ -78,7 +78,7 @@ internal class Recorder(
     @Volatile
     private var inCycle: Thread? = null
 
-    /** What belongs to an agent that runs. */
+    /** The state of a running agent. */
     private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
@@ -118,7 +118,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** An error ended the cycle that was begun, and what else came of it is not known: with it ends the recording of the agent. */
+    /** Ends the agent's recording with the cycle that an error has ended, since the rest of the cycle's course is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -126,7 +126,7 @@ internal class Recorder(
         track.close()
     }
 
-    /** Whether all code that has been added can be watched; otherwise the recording of the agent ends, which itself goes on. */
+    /** Returns true if all added code can be watched; otherwise ends the recording of the agent, while the agent goes on. */
     private fun isKnown(agent: Running): Boolean = try {
         agent.code.watchAdded()
         true
@@ -136,7 +136,10 @@ internal class Recorder(
         false
     }
 
-    /** Before Jason begins the cycle: an intention that this resumes goes on in it, as it would without a recording. */
+    /**
+     * Carries out the ends that have arrived, before Jason begins the cycle: an intention that this resumes goes on in the same cycle, as
+     * it would without a recording.
+     */
     private fun carryOutEnds(agent: Running) {
         if (inbox.isEmpty()) return
         Keeper.within(this) {
@@ -237,7 +240,7 @@ internal class Recorder(
         val note = CallNote(name, args, isOfProject)
         try {
             return live().also { note.value = "$it" }
-        } catch (failed: Exception) { // Jason reports it, and goes on
+        } catch (failed: Exception) { // Jason reports the failure, and goes on
             note.failure = evaluationFailure(failed)
             throw failed
         } finally {
@@ -275,7 +278,7 @@ internal class Recorder(
 
     private fun sending(message: Message, live: () -> Unit) {
         val agent = current()
-        if (agent == null || agent.now.isSending) return live() // a broadcast may be sent as many messages
+        if (agent == null || agent.now.isSending) return live() // an infrastructure may send a broadcast as single messages
         agent.now.isSending = true
         val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
         try {
@@ -319,14 +322,14 @@ internal class Recorder(
         if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
-    /** Where a replay has the counters behind this cycle; empty: it will be told before the next one. */
+    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must hold the counters. */
     private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
         !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
         Counters.isAt(agent.counters) -> agent.counters
         else -> if (isRecorded) Counters.read() else emptyList()
     }
 
-    /** Other agents have drawn from the counters in this cycle, too. */
+    /** Notes the counters before this agent's own draws, since other agents have drawn from them in this cycle, too. */
     private fun noteCounters(agent: Running, message: String?) {
         val start = agent.counters
         val c = agent.ts.c
@@ -337,13 +340,13 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
-        if (!agent.events.isEmpty()) return // one that waits is of the next cycle
+        if (!agent.events.isEmpty()) return // a waiting event belongs to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
-        if (note.isThere) agent.counters = emptyList() // the next cycle has them, for who begins here
+        if (note.isThere) agent.counters = emptyList() // so the next cycle holds them, for a replay that begins here
     }
 
-    /** The agent, if the calling thread carries out a cycle of it. */
+    /** Returns the agent if the calling thread carries out one of its cycles. */
     private fun current() = if (inCycle === Thread.currentThread()) running else null
 
     override fun messagePerceived(message: PerceivedMessage) {
@@ -389,7 +392,7 @@ internal class Recorder(
     }
 
     override fun close() {
-        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // the error ended the agent's thread, too
+        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // the error that ended the cycle ended the agent's thread, too
         running?.course?.close()
         track.close()
     }
@@ -403,7 +406,7 @@ internal class Recorder(
     }
 }
 
-/** How [now] differs from [before]. */
+/** Returns the change from [before] to [now]. */
 internal fun changed(before: List<Literal>, now: List<Literal>): PerceptNote {
     val most = minOf(before.size, now.size)
     var keep = 0

@@ -11,7 +11,7 @@ import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalAgArchAsynchronous
 import jason.util.Config
 
-/** Why what the agent of [ts] consists of cannot be recorded, for a person; null: it can. */
+/** Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can. */
 internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
     val kqml = Config.get().kqmlPlansFile
@@ -25,14 +25,14 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     }
 }
 
-/** Whether an agent is being made as another's clone by the calling thread; nothing in the clone tells of it. */
+/** Returns true if the calling thread is making an agent as a clone of another. Only the stack shows that, not the clone. */
 private fun isCloned() = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).walk { frames ->
     frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
 }
 
 private const val OF_CLONES = "(Ljava/util/List;Ljason/asSemantics/Agent;)V"
 
-/** Why the agent of [ts] cannot be recorded, for a person; null: it can. */
+/** Returns the reason why the agent of [ts] cannot be recorded, for a person; null: it can. */
 internal fun refusal(ts: TransitionSystem): String? {
     val architectures = generateSequence(ts.agArch) { it.nextAgArch }.toList()
     val infrastructure = architectures.last()

@@ -12,14 +12,17 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 import java.util.logging.Logger
 
-/** A recording of all agents of a program that ask for the same. Safe for use by several threads. */
+/** The recording of all agents of a program that have the same option. Safe for use by several threads. */
 internal class SharedRecording private constructor(val sink: RecordSink, private val key: String, private val log: Logger) {
     private var agents = 0
 
-    /** Or Ctrl-C would cost the end of a file. The last minutes are written where they are asked for, and not at each end of a program. */
+    /**
+     * Closes a file when Java ends: otherwise Ctrl-C would cost its last part. A ring is written only on request, not at each end of a
+     * program.
+     */
     private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 
-    /** Writes a ring to a file, on a thread of its own. Does nothing to a recording that is written anyway. */
+    /** Writes a ring to a file, on a thread of its own. Does nothing to a recording that goes to a file anyway. */
     fun save() {
         val ring = sink as? RecordingRing ?: return
         Thread({
@@ -27,13 +30,13 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
             try {
                 ring.save(file)
                 log.info("the last minutes are recorded in $file")
-            } catch (trouble: Exception) { // whatever it is, the thread does not end in silence
+            } catch (trouble: Exception) { // the thread reports every failure
                 log.warning("the last minutes cannot be written to $file: $trouble")
             }
         }, "argo-save-recording").apply { isDaemon = true }.start()
     }
 
-    /** Calls [use] with a file of all that has been recorded. Waits for the disk. */
+    /** Calls [use] with a file that holds the recording so far. Waits for the disk. */
     fun <T> read(use: (Path) -> T): T {
         if (sink is RecordingFile) {
             sink.flush()
@@ -48,7 +51,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }
     }
 
-    /** An agent ends; the last one closes the recording. */
+    /** Removes an agent, which ends; the last one closes the recording. */
     fun leave() = synchronized(OPEN) {
         if (--agents == 0) {
             OPEN -= key
@@ -62,11 +65,11 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         private const val MAX_FAREWELL_MS = 5000L
         private val STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS")
 
-        /** The last minutes, and how many. */
+        /** The value of the option for a ring, with the number of minutes. */
         val LAST = Regex("""last\(([1-9]\d{0,3})\)""")
 
         /**
-         * The recording that [value], the option of an agent, names: a file, or the last minutes.
+         * Adds an agent to the recording that [value], its option, names: a file, or the last minutes. Returns the recording.
          * @throws IOException if the file cannot be made
          */
         fun join(value: String, log: Logger): SharedRecording = synchronized(OPEN) {

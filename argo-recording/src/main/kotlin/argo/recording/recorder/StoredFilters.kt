@@ -5,7 +5,7 @@ import argo.filters.format.XmlFilters
 import argo.recording.filterName
 
 /**
- * The filters of [agent] that its recording holds, in XML, each once. For the agent's thread.
+ * Stores each filter of [agent] once in its recording, in XML. For the agent's thread.
  *
  * @param attach stores a text under a name
  */
@@ -13,14 +13,14 @@ internal class StoredFilters(private val agent: String, private val attach: (nam
     private val names = HashMap<PerceptionFilter, String>()
     private val texts = HashSet<String>()
 
-    /** The name of the attachment with [filter]. */
+    /** Stores [filter] if it is new, and returns the name of its attachment. */
     fun store(filter: PerceptionFilter): String = names.getOrPut(filter) {
         val name = names(filter.name).first(texts::add)
         attach(name, XmlFilters.write(filter))
         name
     }
 
-    /** A filter may be read anew under its name, when its file has changed. */
+    /** Returns possible names of the attachment. The agent may read a changed file again as a filter of the same name. */
     private fun names(filter: String) =
         sequenceOf(filterName(agent, filter)) + generateSequence(2) { it + 1 }.map { filterName(agent, "$filter-$it") }
 }

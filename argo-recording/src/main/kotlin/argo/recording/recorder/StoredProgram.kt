@@ -10,14 +10,15 @@ import java.io.IOException
 import java.nio.file.Path
 
 /**
- * The program of [agent] in its recording: the file [main], and those that it includes, as Jason finds them. For the agent's thread.
+ * Stores the program of [agent] in its recording: the file [main], and the files that it includes, as Jason finds them. For the agent's
+ * thread.
  *
- * @throws IOException if the project's own code reads it
+ * @throws IOException if code of the project reads the program
  */
 internal class StoredProgram(private val agent: String, main: ProgramSource, private val sink: RecordSink) {
     private class Inclusion(val within: String, val name: String, val file: ProgramSource?)
 
-    private val names = HashMap<String, ProgramSource>() // of the attachments
+    private val names = HashMap<String, ProgramSource>() // by the names of the attachments
     private var inclusions = 0
     private val root: Path
 
@@ -46,15 +47,15 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     private fun requireJasons(directive: String) {
         if (directive in JASONS_DIRECTIVES) return
-        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // it is none, as in a term that only looks so
+        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // no directive, but a term that looks like one
         throw IOException("the project's class ${type.name} reads its directive $directive")
     }
 
     /**
-     * The agent includes the file called [name] as it runs, and Jason will look for it likewise.
+     * Stores the file called [name] that the agent includes as it runs, found in the same way as Jason will find it.
      *
      * @param outer the address of the file that includes it
-     * @param within how [KeptInclude.placeOf] calls that
+     * @param within the name that [KeptInclude.placeOf] gives that file
      */
     fun include(name: String, outer: String?, within: String) =
         store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
@@ -65,7 +66,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
         sink.metadata(includeMetadata(agent, ++inclusions), values + file)
     }
 
-    /** The name of the attachment with [source], each once; a file that has changed is another one. */
+    /** Stores [source] if it is new, and returns the name of its attachment; a file that has changed is new. */
     private fun attached(source: ProgramSource): String {
         val wanted = source.path?.takeIf(root::isParentOf)?.let { programName(agent, root.relativize(it)) }
             ?: "${programName(agent, Path.of("included"))}/${source.address.substringAfterLast('/')}"

@@ -21,7 +21,9 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
-/** What [recording] holds of one agent, called [agent]. Any thread may call; texts are made by the thread that stores them. */
+/**
+ * Writes the part of [recording] about the agent called [agent]. Any thread may call; the thread that stores the records makes their texts.
+ */
 internal class Track(
     override val agent: String,
     private val recording: SharedRecording,
@@ -55,7 +57,7 @@ internal class Track(
         json(Cycle.serializer(), cycle.lean())
     }
 
-    /** Reports once for each kind what of [input] could not be written. */
+    /** Reports the terms of [input] that could not be written, once for each kind. */
     private fun warnOfRefused(input: Input) {
         for (text in input.texts()) if (TermWriter.isRefused(text) && refused.add(text)) {
             warn("argo_record: agent $agent got ${TermWriter.refusalOf(text)}, which a recording cannot hold; a replay ends there")
@@ -71,13 +73,13 @@ internal class Track(
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
-    /** The agent wants the recording because of [why]: a ring is saved, by another thread. */
+    /** Marks that the agent wants the recording because of [why], and has another thread save a ring. */
     fun save(why: String, ns: Long) {
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
     }
 
-    /** The agent ends. May be called twice. */
+    /** Ends the agent's part of the recording. May be called twice. */
     fun close() {
         if (isClosed.getAndSet(true)) return
         RunningRecordings.remove(this)
@@ -93,7 +95,7 @@ internal class Track(
     private companion object {
         val JSON = Json { encodeDefaults = false }
 
-        /** About the room that a record takes while it waits. */
+        /** The approximate size of a waiting record, in bytes. */
         const val CYCLE_BYTES = 500
         const val PERCEPT_BYTES = 100
         const val COMMAND_BYTES = 100

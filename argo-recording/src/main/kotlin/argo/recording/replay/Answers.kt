@@ -21,62 +21,62 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * What an agent that runs on a recording is answered where it asks, and when something ends that it begins outside of its thread. Belongs
- * to one agent, and to its thread, except for [left].
+ * Answers the questions of an agent that runs on a recording, and ends the operations that it begins outside of its thread. Belongs to one
+ * agent, and to its thread, except for [left].
  */
 internal interface Answers {
-    /** Whether the agent has done step by step what was recorded. */
+    /** True if the agent has repeated the recording step by step so far. */
     val isAsRecorded: Boolean get() = true
 
-    /** What waits for an outcome, as it was recorded; empty: that is not known. */
+    /** The recorded call that waits for an outcome, in words; empty: it is not known. */
     val suspending: String get() = ""
 
-    /** Whether the agent has work though it was recorded to rest. */
+    /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** The agent of [inputs] begins, at [start] with [timers] under way, by their numbers; null: as its program has it. */
+    /** Begins the agent of [inputs] at [start], with [timers] under way, by their numbers; null: at the beginning of its program. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
-    /** The next cycle is [cycle]. */
+    /** Makes [cycle] the next cycle. */
     fun next(cycle: Cycle)
 
-    /** Carries out what ends before [cycle]. */
+    /** Carries out the ends before [cycle]. */
     fun carryOut(cycle: Cycle)
 
-    /** The port by which [percept] came, a text of [argo.recording.agent.literalText]; null: that of no board. */
+    /** Returns the port by which [percept] came, a text of [argo.recording.agent.literalText]; null: it came by no port. */
     fun boardOf(percept: String): String?
 
-    /** What [call] gives; [live] carries it out. */
+    /** Returns the result of [call]; [live] carries it out. */
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 
-    /** What the function [name] gives for [args]; [live] evaluates it. */
+    /** Returns the value of the function [name] for [args]; [live] evaluates it. */
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 
-    /** The agent begins [work]. */
+    /** Takes [work] that the agent begins. */
     fun begun(work: BegunWork)
 
-    /** Another thread leaves [work] for the agent's next cycle. Any thread. */
+    /** Takes [work] that another thread leaves for the agent's next cycle. Any thread. */
     fun left(work: Runnable)
 
-    /** The recorded message in whose place the agent sends [mail]; null: none. */
+    /** Returns the recorded message that corresponds to [mail], which the agent sends; null: none. */
     fun sent(mail: Mail): Mail?
 
-    /** Recorded texts of the [what] are of a term that no recording can hold. */
+    /** Takes the refusal of recorded texts of the [what]: one stands for a term that no recording can hold. */
     fun refused(what: String, why: UnrecordableTerm)
 
-    /** The cycle is over. */
+    /** Ends the cycle. */
     fun cycleFinished() = Unit
 }
 
 /**
- * Something that an agent begins outside of its thread.
+ * An operation that an agent begins outside of its thread.
  *
- * @property cycle in which it does so
- * @property kind as [End.kind] has it
- * @property what describes it
- * @property delayNs how long it takes, if it is a timer
- * @property isDropped whether the agent wants it no more
- * @property complete is for its end
+ * @property cycle the cycle in which the agent begins it
+ * @property kind its kind, as in [End.kind]
+ * @property what its description
+ * @property delayNs its time in ns, if it is a timer
+ * @property isDropped returns true if the agent has given it up
+ * @property complete takes its end
  */
 internal class BegunWork(
     val cycle: Cycle,
@@ -87,26 +87,26 @@ internal class BegunWork(
     val complete: (End) -> Unit,
 )
 
-/** A timer whose time is given by the recording. */
+/** A timer that ends when the recording says so, and not by itself. */
 internal class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
     override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
 
     override fun compareTo(other: Delayed) = 0
 }
 
-/** How [args] of a call are compared. */
+/** Returns the texts by which [args] of a call are compared. */
 internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf(it)) }
 
-/** Whether it was a call of [name] with [args], as [compared] has them. */
+/** Returns true if this is a call of [name] with [args], as [compared] returns them. */
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
-/** What the function gave; null: it is none. Throws what it threw. */
+/** Returns the recorded value of the function, or throws its recorded failure; null: the call is not of a function. */
 internal fun Call.valueOrFailure(): Double? {
     failure?.let { throw evaluationFailed(it) }
     return value?.toDouble()
 }
 
-/** Gives [call] what [recorded] gave, and fails as that did; [suspending] stands around the suspension of its intention. */
+/** Gives [call] the result of [recorded], or fails like it; [suspending] surrounds the suspension of the intention. */
 internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: () -> Unit) -> Unit = { it() }): Any {
     recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
     if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()
@@ -116,7 +116,7 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
     return true
 }
 
-/** Binds the variables in the arguments of [call] to what was recorded as its [answer]. */
+/** Binds the variables in the arguments of [call] to the recorded [answer]. */
 private fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
     call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
 }

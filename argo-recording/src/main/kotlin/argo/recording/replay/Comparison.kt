@@ -6,7 +6,7 @@ import argo.recording.Mail
 import argo.recording.Place
 import argo.recording.Step
 
-/** The first thing that differs between [recorded] and [now]: what, and both; null: nothing does. */
+/** Returns the first difference between [recorded] and [now]: its kind, and both values; null: there is none. */
 internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
     fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
         val (before, after) = recorded.of() to now.of()
@@ -22,8 +22,9 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * What came of a cycle in a replay, without what the recording of [cycle] does not have as its agent or Java was ending, and with what the
- * project's own actions printed, unless [isChecking] has them carried out.
+ * Returns the part of this course of a replayed cycle that can be compared with the recording of [cycle]: without the parts that the
+ * recording lacks because its agent or Java was ending, and with the recorded lines of the project's own actions, unless [isChecking]
+ * carries these out.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
@@ -43,7 +44,7 @@ private fun Course.asFarAs(recorded: Course) = copy(
     beliefs = recorded.beliefs,
 )
 
-/** Whether [all] lines have these [lines] in their order. */
+/** Returns true if [all] contain these [lines] in their order. */
 private fun isWithin(lines: List<String>, all: List<String>): Boolean =
     all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 
@@ -55,9 +56,9 @@ private fun described(step: Step) =
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
 /**
- * [text] without what is not the agent's doing: the numbers that Jason gives variables, plans and messages, which all agents of a program
- * share; where the code of a failure stands, which is a path on the machine of the recording, and a message's content has lost it; and the
- * hashes of Java objects, such as that of the iterator in the steps of a loop.
+ * Returns [text] without parts that the agent does not decide: the numbers that Jason gives variables, plans and messages, which all agents
+ * of a program share; the place of the code of a failure, which is a path on the machine of the recording, and which the content of a
+ * message lacks; and the hashes of Java objects, such as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

@@ -1,14 +1,14 @@
 package argo.recording.replay
 
 /**
- * Where a replay differs from its recording.
+ * A difference between a replay and its recording.
  *
  * @property agent the agent
  * @property cycle Jason's number of the cycle
- * @property ns when the cycle began, in ns of the agent's clock
- * @property what what differs: `event`, `plan`, `step`, `call`, `mail` and others
- * @property recorded what the recording has; null: nothing
- * @property now what came now; null: nothing
+ * @property ns the beginning of the cycle, in ns of the agent's clock
+ * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
+ * @property recorded the recorded value; null: none
+ * @property now the value in the replay; null: none
  * @property cause the likely cause, in a sentence
  */
 data class Difference(
@@ -20,7 +20,7 @@ data class Difference(
     val now: String?,
     val cause: String,
 ) {
-    /** Whether only the project's own action or function gave another result: the recorded one was used, and the agent run on. */
+    /** True if only an action or function of the project gave another result: then the replay used the recorded result, and went on. */
     val isOfResult: Boolean get() = what.startsWith(RESULT)
 
     override fun toString() =

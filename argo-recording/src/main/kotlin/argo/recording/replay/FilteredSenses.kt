@@ -13,8 +13,8 @@ import jason.asSyntax.Literal
 import java.util.concurrent.TimeUnit
 
 /**
- * What was recorded, with what boards said seen through [filter] in place of the recorded filters. Percepts of an environment and beliefs
- * about ports stay.
+ * The recorded percepts, with the messages of boards seen through [filter] in place of the recorded filters. Percepts of an environment and
+ * beliefs about ports stay.
  */
 internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private val boards = LinkedHashMap<String, Board>()
@@ -31,7 +31,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         val input = cycle.input
         val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
         input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
-        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // all of them
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // evaluates all of them
         input.percepts?.let { recorded = it.appliedTo(recorded) }
         if (input.percepts == null && !isDue) return null
         noteCritical()
@@ -47,15 +47,15 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
 
     override fun takeNewlyCritical(): List<Literal> = newlyCritical
 
-    /** A board whose percepts are believed in [namespace]; null: in the default one. */
+    /** A board whose percepts the agent believes in [namespace]; null: in the default one. */
     private inner class Board(private val namespace: String?) {
         private val session = MessageSession(::read).also { it.switchTo(filter) }
 
-        /** What the agent perceived of its newest message, as it is written. */
+        /** The texts of the percepts of the board's newest message that the agent perceived in the recording. */
         var before: Set<String> = emptySet()
             private set
 
-        /** What it perceives of that now. */
+        /** The part of that message that the agent perceives now. */
         var now: MessagePerception? = null
             private set
 
@@ -64,7 +64,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
             now = session.perceive(message.texts, ms)
         }
 
-        /** Whether the filter lets something through that it has held back. */
+        /** Returns true if the filter lets a held-back percept through. */
         fun takeDue(ms: Long): Boolean = session.due(ms)?.also { now = it } != null
 
         private fun read(text: String): List<Literal> {

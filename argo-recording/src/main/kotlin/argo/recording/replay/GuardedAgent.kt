@@ -7,13 +7,14 @@ import jason.asSemantics.ArithFunction
 import jason.asSemantics.InternalAction
 
 /**
- * The agent of a replay, or a file that it includes, which Jason makes. [watch] is asked about the calls of all that it looks up, as Jason
- * reads it and while it runs, as for a term that it has made of a text, and no class is touched that is no internal action.
+ * The agent of a replay, or an agent that Jason makes for an included file. It asks [watch] about each call of the code that it looks up,
+ * as Jason reads the program and while the agent runs, also for a term that it has made from a text. It touches no class that is not an
+ * internal action or a function.
  */
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
-    private var code: WatchedCode? = null // null: it is being read
+    private var code: WatchedCode? = null // null: the program is being read
 
-    /** It has been read, and [asked] is asked about its [code] from now on. */
+    /** Asks [asked] about the calls of the agent's [code] from now on. Called when Jason has read the program. */
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked
@@ -27,7 +28,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     override fun getFunction(name: String, arity: Int): ArithFunction? =
         super.getFunction(name, arity)?.let { WatchedCode.watched(it, watch) }
 
-    /** Blocks of what it includes are read by agents of Jason's own. */
+    /** Watches included code anew: agents of Jason's own read the blocks of an included file. */
     override fun importComponents(included: Agent) {
         super.importComponents(included)
         code?.run {
@@ -38,8 +39,8 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 
     companion object {
         /**
-         * Refuses the class [name] if it is something else than an internal action or a function; where there is none, Jason says so.
-         * @throws RecordingException if it is
+         * Refuses the class [name] if it is neither an internal action nor a function. Jason reports a class that does not exist.
+         * @throws RecordingException if [name] is refused
          */
         fun requireCode(name: String) {
             val type = classOrNull(name) ?: return

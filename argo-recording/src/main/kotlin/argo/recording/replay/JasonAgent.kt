@@ -24,12 +24,12 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * An agent as [recorded] was, made by Jason: no ports, no threads, no time of its own. All that enters it comes from [boundary].
+ * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
  * @param source its program
- * @param includes what it includes
- * @param isCarryingOut whether an architecture of the project's is made, which may do anything
- * @throws RecordingException if a class of it is missing, or is none that a replay makes, or Jason cannot read it
+ * @param includes its included files
+ * @param isCarryingOut whether an architecture of the project may be made, which may do anything
+ * @throws RecordingException if a class of the agent is missing, or must not be made in a replay, or Jason cannot read the program
  */
 internal fun jasonAgent(
     recorded: RecordedAgent,
@@ -58,11 +58,11 @@ internal fun jasonAgent(
     arch.ts = ts
     infra.insertAgArch(arch)
     arch.init()
-    ts.logger.useParentHandlers = false // what it printed is in the recording
+    ts.logger.useParentHandlers = false // the recording holds the printed lines
     return ts
 }
 
-/** As [Agent.create], which reads a program only where it lies. */
+/** Does the work of [Agent.create], which can read a program only from its own address. */
 private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent) -> Unit) {
     TransitionSystem(agent, null, settings, infra)
     agent.bb = DefaultBeliefBase()
@@ -70,7 +70,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source] as if it lay at [address], which Jason shows in annotations and errors; null: where it lies. */
+/** Reads the program in the file [source] as if it were at [address], which Jason shows in annotations and errors; null: at [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, shown(address)) }
@@ -78,14 +78,14 @@ private fun Agent.read(source: Path, address: String?) {
     aslSrc = address
 }
 
-/** What Jason calls a program that it reads at [address]: the URL, or the name of a file. */
+/** Returns Jason's name of a program at [address]: the URL, or the name of a file. */
 private fun shown(address: String) = try {
     "${URL(address)}"
 } catch (_: MalformedURLException) {
     File(address).name
 }
 
-/** Has Jason forget what it forgets in so many [cycles] in which nothing happens, which are not recorded. */
+/** Has Jason forget the things that it forgets in [cycles] cycles in which nothing happens; these are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -98,8 +98,8 @@ internal fun TransitionSystem.rest(cycles: Int) {
 }
 
 /**
- * Carries out a reasoning cycle with this [number], of an agent that [isConditional] as [RecordedAgent.isConditional] has it, and takes what
- * it includes from [includes].
+ * Carries out the reasoning cycle with this [number], and takes included files from [includes]. For [isConditional] see
+ * [RecordedAgent.isConditional].
  */
 internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = KeptInclude.within(includes) {
     val first = agArch
@@ -122,7 +122,7 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
     create()
 } catch (missing: LinkageError) {
     throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
-} catch (refused: Exception) { // Jason declares no other
+} catch (refused: Exception) { // Jason declares only this type
     generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? RecordingException }?.let { throw it }
     val unreadable = generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? ParseException }
     val why = unreadable?.let(::unreadableAt) ?: refused.message
@@ -130,13 +130,16 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 }
 
 /**
- * With the settings of [recorded], which Jason reads as it makes the agent, or once in a program with its first term, and with Jason's own
- * plans for messages.
+ * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads the settings as it makes an agent, or
+ * once in a program with the first term.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
-/** Has Jason [read] a program with these [settings], and without its server that shows agents: blocks of programs are agents, too. */
+/**
+ * Has Jason [read] a program with these [settings], and without its server that shows agents, which would show each block of a program as
+ * an agent, too.
+ */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()
     val wanted = settings + (Config.START_WEB_MI to "false")
@@ -148,7 +151,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
     }
 }
 
-/** Refuses the class [name] of an agent unless it is [jasons]: another one may do anything as it is made. */
+/** Refuses the class [name] of an agent unless it is [jasons]: the constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes $jasons only")
 }
@@ -169,21 +172,21 @@ private fun archType(recorded: RecordedAgent, isCarryingOut: Boolean): Class<out
     throw RecordingException("agent ${recorded.name} had the architecture $name, which is not argo.Arch")
 }
 
-/** The class [type], which is not initialized here; null: it is not on the class path. */
+/** Returns the class [type] without initializing it; null: it is not on the class path. */
 internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
     null
-} catch (_: LinkageError) { // as of a name that differs by case from a class, on some disks
+} catch (_: LinkageError) { // on some disks, a name that differs from a class only by case
     null
 }
 
-/** Whether an option of the recorded agent is for the agent: those of observers, such as a live view, would begin something. */
+/** Returns true if [option] of the recorded agent is for the agent: options of observers, such as a live view, would begin something. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getAgName() = recorded.name
 
-    @Suppress("OVERRIDE_DEPRECATION") // where Jason 3.3 asks for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks this function for some services
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }

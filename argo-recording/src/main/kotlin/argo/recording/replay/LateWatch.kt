@@ -7,11 +7,11 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 
 /**
- * Asks [watch] about each call of the code that Jason has looked up as it read a program. Before there is one, nothing is carried out that
- * touches what is outside, except the project's own code if [isCarryingOut].
+ * Asks [watch] about each call of the code that Jason has looked up as it read a program. As long as [watch] is null, it carries out no
+ * code that touches the outside, except the project's own code if [isCarryingOut].
  */
 internal class LateWatch(private val isCarryingOut: Boolean) : CallWatch {
-    /** Who is asked; null: the program is being read. */
+    /** The watch that is asked; null: the program is being read. */
     var watch: CallWatch? = null
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any =

@@ -8,12 +8,12 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
- * The programs in [recording] as files, in a [directory] that [close] removes, or the end of Java, as by Ctrl-C.
+ * Writes the programs in [recording] to files, in a [directory] that [close] removes, or the end of Java, as by Ctrl-C.
  *
- * @throws RecordingException if one of them would stand elsewhere, or names a class that is no code of an agent
+ * @throws RecordingException if a program would stand outside of [directory], or names a class that is no code of an agent
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
-    /** Where the programs stand. */
+    /** The directory with the programs. */
     private val directory: Path = createTempDirectory("argo-replay")
 
     private val removal = Thread { directory.toFile().deleteRecursively() }
@@ -23,7 +23,7 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
         runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
     }
 
-    /** The program of [agent]. Throws [RecordingException] if the recording does not hold it. */
+    /** Returns the program of [agent]. Throws [RecordingException] if the recording does not hold it. */
     fun of(agent: String): Path {
         val source = recording.agents.getValue(agent).source
         if (source !in recording.program || !isProgram(source)) {

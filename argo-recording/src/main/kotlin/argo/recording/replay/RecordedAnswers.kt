@@ -18,14 +18,14 @@ import java.util.concurrent.Callable
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 
-/** Takes what differs from a recording: the kind, what was recorded, what came now, and the cause if that is known. */
+/** Takes a difference from a recording: its kind, the recorded value, the value in the replay, and the cause if it is known. */
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * What was recorded, for an agent that is to do what it did; it notes where that does something else.
+ * Answers with the recorded results for an agent that must repeat its recording, and reports each difference.
  *
- * @param isChecking whether the project's own actions and functions are carried out again, to compare what they give
- * @param found takes what differs
+ * @param isChecking whether to carry out the project's own actions and functions again, to compare their results
+ * @param found takes each difference
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()
@@ -36,10 +36,10 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     private var underWay: Call? = null
     private lateinit var cycle: Cycle
 
-    /** The recorded calls that the agent has made again in this cycle, in its order. */
+    /** The recorded calls that the agent has repeated in this cycle, in the order of the repetition. */
     val repeated: List<Call> get() = taken
 
-    /** Calls of the project's own actions and functions so far, for the likely cause of a difference. */
+    /** The names of the project's own actions and functions that the agent has called, for the likely cause of a difference. */
     val projectCalls = LinkedHashSet<String>()
 
     override val suspending: String get() = underWay?.let(::described).orEmpty()
@@ -94,7 +94,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         return false
     }
 
-    /** Carries the project's own action out again, and compares what it gives. */
+    /** Carries out the project's own action again, and compares its result with the recorded one. */
     private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
         val un = call.un.clone()
         val now = try {
@@ -127,7 +127,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         return recorded
     }
 
-    /** The agent makes a call [now] that was not recorded; where Jason ended the cycle it might have followed. */
+    /** Reports a call [now] that was not recorded, unless Jason had ended the cycle, which might have had it later. */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
     }
@@ -135,7 +135,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     private fun notRecorded(name: String, kind: String) =
         "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or what a thread changes"
 
-    /** The recorded call of [name] with [args]; it is taken once. */
+    /** Returns the recorded call of [name] with [args], each only once; null: there is none. */
     private fun take(name: String, args: Array<Term>): Call? {
         val texts = compared(args.asList())
         val index = calls.indexOfFirst { it.isOf(name, texts) }
@@ -165,7 +165,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     private companion object {
         const val CALL = "call"
 
-        /** How long work of a thread of the project's is waited for that was left in the recorded cycle. */
+        /** The longest wait, in s, for work that a thread of the project left in the recorded cycle. */
         const val THREAD_PATIENCE_S = 5L
         const val NOT_TRUE = "false"
     }

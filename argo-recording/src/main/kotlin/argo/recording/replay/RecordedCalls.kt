@@ -4,14 +4,17 @@ import argo.recording.Call
 import argo.recording.Cycle
 import argo.recording.End
 
-/** The calls of [cycles] and the ends of what they began, as answers to an agent that may call at other times, or something else. */
+/**
+ * Finds calls of [cycles], and the ends of the operations that they began, as answers to an agent that may make other calls, or at other
+ * times.
+ */
 internal class RecordedCalls(cycles: Sequence<Cycle>) {
-    /** A call, and the index and the time of its cycle. */
+    /** A recorded call, and the index and the time of its cycle. */
     class Made(val call: Call, val index: Long, val ns: Long) {
         var isTaken = false
     }
 
-    /** An end, and the index and the time of its cycle. */
+    /** A recorded end, and the index and the time of its cycle. */
     class Ended(val end: End, val index: Long, val ns: Long) {
         var isTaken = false
     }
@@ -31,36 +34,39 @@ internal class RecordedCalls(cycles: Sequence<Cycle>) {
         }
     }
 
-    /** How long a command takes that has an outcome: what half of them took at most. */
+    /** The usual time of a command with an outcome, in ns: the median of the recorded ones. */
     val usualNs: Long = made.values.flatten().filter { it.call.commands.isNotEmpty() }
         .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
         .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
 
-    /** The end of what was begun with [number]; null: it did not end. */
+    /** Returns the end of the operation that was begun with [number]; null: it did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** The call of [name] with [args] that is the next in their order; it is taken once. */
+    /** Returns the next call of [name] with [args] in their order, each only once; null: none is left. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
-    /** The call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; it is taken once. */
+    /**
+     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns], each only once; null:
+     * none is left there.
+     */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
 
-    /** As [near], and it may be taken again. */
+    /** Returns the same call as [near], but may return it several times. */
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 
-    /** The first call of [name] with [args]; any time, and it may be taken again. */
+    /** Returns the first call of [name] with [args], at any time; may return it several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
-    /** The end of a timer at about [ns], or a little later, as an agent takes its time to see it; it is taken once. */
+    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late; each only once. */
     fun timer(ns: Long): Ended? {
         val first = timers.binarySearch { it.ns.compareTo(ns - EARLY_NS) }.let { if (it < 0) -it - 1 else it }
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** The end of the timer with [number], which the same step had begun, if it was for [ns]; it is taken once. */
+    /** Returns the end of the timer with [number], which the same step had begun, if it was due at about [ns]; each only once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 
@@ -76,17 +82,17 @@ internal class RecordedCalls(cycles: Sequence<Cycle>) {
     private fun key(name: String, args: List<String>) = "$name(${args.joinToString(",", transform = ::normal)})"
 
     companion object {
-        /** How far off an answer is used, in ns. */
+        /** The largest distance in time of an answer that is used, in ns. */
         const val NEAR_NS = 1_000_000_000L
 
         private const val TIMER = "timer"
 
-        /** How much a timer may seem to end too early or too late, in ns. */
+        /** The times by which a timer may seem to end too early or too late, in ns. */
         private const val EARLY_NS = 2_000_000L
         private const val LATE_NS = 100_000_000L
         private const val LATEST_NS = 2_000_000_000L
 
-        /** How long a command takes if none was recorded, in ns. */
+        /** The time of a command if none was recorded, in ns. */
         private const val USUAL_NS = 10_000_000L
     }
 }

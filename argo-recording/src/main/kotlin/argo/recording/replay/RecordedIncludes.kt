@@ -15,20 +15,20 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * What [agent] of [recording] has included: a replay takes it from there, and looks for no file.
+ * The files that [agent] of [recording] has included: a replay takes them from the recording, and looks for no file.
  *
- * @param beside a program in the place of the recorded one, beside which files are looked for first; null: there is none
+ * @param beside a program in the place of the recorded one, in whose folder included files are looked for first; null: there is none
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
 
-    /** Whether the program is the recorded one. */
+    /** True if the program is the recorded one. */
     val isOfRecordedProgram: Boolean get() = beside == null
 
-    /** Who is asked about the code of the program and of what it includes. */
+    /** The watch that is asked about the code of the program and of its included files. */
     val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
 
-    /** The agent that runs; null: it is being read. */
+    /** The running agent; null: its program is being read. */
     var running: Agent? = null
 
     private var isInRecorded = false // whether a recorded file is being read
@@ -47,8 +47,8 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     }
 
     /**
-     * The file [name] of the user, if the user's own program includes it: a recorded file has none of them. While the agent runs a recorded
-     * plan may ask, so only files in the folder of the program are taken then.
+     * Returns the file [name] of the user, if the user's own program includes it; recorded files include only recorded files. While the
+     * agent runs, a recorded plan may include a file, so this function then takes only files in the folder of the program.
      */
     private fun ownFile(name: String): Recording.Include? {
         if (beside == null || isInRecorded) return null
@@ -61,14 +61,14 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
         return Recording.Include("", name, "file:$file", Files.readAllBytes(file))
     }
 
-    /** The one that was recorded for it; a file that was included several times may have changed between. */
+    /** Returns the recorded file for [name] in [within]; a file that was included several times may have changed meanwhile. */
     private fun recorded(name: String, within: String): Recording.Include {
         val all = files[within to name]
             ?: throw RecordingException("the recording of agent $agent does not hold the file $name that it includes")
         return if (all.size > 1) all.removeFirst() else all.first()
     }
 
-    /** As Jason's `include` reads one; of a file that cannot be read it takes nothing, and goes on. */
+    /** Reads [text] as Jason's `include` reads a file; null: it cannot be read, and Jason goes on without it. */
     private fun read(text: ByteArray, address: String, namespace: Atom): Agent? = try {
         GuardedAgent(watch).apply {
             initAg()

@@ -49,18 +49,18 @@ class Recording(private val file: Path) : AutoCloseable {
     val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
 
     /**
-     * A file that an agent has included.
+     * A file that an agent has included, or asked for in vain.
      *
-     * @property within which file of the program did so
-     * @property name as that file calls it
-     * @property address where Jason has found it
-     * @property text what it held; null: there was none
+     * @property within the file of the program that includes it
+     * @property name its name in that file
+     * @property address the address at which Jason has found it
+     * @property text its content; null: there was no such file
      */
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 
     /**
-     * The files that [agent] has included, in their order.
-     * @throws RecordingException if one of them is missing
+     * Returns the files that [agent] has included, in their order.
+     * @throws RecordingException if the recording lacks the content of one
      */
     internal fun includes(agent: String): List<Include> = generateSequence(1) { it + 1 }
         .map { metadata[includeMetadata(agent, it)] }.takeWhile { it != null }.filterNotNull().map { values ->
@@ -70,7 +70,9 @@ class Recording(private val file: Path) : AutoCloseable {
             Include(values["within"].orEmpty(), values["name"].orEmpty(), values["address"].orEmpty(), text)
         }.toList()
 
-    /** What of the file cannot be read, for a person: one sentence for each place, of many the first. The rest can be replayed. */
+    /**
+     * The parts of the file that cannot be read: one sentence for a person for each, and only the first hundred. The rest can be replayed.
+     */
     val problems: List<String> get() = reader.problems
 
     private fun checkFormat() {
@@ -85,34 +87,34 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** The cycles of [agent], in their order; only those of the [last] time of the recording if that is given. */
+    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of the recording of that length. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
-    /** The places at which a replay of [agent] may begin, and those at which none could be made, in their order. */
+    /** Returns the key frames of [agent], at which a replay may begin, and the reasons for missing ones, in their order. */
     fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer(), last = null)
 
     /**
-     * Where a replay of [agent] begins: its first key frame, if its beginning is missing; null: with its first cycle, or it has none to
-     * begin with.
+     * Returns the key frame at which a replay of [agent] begins: the first one, if the agent's beginning is missing; null: the replay
+     * begins with the agent's first cycle, or the recording has no such key frame.
      */
     fun start(agent: String): KeyFrame? = starts.getOrPut(agent) {
         val first = cycles(agent).firstOrNull()?.index ?: return null
         listOfNotNull(if (first <= 1) null else keyFrames(agent).firstOrNull { it.missing == null && it.index >= first - 1 })
     }.firstOrNull()
 
-    /** The cycles of [agent] that can be replayed, in their order: those from its [start] on. */
+    /** Returns the cycles of [agent] that can be replayed, in their order: those after its [start]. */
     fun replayable(agent: String): Sequence<Cycle> {
         val index = start(agent)?.index ?: return cycles(agent)
         return cycles(agent).filter { it.index > index }
     }
 
-    /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: there is none. */
+    /** The beginning of the first recorded cycle of any agent, from which times count, in ns of the agents' clock; null: there is none. */
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses to follow a cycle that does not come behind the one with the index [last], 0 for none.
-     * @throws RecordingException if [cycle] of [agent] does not
+     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none.
+     * @throws RecordingException if it does not
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long) {
         if (cycle.index == last + 1) return
@@ -130,11 +132,14 @@ class Recording(private val file: Path) : AutoCloseable {
             }
     }
 
-    /** What became of the commands of [agent], in the order in which that was known; only in the [last] time if that is given. */
+    /**
+     * Returns the outcomes of the commands of [agent], in the order in which they became known; with [last], only those in the last part of
+     * the recording of that length.
+     */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
 
-    /** What became of the reflexes of [agent], in the order in which that was known. */
+    /** Returns the outcomes of the reflexes of [agent], in the order in which they became known. */
     fun reflexEnds(agent: String): Sequence<ReflexEnd> = messages("/$agent/reflex", ReflexEnd.serializer(), last = null)
 
     private fun <T> messages(topic: String, serializer: KSerializer<T>, last: Duration?): Sequence<T> {
@@ -171,15 +176,18 @@ class Recording(private val file: Path) : AutoCloseable {
     private companion object {
         const val OPTION = "option."
 
-        /** A later version may know more. */
+        /** Ignores unknown fields, since a later version of ARGO may write more. */
         val JSON = Json { ignoreUnknownKeys = true }
     }
 }
 
-/** A recording cannot be replayed; [message] has what was found and what to do. */
+/** A recording cannot be replayed; [message] gives the reason and the remedy. */
 class RecordingException(message: String) : IOException(message)
 
-/** What is thrown where a replay ends with [failed]: of a text that is none, or of a term too deep, a refusal; else [failed] itself. */
+/**
+ * Returns the exception to throw for [failed], with which a replay has ended: a refusal for an unreadable text or for a term that is nested
+ * too deeply, else [failed] itself.
+ */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")
     is StackOverflowError -> RecordingException("a term or a rule of the recording is nested too deeply")

@@ -4,20 +4,20 @@ import argo.recording.Cycle
 import argo.recording.agent.shownBeliefs
 
 /**
- * Runs the agents of [recording] again, by Jason itself, on what was recorded: cycle by cycle, in the order of their times, without boards,
- * threads and clocks. After each cycle it compares what came of it. An agent that does something else than it did is not run on, since what
- * was recorded after that is no answer to what it does now.
+ * Runs the agents of [recording] again, by Jason itself, on their recorded input: cycle by cycle, in the order of their times, without
+ * boards, threads and clocks. After each cycle it compares the agent's course with the recorded one. It stops an agent whose course
+ * differs, since the later input answers other actions.
  *
- * A replay changes nothing outside of it: of the project's own internal actions and functions what was recorded is used, and they are not
- * carried out, unless [isChecking]: then each is, and where it gives another result that is a difference too, and the recorded one is used.
- * An architecture of the project's in the place of `argo.Arch` is refused, unless [isChecking].
+ * A replay changes nothing outside of itself: it uses the recorded results of the project's own internal actions and functions, and does
+ * not carry them out. If [isChecking], it does carry them out, reports another result as a difference, and uses the recorded one all the
+ * same. It refuses an architecture of the project in the place of `argo.Arch`, unless [isChecking].
  *
- * An agent whose beginning is missing begins at its first key frame, see [Recording.start]: each for itself, since the messages that came
- * to it afterwards are recorded with it, whenever they were sent.
+ * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
+ * the recording of each holds the messages that it took afterwards, whenever they were sent.
  *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
- * @param isChecking whether the project's own code is carried out again
+ * @param isChecking whether to carry out the project's own code again
  * @throws RecordingException if the recording cannot be replayed
  */
 class Replay(private val recording: Recording, private val isChecking: Boolean = false) : AutoCloseable {
@@ -29,14 +29,14 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     private val differing = ArrayList<Difference>()
     private var underWay = ""
 
-    /** What differs from the recording so far, in the order of the cycles. */
+    /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** How many cycles have been run. */
+    /** The number of cycles run so far. */
     var cyclesRun = 0L
         private set
 
-    /** When the cycle began that was run last, in ns of the agents' clock; null: none was run. */
+    /** The beginning of the cycle that was run last, in ns of the agents' clock; null: none was run. */
     var lastNs: Long? = null
         private set
 
@@ -44,7 +44,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
         cycles.keys.forEach(::read)
     }
 
-    /** When the next cycle began, in ns of the agents' clock; null: none is left. */
+    /** The beginning of the next cycle, in ns of the agents' clock; null: none is left. */
     val nextNs: Long? get() = next.values.minOfOrNull { it.ns }
 
     /** Runs all cycles that began before [untilNs], and returns itself. */
@@ -82,7 +82,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
         if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
     }
 
-    /** What [agent] believes now, without its rules and what Jason hides itself, as Jason writes it. */
+    /** Returns the beliefs of [agent] now as Jason writes them, without rules and beliefs that Jason itself hides. */
     fun beliefs(agent: String): List<String> = shownBeliefs(agents.getValue(agent).ts.ag.bb)
 
     private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {

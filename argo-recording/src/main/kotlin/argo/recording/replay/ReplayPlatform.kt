@@ -7,11 +7,11 @@ import javino.LineClock
 import javino.LinkSettings
 import javino.NoSuchPortException
 
-/** What an agent of a replay runs on: what was recorded. It opens no port and runs no thread. */
+/** The platform of an agent in a replay, with the recorded input. It opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
 
-    /** The thread never runs: an agent without ports starts one to close them. */
+    /** Returns a thread that never runs: an agent starts one to close its ports, and here it has none. */
     override fun start(name: String, run: () -> Unit) = Thread(run, name)
 
     override fun later(delayMs: Long, action: () -> Unit) = Unit

@@ -7,14 +7,14 @@ import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
- * An agent of a recording, that Jason runs again on what was recorded: no ports, no threads, no time of its own.
+ * An agent of a recording that Jason runs again on its recorded input, without ports, threads and a clock of its own.
  *
- * It begins as its program has it, or at the key frame that is the [Recording.start] of [recording].
+ * It begins at the beginning of its program, or at the key frame [Recording.start] of [recording].
  *
- * @param programs where its program stands, whose code has been checked
- * @param found takes what differs from the recording
- * @param isChecking whether code of the project is carried out
- * @param boundaryOf what stands around its inputs: themselves, or who watches
+ * @param programs the file of its program, whose code has been checked
+ * @param found takes each difference from the recording
+ * @param isChecking whether to carry out code of the project
+ * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
  */
 internal class ReplayedAgent(
     private val recording: Recording,
@@ -29,7 +29,7 @@ internal class ReplayedAgent(
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
     private val start = recording.start(recorded.name)
-    private val seen = LinkedHashSet<String>() // threads of the project, so far
+    private val seen = LinkedHashSet<String>() // threads of the project so far
     private var lastIndex = start?.index ?: 0L
     private var lastNumber = start?.number
 
@@ -38,7 +38,7 @@ internal class ReplayedAgent(
         inputs.begin(ts, start)
     }
 
-    /** Runs [cycle], the next one of the recording. */
+    /** Runs [cycle], the agent's next one in the recording. */
     fun run(cycle: Cycle) {
         recording.requireNext(recorded.name, cycle, lastIndex)
         lastIndex = cycle.index
@@ -62,7 +62,7 @@ internal class ReplayedAgent(
         else -> "not known; it is the first difference of this agent"
     }
 
-    /** The threads of the project that were seen to work on the agent in the recorded [cycle]. */
+    /** Returns the threads of the project that visibly worked on the agent in the recorded [cycle]. */
     private fun threadsIn(cycle: Cycle): List<String> = buildList {
         cycle.input.ends.mapNotNull { it.thread }.forEach { add("the project's thread $it") }
         if (cycle.input.events.isNotEmpty() || cycle.input.isChangedOutside) add("a thread of the project")
@@ -77,7 +77,7 @@ internal class ReplayedAgent(
     }
 }
 
-/** Why the [cycle] of [agent] cannot follow the one with the index [last], for a person. */
+/** Returns the reason why [cycle] of [agent] cannot follow the cycle with the index [last], for a person. */
 internal fun gap(agent: String, cycle: Cycle, last: Long) =
     "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
         "the disk was too slow, or that part of the file is damaged; until there it can be replayed"

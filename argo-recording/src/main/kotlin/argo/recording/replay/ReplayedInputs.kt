@@ -39,22 +39,22 @@ import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
 /**
- * Gives an agent what was recorded, cycle by cycle. What it asks for, and when that ends which it begins, is for [answers] to say.
+ * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions, and ends the operations that it begins.
  *
- * @param senses what it perceives
+ * @param senses the percepts of the agent
  */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
-    private val ids = HashMap<String, String>() // of messages: as recorded, and now
-    private var counters: List<Int> = emptyList() // behind the agent's last cycle
+    private val ids = HashMap<String, String>() // of messages: from the recorded to the present one
+    private var counters: List<Int> = emptyList() // after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false
     private lateinit var code: WatchedCode
 
-    /** The agent's transition system. There from [begin] on. */
+    /** The agent's transition system, from [begin] on. */
     lateinit var ts: TransitionSystem
         private set
 
-    /** The cycle that is replayed, or one that the agent has besides the recorded ones. */
+    /** The replayed cycle, or a cycle that the agent has besides the recorded ones. */
     lateinit var cycle: Cycle
         private set
 
@@ -62,32 +62,35 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         private set
 
     /**
-     * The agent of [ts] has been read, and begins as its program has it, or as it was at [start].
+     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
      *
-     * @param recorded the agent as it was recorded, if the one of [ts] has another program
+     * @param recorded the agent with the recorded program, if that of [ts] has another program
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions that are under way are of its plans
+        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of its plans
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
     }
 
-    /** Does [watch] to the code of the agent of [ts], also what it looks up later. Throws [RecordingException] if that cannot be watched. */
+    /**
+     * Calls [watch] for the code of the agent of [ts], and watches the code that it looks up later. Throws [RecordingException] if code
+     * cannot be watched.
+     */
     private fun guarded(ts: TransitionSystem, watch: () -> WatchedCode): WatchedCode = try {
         watch().also { (ts.ag as GuardedAgent).begin(it, this) }
     } catch (unknown: UnknownCodeException) {
         throw RecordingException("the recording of agent ${ts.agArch.agName} cannot be replayed: ${unknown.message}")
     }
 
-    /** The next cycle is [cycle]. */
+    /** Makes [cycle] the next cycle. */
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have been replayed since
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have run since
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->
@@ -133,14 +136,17 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** What [read] makes of recorded texts; null: one of them is of a term that no recording can hold. */
+    /** Returns the result of [read], which reads recorded texts; null: one of them stands for a term that no recording can hold. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {
         null.also { answers.refused(what, refused) }
     }
 
-    /** Does [work], which only asks: its calls give what was recorded in this cycle, and count as none. For the agent's thread. */
+    /**
+     * Does [work], which only asks: its calls get the results recorded in this cycle, and do not count as calls of the agent. For the
+     * agent's thread.
+     */
     fun <T> asking(work: () -> T): T {
         val around = isAsking
         val counters = Counters.read()
@@ -214,7 +220,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         answers.cycleFinished()
     }
 
-    /** The cycle is over. Returns what came of it. */
+    /** Ends the cycle, and returns its course. */
     fun end(): Course {
         sleep.clear()
         return course.end().course()

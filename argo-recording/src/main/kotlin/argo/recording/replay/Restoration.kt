@@ -29,11 +29,11 @@ import java.util.concurrent.ScheduledFuture
 import java.util.zip.InflaterInputStream
 
 /**
- * Makes the agent of [ts], which Jason has just read and which has had no cycle, what it was at [frame].
+ * Restores the agent of [ts], which Jason has just read and which has had no cycle, to its state at [frame].
  *
- * @param program the parts of the recorded program, of which the agent's intentions are
+ * @param program the parts of the recorded program; the agent's intentions consist of its plans
  * @param code its watched code
- * @param course what numbers its intentions
+ * @param course numbers its intentions
  * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
  */
 internal class Restoration(
@@ -45,8 +45,8 @@ internal class Restoration(
     private val isProgram: Boolean = true,
 ) {
     /**
-     * Does so, and returns the timers that are under way, by their numbers.
-     * @throws RecordingException if the key frame is damaged, or of another program or version of Jason
+     * Restores the agent, and returns the timers that are under way, by their numbers.
+     * @throws RecordingException if the key frame is damaged, or belongs to another program or version of Jason
      */
     fun restore(): Map<Int, Callable<*>> {
         if (frame.parts != program.size) refuse("the program has ${program.size} plans and steps, and had ${frame.parts}")
@@ -70,7 +70,7 @@ internal class Restoration(
         }
     }
 
-    /** What is wrong with the key frame if reading it ends with [broken]; null: that is a fault of the program. */
+    /** Returns the fault of the key frame if [broken] ended its reading, for a person; null: the fault is in ARGO. */
     private fun unreadable(broken: Exception): String? = when (broken) {
         is IOException, is IllegalArgumentException, is IndexOutOfBoundsException, is JasonException -> "${broken.message}"
         is ReflectiveOperationException -> "$broken"
@@ -92,7 +92,7 @@ internal class Restoration(
         Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
 
-    /** A set of [percepts] that gives them in their order: which depends on its size, and Java has another for each. */
+    /** Returns a set of [percepts] that iterates in their order, if one is found: the order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {
         val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
         val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }
@@ -126,7 +126,7 @@ internal class Restoration(
         return timers
     }
 
-    /** What [make] makes, which begins a timer at most; [timer] takes its work. */
+    /** Returns the listener that [make] makes. It begins at most one timer; [timer] takes its work. */
     private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
         val keeper = object : Keeper {
             override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
@@ -140,7 +140,7 @@ internal class Restoration(
     }
 
     private companion object {
-        /** The sizes of Java's sets: a power of two, three quarters full. */
+        /** The capacities of Java's sets: a power of two, at most three quarters full. */
         const val SMALLEST = 16
         const val LARGEST = 1 shl 20
         const val LOAD = 0.75

@@ -5,19 +5,19 @@ import argo.recording.PerceptChange
 import argo.recording.agent.literalOf
 import jason.asSyntax.Literal
 
-/** What an agent perceives that is run on a recording. */
+/** The percepts of an agent that runs on a recording. */
 internal interface Senses {
-    /** It has perceived these [percepts], recorded so, before its first cycle. */
+    /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
-    /** What it perceives in [cycle], recorded or one of its own; null: nothing has changed. */
+    /** Returns the percepts of the agent in [cycle], recorded or one of its own; null: nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
-    /** The percepts of the last perception that meet critical rules and are new. */
+    /** Returns the percepts of the last perception that meet critical rules and are new. */
     fun takeNewlyCritical(): List<Literal>
 }
 
-/** What was recorded. */
+/** The recorded percepts. */
 internal class RecordedSenses : Senses {
     private var percepts: List<Literal> = emptyList()
     private var critical: List<String> = emptyList()
@@ -34,7 +34,7 @@ internal class RecordedSenses : Senses {
         return percepts
     }
 
-    /** The literal of a percept, read once for each text, as when it was perceived: Jason copies what it believes. */
+    /** Returns the literal of a percept, and reads each text only once, like the recorded agent: Jason copies literals that it believes. */
     private fun perceptOf(text: String): Literal {
         if (known.size >= MAX_KNOWN) known.clear()
         return known.getOrPut(text) { literalOf(text) }
@@ -47,6 +47,6 @@ internal class RecordedSenses : Senses {
     }
 }
 
-/** What is perceived after the change where [percepts] were before; [read] makes a literal of a percept. */
+/** Returns the percepts after this change of [percepts]; [read] makes a literal of a text. */
 internal fun PerceptChange.appliedTo(percepts: List<Literal>, read: (String) -> Literal = ::literalOf): List<Literal> =
     percepts.take(keep) + now.map(read) + percepts.takeLast(keepLast)

@@ -7,17 +7,17 @@ import java.time.Duration
  * A command that a plan has sent.
  *
  * @property cycle Jason's number of the cycle
- * @property ns when the cycle began, in ns of the agent's clock
+ * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property port the port of its board; null: not known
- * @property text what was sent
+ * @property text the command
  * @property place the file and the line of the step that sent it; null: not known
  */
 data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
-    /** Whether [other] is the same command to the same board. */
+    /** Returns true if [other] is the same command to the same board. */
     fun isSame(other: SentCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
 }
 
-/** The commands that plans sent in this cycle. */
+/** Returns the commands that plans sent in this cycle. */
 internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands }.map { sent ->
     val place = course.step?.run { placeOf(plan.file, line) }
     SentCommand(number, ns, sent.port, sent.text, place)
@@ -26,11 +26,11 @@ internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands
 internal fun placeOf(file: String?, line: Int?): String? = if (file == null || line == null) null else "$file:$line"
 
 /**
- * The first command that differs between a recording and what an agent does now.
+ * The first difference between the recorded commands and those that an agent sends now.
  *
- * @property recorded what the recording has; null: nothing, the command that the agent sends now is additional
- * @property now what it sends now; null: nothing, the recorded command is missing
- * @property same how many commands before them are the same
+ * @property recorded the recorded command; null: none, the agent sends an additional command now
+ * @property now the command that it sends now; null: none, the recorded command is missing
+ * @property same the number of equal commands before them
  */
 data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, val same: Int) {
     init {
@@ -46,15 +46,15 @@ data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, 
             else -> if (now.ns < recorded.ns) "earlier" else "later"
         }
 
-    /** When they differ, in ns of the agent's clock. */
+    /** The time of the difference, in ns of the agent's clock. */
     val ns: Long get() = listOfNotNull(recorded?.ns, now?.ns).min()
 
     companion object {
         /**
-         * The first difference between the commands [recorded] and [now], both in the order of their times; null: there is none.
+         * Returns the first difference between the commands [recorded] and [now], both in the order of their times; null: there is none.
          *
-         * @param within how much earlier or later the same command may be
-         * @param endNs when the recording ends: what the agent sends behind that differs from nothing
+         * @param within the time by which the same command may come earlier or later
+         * @param endNs the end of the recording; later commands of the agent are no differences
          */
         fun first(recorded: List<SentCommand>, now: List<SentCommand>, within: Duration, endNs: Long): CommandDifference? {
             val most = within.toNanos()

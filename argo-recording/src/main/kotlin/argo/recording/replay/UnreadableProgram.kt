@@ -3,8 +3,8 @@ package argo.recording.replay
 import jason.asSyntax.parser.ParseException
 
 /**
- * Where Jason cannot read a program and what stands there, for a person. The message of [unreadable] has what Jason would have accepted
- * instead: some forty kinds of token.
+ * Returns the place at which Jason cannot read a program, and the text there, for a person. The message of [unreadable] instead lists all
+ * that Jason would have accepted: some forty kinds of token.
  */
 fun unreadableAt(unreadable: ParseException): String {
     val found = unreadable.currentToken?.next ?: return unreadable.message.orEmpty()

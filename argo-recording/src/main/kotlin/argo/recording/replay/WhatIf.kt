@@ -10,29 +10,29 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * Runs one agent of [recording] with another program on what was recorded, without boards, threads and clocks, and notes the commands that
- * it sends. What its boards and other agents said comes at the recorded times. What it asks for is answered thus:
+ * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes the commands that
+ * it sends. The messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - a command ends as the one of the same text did that was recorded nearest, within a second; another one succeeds in the usual time;
- * - settings, as of `argo.port`, give what they gave; others of `argo.` succeed. `argo.age` and other questions give what they gave to the
- *   same question nearest in time, within a second; otherwise they are false;
- * - chance and clocks give what they gave, in the order of asking, and beyond that something else;
- * - a timer ends when a recorded one ended at about its time, else at its time;
- * - the project's own internal actions are carried out if [program] is given; otherwise they give what they gave.
+ * - a command ends like the nearest recorded one of the same text within a second; if there is none, it succeeds in the usual time;
+ * - settings, such as `argo.port`, have their recorded results; other actions of `argo.` succeed. `argo.age` and other questions get the
+ *   answer to the same question nearest in time, within a second; otherwise they are false;
+ * - chance and clocks give the recorded values in the order of the questions, and after the last one other values;
+ * - a timer ends together with a recorded one that ended at about its time, else at its time;
+ * - the project's own internal actions are carried out if [program] is given; otherwise they have their recorded results.
  *
- * As long as the agent does what was recorded, step by step, all of it is exactly as recorded. It has cycles of its own where the recorded
- * one slept.
+ * As long as the agent repeats the recording step by step, all answers are exactly as recorded. It has cycles of its own where the recorded
+ * agent slept.
  *
- * Where the beginning of the recording is missing it begins at a key frame, see [Recording.start]: with the beliefs of then, also where
- * [program] has other ones at the start, and with the intentions of then, which go on by the plans that they began with.
+ * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]: with the beliefs of the key frame,
+ * even if [program] begins with others, and with the intentions of the key frame, which go on by the plans with which they began.
  *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
  * @param agent the agent's name
  * @param program its program; null: the recorded one
- * @param senses what it perceives
+ * @param senses its percepts
  * @param cycles its recorded cycles, from [Recording.start] on
- * @param usualNs how long a command takes that was not recorded, in ns; null: as those that were
+ * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
 class WhatIf internal constructor(
@@ -56,17 +56,19 @@ class WhatIf internal constructor(
     private val before = ArrayList<SentCommand>()
     private var number = 0
 
-    /** The commands that were recorded, as far as it has been run. */
+    /** The recorded commands, as far as the agent has run. */
     val commands: List<SentCommand> get() = before
 
-    /** The commands that the agent has sent now. */
+    /** The commands that the agent has sent in this run. */
     val commandsNow: List<SentCommand> get() = answers.sent
 
-    /** When the first recorded cycle of any agent began, in ns of the agents' clock, from which times count; null: none has been run. */
+    /**
+     * The beginning of the first recorded cycle of any agent, from which times count, in ns of the agents' clock; null: none has been run.
+     */
     var firstNs: Long? = null
         private set
 
-    /** When the last recorded cycle began that has been run, in ns of the agent's clock. */
+    /** The beginning of the recorded cycle that was run last, in ns of the agent's clock. */
     var endNs: Long = 0
         private set
 
@@ -82,7 +84,7 @@ class WhatIf internal constructor(
         throw refusalOf(failed)
     }
 
-    /** With the beliefs that were recorded, and what was under way, of the plans of then. */
+    /** Begins another program at the key frame [start], with its beliefs and intentions; these go on by the recorded plans. */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
         val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs, isCarryingOut = true)
         inputs.begin(ts, start, before)
@@ -90,8 +92,8 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs all recorded cycles, and returns itself. Once.
-     * @throws RecordingException if some are missing; the commands before are there then
+     * Runs all recorded cycles, and returns itself. Call it only once.
+     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then have the commands before
      */
     fun run(): WhatIf = apply {
         runRecorded()
@@ -99,8 +101,8 @@ class WhatIf internal constructor(
     }
 
     /**
-     * As [run], but ends in the last recorded cycle, where no more time passes: with what the agent has to do there. Returns the commands,
-     * to boards and to the environment, that it sends from [fromNs] on.
+     * Runs like [run], but ends in the last recorded cycle: the agent finishes its work there while no more time passes. Returns the
+     * commands, to boards and to the environment, that it sends from [fromNs] on.
      */
     internal fun commandsFrom(fromNs: Long): List<String> {
         runRecorded()
@@ -116,7 +118,7 @@ class WhatIf internal constructor(
             recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
-            if (cycle.isEnding && sent.isEmpty()) break // the agent might have gone on
+            if (cycle.isEnding && sent.isEmpty()) break // the recorded agent might have gone on
             before += sent
             run(cycle)
             last = cycle
@@ -124,7 +126,7 @@ class WhatIf internal constructor(
         }
     }
 
-    /** Where the recorded agent slept, until [ns]: the cycles for what the agent has to do, and for what ends meanwhile. */
+    /** Runs cycles of the agent's own until [ns], while the recorded agent slept: for its work, and for ends meanwhile. */
     private fun runBetween(ns: Long) {
         while (true) {
             val nowNs = inputs.cycle.ns
@@ -134,7 +136,7 @@ class WhatIf internal constructor(
         }
     }
 
-    /** A cycle that was not recorded. */
+    /** Runs a cycle that was not recorded. */
     private fun runOwn(ns: Long) = run(Cycle(WhatIfAnswers.BETWEEN, number + 1, ns))
 
     private fun run(cycle: Cycle): Unit = try {
@@ -150,13 +152,13 @@ class WhatIf internal constructor(
     }
 
     /**
-     * The first command that differs from the recording; null: none does.
+     * Returns the first difference between the commands and the recorded ones; null: there is none.
      *
-     * @param within how much earlier or later the same command may be
+     * @param within the time by which the same command may come earlier or later
      */
     fun difference(within: Duration): CommandDifference? = CommandDifference.first(commands, commandsNow, within, endNs)
 
-    /** What the agent believes now, without its rules and what Jason hides itself, as Jason writes it. */
+    /** The beliefs of the agent now as Jason writes them, without rules and beliefs that Jason itself hides. */
     val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
@@ -166,16 +168,16 @@ class WhatIf internal constructor(
     }
 
     private companion object {
-        /** How long a cycle takes that was not recorded, in ns. */
+        /** The time of a cycle that was not recorded, in ns. */
         const val CYCLE_NS = 1_000_000L
 
-        /** How long an agent runs on behind the recording, since it may be slower than the recorded one, in ns. */
+        /** The time for which an agent runs on after the recording, since it may be slower than the recorded one, in ns. */
         const val AFTER_NS = 1_000_000_000L
 
-        /** How many cycles it has in the last recorded one. */
+        /** The largest number of own cycles in the last recorded cycle. */
         const val MOST_AT_END = 500
     }
 }
 
-/** Whether something entered the agent that may have woken it. */
+/** True if something entered the agent that may have woken it. */
 private val Cycle.isWoken: Boolean get() = input.run { percepts != null || mail.isNotEmpty() || ends.isNotEmpty() || events.isNotEmpty() }

@@ -22,18 +22,18 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.random.Random
 
 /**
- * What was recorded, at the recorded times, for an agent that may be another than the recorded one; it notes the commands that it sends.
- * What the agent asks for is answered as the recording answered the same near that time: see [WhatIf].
+ * Answers an agent that may differ from the recorded one with the recorded results near that time, see [WhatIf], and notes the commands
+ * that it sends.
  *
- * @param isCarryingOut whether the project's own actions and functions are carried out; otherwise they give what they gave
- * @param usualNs how long a command takes that was not recorded, in ns; null: as those that were
+ * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
+ * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  */
 internal class WhatIfAnswers(private val recorded: RecordedCalls, private val isCarryingOut: Boolean, usualNs: Long?) : Answers {
     private class Due(val ns: Long, val index: Long?, val order: Int, val carryOut: () -> Unit)
 
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
     private val left = ConcurrentLinkedQueue<Runnable>()
-    private val unanswered = ArrayList<Mail>() // recorded ones that it has not sent yet
+    private val unanswered = ArrayList<Mail>() // recorded messages that the agent has not sent yet
     private val boards = HashMap<String, String>()
     private val random = Random(0)
     private val usualNs = usualNs ?: recorded.usualNs
@@ -46,7 +46,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
     /** The commands to boards that the agent has sent. */
     val sent = ArrayList<SentCommand>()
 
-    /** Its actions of the environment. */
+    /** The actions of the environment that the agent has sent. */
     val acted = ArrayList<SentCommand>()
 
     override var isAsRecorded = true
@@ -54,7 +54,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
 
     override val isHeldAwake get() = left.isNotEmpty()
 
-    /** When the first thing ends that does not end in a recorded cycle; null: none does. */
+    /** The time of the first end that is not in a recorded cycle, in ns; null: there is none. */
     val nextDueNs: Long? get() = due.filter { it.index == null }.minOfOrNull { it.ns }
 
     override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
@@ -74,7 +74,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         boards += cycle.input.boards
     }
 
-    /** [now] has come of the cycle. */
+    /** Ends the cycle, whose course was [now]. */
     fun ended(now: Course) {
         val before = cycle.course
         val isSame = cycle.index != BETWEEN && before.event?.let(::normal) == now.event?.let(::normal) && before.action == now.action &&
@@ -171,7 +171,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         val end = before?.call?.number?.let(recorded::endOf)
         when {
             before == null -> endIn(if (isCommand) usualNs else 0, carryOut)
-            end == null -> Unit // it did not end before the recording did
+            end == null -> Unit // the recording ended before the call
             before.index == cycle.index -> endWith(end, carryOut)
             else -> endIn(end.ns - before.ns) { carryOut(end.end.failure) }
         }
@@ -183,7 +183,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         if (end != null) endWith(end, carryOut) else endIn(delayNs, carryOut)
     }
 
-    /** Whether the step that is carried out is the recorded one. */
+    /** Returns true if the present step is the recorded one. */
     private fun isStepOf(before: Course) = before.step?.text?.let(::normal) == inputs.course.step?.step()?.text?.let(::normal)
 
     private fun endIn(delayNs: Long, carryOut: (CallFailure?) -> Unit) {
@@ -211,16 +211,16 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         private const val ACT = "argo.act"
         private const val RANDOM = ".random"
 
-        /** How many recorded messages are kept for what the agent may send yet. */
+        /** The largest number of recorded messages that are kept as answers to later messages of the agent. */
         private const val MOST_UNANSWERED = 1000
 
-        /** What is true only about the time at which it was asked. */
+        /** The actions whose answers are true only about the time of the question. */
         private val LATE = setOf("argo.age", "argo.skew", "argo.can", "argo.explain")
 
-        /** What is given in the order of asking. */
+        /** The actions whose results are given in the order of the questions. */
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")
 
-        /** The index of a cycle that was not recorded, which nothing enters. */
+        /** The index of a cycle that was not recorded, and that has no input. */
         const val BETWEEN = 0L
     }
 }

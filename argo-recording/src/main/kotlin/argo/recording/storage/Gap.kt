@@ -1,9 +1,9 @@
 package argo.recording.storage
 
 /**
- * Messages that were not stored, since the disk was too slow.
+ * Messages that were not stored, because the disk was too slow.
  *
- * @property messages how many
+ * @property messages the number of messages
  * @property fromNs the time of the first one
  * @property untilNs the time of the last one
  */
@@ -27,5 +27,5 @@ internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long)
     }
 }
 
-/** The topic of messages that tell where a recording has a gap: `{"messages":12,"fromNs":…,"untilNs":…}`. */
+/** The topic of the messages that stand for gaps of a recording: `{"messages":12,"fromNs":…,"untilNs":…}`. */
 const val GAP_TOPIC = "/recording/gap"

@@ -1,12 +1,12 @@
 package argo.recording.storage
 
 /**
- * Takes the records of a recording. Threads that reason and sense call it, so nothing but [flush] and [close] waits for a disk.
- * Any thread may call; records offered by one thread are stored in their order.
+ * Takes the records of a recording. Threads that reason and sense call it, so only [flush] and [close] wait for a disk. Any thread may
+ * call; records offered by one thread are stored in their order.
  */
 interface RecordSink : AutoCloseable {
     /**
-     * A channel for messages in JSON. The same topic gives the same channel.
+     * Returns a channel for messages in JSON. The same topic gives the same channel.
      *
      * @param topic its name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
@@ -17,17 +17,17 @@ interface RecordSink : AutoCloseable {
     /**
      * Leaves a message to be stored.
      *
-     * @param timeNs when it happened, in ns, since 1970 or of another clock that is the same for all messages; not below 0
+     * @param timeNs the time of the message, in ns, since 1970 or of another clock that is the same for all messages; not below 0
      * @param data its JSON in UTF-8; not to be changed afterwards
      * @return false if there is no room for it, or storing has ended; the recording then has a gap, which it reports itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 
     /**
-     * Leaves a message to be stored, as the other [offer], whose JSON another thread makes.
+     * Leaves a message to be stored, as the other [offer] does, but another thread makes its JSON.
      *
-     * @param bytes about the room that it takes until then
-     * @param encode makes it, later, of what does not change; if it throws, the message becomes a gap
+     * @param bytes the approximate size of the message until then
+     * @param encode makes the JSON later, from objects that do not change; if it throws, the message becomes a gap
      */
     fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean
 
@@ -37,13 +37,13 @@ interface RecordSink : AutoCloseable {
     /** Leaves names and values to be stored under [name], such as versions. They are never dropped. */
     fun metadata(name: String, values: Map<String, String>)
 
-    /** Why storing has ended before [close], a sentence for a person; null: it has not. */
+    /** The reason why storing has ended before [close], a sentence for a person; null: it has not. */
     val trouble: String?
 
-    /** Waits until all that was offered before is stored, or storing has ended. */
+    /** Waits until everything offered before is stored, or storing has ended. */
     fun flush()
 
-    /** Stores what was offered before, and ends the recording. May be called twice; what is offered afterwards is not stored. */
+    /** Stores everything offered before, and ends the recording. May be called twice; later records are not stored. */
     override fun close()
 }
 

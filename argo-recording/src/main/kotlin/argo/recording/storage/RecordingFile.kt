@@ -16,14 +16,14 @@ import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * A recording that is written while it is made, by a thread of its own. What was offered more than a second ago is in the file, if the disk
- * is fast enough, even when the program is killed.
+ * A recording that a thread of its own writes to a file while it is made. Records are in the file a second after they were offered, if the
+ * disk is fast enough, even if the program is killed.
  *
- * When nothing more can be written, as on a full disk, [warn] is called once, the file ends with its last whole chunk, and everything that
- * is offered afterwards is refused.
+ * If nothing more can be written, as on a full disk, it calls [warn] once, cuts the file off behind its last whole chunk, and refuses all
+ * later records.
  *
  * @property path the file
- * @param warn takes one sentence for a person; called by the writing thread
+ * @param warn takes one sentence for a person; the writing thread calls it
  */
 class RecordingFile internal constructor(
     val path: Path,
@@ -70,7 +70,7 @@ class RecordingFile internal constructor(
             writer = McapWriter(channel)
             writeAll(writer)
             writer.close()
-        } catch (failure: Throwable) { // whatever it is, the thread does not end in silence
+        } catch (failure: Throwable) { // the thread reports every failure
             endWith(failure, writer?.wholeBytes ?: 0)
         }
     }
@@ -101,7 +101,7 @@ class RecordingFile internal constructor(
     }
 
     private fun endWith(failure: Throwable, wholeBytes: Long) {
-        runCatching { channel.use { it.truncate(wholeBytes) } } // what cannot be cut off is skipped by readers
+        runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip a rest that cannot be cut off
         val why = if (failure is IOException) failure.message ?: "$failure" else "$failure"
         val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
         val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without, and the file can be " +
@@ -112,7 +112,7 @@ class RecordingFile internal constructor(
     }
 
     companion object {
-        /** The bytes of messages that may wait for the disk. */
+        /** The largest number of bytes of messages that wait for the disk. */
         const val MAX_WAITING_BYTES = 16L * 1024 * 1024
 
         private val FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(500)
@@ -120,7 +120,7 @@ class RecordingFile internal constructor(
         /**
          * Begins a recording in [path], or, if that exists, in the first of `…-2.mcap`, `…-3.mcap` and so on that does not.
          *
-         * @param warn takes one sentence for a person if nothing more can be written; called by the writing thread
+         * @param warn takes one sentence for a person if nothing more can be written; the writing thread calls it
          * @throws IOException if the file cannot be made
          */
         fun create(path: Path, warn: (String) -> Unit): RecordingFile {
@@ -135,7 +135,7 @@ class RecordingFile internal constructor(
             error("names do not end")
         }
 
-        /** [path], and others that are tried if it exists. */
+        /** Returns [path], and the other paths to try if it exists. */
         private fun names(path: Path): Sequence<Path> {
             val ending = if (path.extension.isEmpty()) "" else ".${path.extension}"
             return sequenceOf(path) + generateSequence(2) { it + 1 }.map { path.resolveSibling("${path.nameWithoutExtension}-$it$ending") }

@@ -14,14 +14,14 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * The last part of a recording, in memory, until [save] writes it to a file. Attachments and metadata are kept from the beginning on.
- * A message of more than [maxBytes] is not kept: in its place is a message of the topic [GAP_TOPIC].
+ * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps attachments and metadata from the beginning on.
+ * In place of a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
- * If nothing more can be kept, as without memory, [warn] is called once, and everything that is offered afterwards is refused.
+ * If it can keep nothing more, as without memory, it calls [warn] once and refuses all later records.
  *
- * @param last how long messages are kept, by their times
- * @param maxBytes the bytes of messages that are kept at most; then the oldest give way before their time
- * @param warn takes one sentence for a person; called by the thread that keeps
+ * @param last the time for which messages are kept, by their own times
+ * @param maxBytes the largest number of bytes of kept messages; above it the oldest messages go before their time
+ * @param warn takes one sentence for a person; the thread of the ring calls it
  */
 class RecordingRing(
     private val last: Duration,
@@ -53,7 +53,7 @@ class RecordingRing(
     private fun keepAll() {
         try {
             while (waiting.take(PATIENCE_NS) { it.forEach(::keep) }) continue
-        } catch (failure: Throwable) { // whatever it is, the thread does not end in silence
+        } catch (failure: Throwable) { // the thread reports every failure
             val sentence = "the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on without"
             trouble = sentence
             warn(sentence)
@@ -86,10 +86,10 @@ class RecordingRing(
     }
 
     /**
-     * Writes what is kept to the file [path], in place of what it held. It goes on being kept. Waits for the disk, so the agent's thread is
-     * not to call it.
+     * Overwrites the file [path] with the kept records, and goes on keeping them. Waits for the disk, so the agent's thread must not call
+     * it.
      *
-     * @throws java.io.IOException if it cannot be written
+     * @throws java.io.IOException if the file cannot be written
      */
     fun save(path: Path) {
         flush()
@@ -109,7 +109,7 @@ class RecordingRing(
 
     override fun flush() = waiting.flush()
 
-    /** Forgets everything, and keeps no more. */
+    /** Drops all records, and refuses later ones. */
     override fun close() {
         waiting.close()
         keeping.join()
@@ -121,7 +121,7 @@ class RecordingRing(
     }
 
     companion object {
-        /** The bytes of messages that are kept at most unless another number is given. */
+        /** The default of the largest number of bytes of kept messages. */
         const val MAX_BYTES = 64L * 1024 * 1024
 
         private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)

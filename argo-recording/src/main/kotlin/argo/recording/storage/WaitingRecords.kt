@@ -4,16 +4,16 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** What waits to be written. */
+/** A record that waits to be written, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** Its JSON is made by [encode] and takes about [bytes]. */
+    /** A message; [encode] makes its JSON, which takes about [bytes] bytes. */
     class Message(val channel: RecordChannel, val timeNs: Long, val bytes: Int, private val encode: () -> ByteArray) : Waiting {
         constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, gap::json)
 
-        /** With its JSON; a gap if that cannot be made. */
+        /** Returns the message with its JSON; a gap if [encode] fails. */
         fun encoded(): Encoded = try {
             Encoded(channel, timeNs, encode())
-        } catch (_: Throwable) { // of a term nested too deeply, too: who writes must go on
+        } catch (_: Throwable) { // also a stack overflow by a deep term: the writing thread must go on
             Gap.of(timeNs).encoded()
         }
     }
@@ -29,8 +29,8 @@ internal sealed interface Waiting {
 internal class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
 /**
- * Records on their way to the thread that writes them, at most [maxBytes] of messages. Those that find no room become a [Gap], in their
- * place among the others. Any thread may call; the lock is never held while something is written.
+ * The queue of records to the thread that writes them, with at most [maxBytes] bytes of messages. Messages without room become a [Gap], in
+ * their place among the others. Any thread may call; nobody holds the lock while a record is written.
  */
 internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()
@@ -41,7 +41,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
     private var isUrgent = false
     private var isClosed = false
 
-    /** Adds [message] if there is room. */
+    /** Adds [message]; returns false if there is no room, or this is closed. */
     fun offer(message: Waiting.Message): Boolean = lock.withLock {
         if (isClosed) return false
         if (bytes + message.bytes > maxBytes) {
@@ -55,7 +55,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Adds [other] in any case. False: this is closed. */
+    /** Adds [other], however full the queue is; returns false if this is closed. */
     fun add(other: Waiting): Boolean = lock.withLock {
         if (isClosed) return false
         endGap()
@@ -64,15 +64,15 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Returns when all that was added before has been taken and dealt with; at once if this is closed. */
+    /** Waits until all records added before have been taken and handled; returns at once if this is closed. */
     fun flush() {
         val done = CountDownLatch(1)
         if (add(Waiting.Flush(done))) done.await()
     }
 
     /**
-     * Calls [work] with what waits after [patienceNs], or as soon as half of the room is taken, somebody waits for a flush, or this is
-     * closed. Who waits for a flush goes on afterwards, also if [work] throws. Returns false if this is closed and nothing will come.
+     * Calls [work] with the waiting records after [patienceNs] ns, or as soon as half of the room is taken, a caller waits in [flush], or
+     * this is closed. Afterwards callers of [flush] go on, also if [work] throws. Returns false if this is closed and empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
@@ -94,13 +94,13 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return waiting.also { waiting = ArrayList() }
     }
 
-    /** Takes no more. What waits can still be taken. */
+    /** Refuses later records. The waiting ones can still be taken. */
     fun close() = lock.withLock {
         isClosed = true
         changed.signalAll()
     }
 
-    /** Takes no more, and drops what waits: nothing can be written any more. */
+    /** Refuses later records and drops the waiting ones: nothing can be written any more. */
     fun giveUp() {
         close()
         while (take(0) {}) continue

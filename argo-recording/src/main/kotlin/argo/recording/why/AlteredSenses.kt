@@ -5,7 +5,7 @@ import argo.recording.replay.RecordedSenses
 import argo.recording.replay.Senses
 import jason.asSyntax.Literal
 
-/** What was recorded, with percepts [changed] from the cycle with the index [from] on. */
+/** The recorded percepts, passed through [changed] from the cycle with the index [from] on. */
 internal class AlteredSenses(private val from: Long, private val changed: (List<Literal>) -> List<Literal>) : Senses {
     private val recorded = RecordedSenses()
 

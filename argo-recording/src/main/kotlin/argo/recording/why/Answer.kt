@@ -3,14 +3,14 @@ package argo.recording.why
 import kotlinx.serialization.Serializable
 
 /**
- * Why a command was issued.
+ * The reasons for which a command was issued.
  *
  * @property command the command
- * @property cause the step of a plan that issued it; null: no plan did, or it was not seen
- * @property reflex the critical rule whose reflex it was; null: it was none
+ * @property cause the step of a plan that issued it; null: no plan issued it, or the replay did not see the step
+ * @property reflex the critical rule whose reflex it was; null: it was no reflex
  * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
- * @property frames all frames that the command came of, [frame] first: also those of percepts in contexts and tests
- * @property had what the agent would have done with another percept, if that was asked or found
+ * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
+ * @property had the counterfactuals: the agent's commands with another percept, if the question has one, or the search found one
  */
 @Serializable
 data class Answer(
@@ -23,15 +23,15 @@ data class Answer(
 )
 
 /**
- * What the agent does in a replay in which it perceives something else.
+ * A counterfactual: the agent's commands in a replay with another percept.
  *
- * @property percept what it perceives
- * @property replaced the percept that it stands for; null: it comes besides
- * @property from when the first cycle began in which it is perceived, in seconds
- * @property until when the last cycle began in which it is, which is that of the command
- * @property isSent whether the command is sent all the same
- * @property commands what the agent sends in that time
- * @property recorded what it had sent in that time
+ * @property percept the percept that the agent perceives in the replay
+ * @property replaced the recorded percept that it replaces; null: it is additional
+ * @property from the beginning of the first cycle in which the agent perceives it, in seconds
+ * @property until the beginning of the last cycle in which the agent perceives it, which is the cycle of the command, in seconds
+ * @property isSent whether the agent sends the command all the same
+ * @property commands the commands that the agent sends in that time
+ * @property recorded the recorded commands in that time
  * @property isDropped whether the filter drops [percept], so that the agent perceives nothing in its place
  */
 @Serializable
@@ -47,10 +47,10 @@ data class Had(
 )
 
 /**
- * Why a command was not issued.
+ * The reasons for which a command was not issued.
  *
- * @property command the command that was asked about, as it was asked
- * @property seconds until when was looked, since the first cycle
+ * @property command the command in the words of the question
+ * @property seconds the end of the time that was searched, since the first cycle
  * @property plans the plans that would issue it, in the order of the program
  */
 @Serializable
@@ -59,19 +59,19 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
 /**
  * A plan that would have issued a command.
  *
- * @property place where it stands
+ * @property place its place in the program
  * @property trigger its trigger
  * @property context its context; null: it has none
  * @property step its step that issues the command or, of a plan [above], that leads to it
  * @property stepLine the line of that step
  * @property event the last event for which it was relevant; null: there was none
- * @property seconds when the cycle began in which that event was chosen
- * @property cause what the event came of
- * @property verdict what became of the plan
- * @property conditions the parts of its context then, up to the one that failed
- * @property chosen the plan that was chosen in its place; null: none
- * @property missed percepts that would have begun it, or made its context true, and did not reach the agent
- * @property above if there was no event: the plans that would have made it
+ * @property seconds the beginning of the cycle in which the agent chose that event, since the first cycle
+ * @property cause the cause of the event
+ * @property verdict the fate of the plan
+ * @property conditions the parts of its context at that event, up to the one that failed
+ * @property chosen the plan that the agent chose in its place; null: none
+ * @property missed the percepts that would have triggered it, or made its context true, but did not reach the agent
+ * @property above if there was no event, the plans that would have made it
  */
 @Serializable
 data class UnchosenPlan(
@@ -90,7 +90,7 @@ data class UnchosenPlan(
     val above: List<UnchosenPlan> = emptyList(),
 )
 
-/** What became of a plan. */
+/** The fate of a plan. */
 enum class Verdict {
     /** No event came for which it is relevant. */
     NO_EVENT,
@@ -98,13 +98,13 @@ enum class Verdict {
     /** A part of its context was not true. */
     NOT_APPLICABLE,
 
-    /** It was applicable, and another plan that was, too, was chosen. */
+    /** It was applicable, but the agent chose another applicable plan. */
     NOT_CHOSEN,
 
-    /** It was chosen, but its intention did not come to the step: it waits, has failed, or was dropped. */
+    /** It was chosen, but its intention did not reach the step: it waits, has failed, or was dropped. */
     NOT_REACHED,
 
-    /** It was chosen, and issued the command, at another time. */
+    /** It was chosen and issued the command, but at another time. */
     ISSUED,
 }
 
@@ -113,7 +113,7 @@ enum class Verdict {
  *
  * @property text the percept
  * @property frame the frame that it stood in
- * @property rule why the filter dropped it, as far as the recording has the filter
+ * @property rule the reason why the filter dropped it, if the recording has the filter
  */
 @Serializable
 data class Missed(val text: String, val frame: Frame, val rule: String? = null)

@@ -5,26 +5,26 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.Transient
 
-/** What something in a recording came of. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
+/** A cause of something in a recording. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
 @Serializable
 sealed interface Cause {
-    /** What this came of itself. */
+    /** The causes of this cause. */
     val causes: List<Cause> get() = emptyList()
 
-    /** How many causes lie one behind the other, this one being the first. */
+    /** The length of the longest chain of causes that begins with this one. */
     val depth: Int get() = 1
 }
 
 /**
- * What a board sent at once.
+ * A message of a board, with its percepts.
  *
  * @property number counts the messages of boards that the agent perceived, from 1
  * @property port the port that it came from
- * @property namespace where it is believed; null: in the default namespace
- * @property seconds when its last byte came
- * @property cycle Jason's number of the cycle in which it was perceived
+ * @property namespace the namespace in which its percepts are believed; null: the default namespace
+ * @property seconds the time of its last byte
+ * @property cycle Jason's number of the cycle in which the agent perceived it
  * @property texts the percepts as they came off the line
- * @property kept those that the filter let through; null: all
+ * @property kept the percepts that the filter let through; null: all
  */
 @Serializable
 data class Frame(
@@ -41,11 +41,11 @@ data class Frame(
  * A percept came, or went.
  *
  * @property belief the percept
- * @property isGone whether it went
- * @property seconds when the cycle began in which it was perceived
- * @property frame the frame by which it came, or which had it no more; null: no board sent it
- * @property from where it came from if no board sent it: `argo`, which believes the states of ports, or `environment`
- * @property filter why the filter let it through; null: there was none, or the recording does not have it
+ * @property isGone whether it went, and did not come
+ * @property seconds the beginning of the cycle in which the agent perceived that
+ * @property frame the frame by which it came, or the first one without it; null: no board sent it
+ * @property from its source if no board sent it: `argo`, which adds the states of ports, or `environment`
+ * @property filter the reason why the filter let it through; null: there was no filter, or the recording does not have it
  */
 @Serializable
 @SerialName("percept")
@@ -59,11 +59,11 @@ data class PerceptCause(
 ) : Cause
 
 /**
- * A critical rule of a filter had its reflex sent, without a plan.
+ * A critical rule of a filter sent its reflex, without a plan.
  *
  * @property rule the rule in words
  * @property isByBoard whether the board watched it and carried the reflex out; otherwise the computer sent it
- * @property failure why it was not carried out; null: it was
+ * @property failure the reason why the reflex failed; null: it succeeded
  * @property percept the percept that met the rule; null: the agent perceived no frame with one
  */
 @Serializable
@@ -85,7 +85,7 @@ data class MessageCause(val sender: String, val performative: String, val conten
 @SerialName("beginning")
 data class BeginningCause(val text: String, val file: String? = null, val line: Int? = null) : Cause
 
-/** What the recording does not have, or what lies further back than is followed: [why] for a person. */
+/** A cause that the recording does not have, or that lies too far back; [why] is the reason, for a person. */
 @Serializable
 @SerialName("unknown")
 data class UnknownCause(val text: String, val why: String) : Cause
@@ -95,8 +95,8 @@ data class UnknownCause(val text: String, val why: String) : Cause
  *
  * @property step the step as the plan has it
  * @property line its line in [Place.file] of the plan
- * @property seconds when the cycle began in which it was carried out
- * @property plan the plan that it is of, as it was chosen
+ * @property seconds the beginning of the cycle in which it was carried out
+ * @property plan the plan with this step, and the reasons of its choice
  * @property tests the tests and conditions in the plan's body that led to the step
  */
 @Serializable
@@ -117,13 +117,13 @@ data class StepCause(
 /**
  * A plan was chosen for an event.
  *
- * @property place where it stands
+ * @property place its place in the program
  * @property trigger the event
- * @property seconds when the cycle began in which it was chosen
+ * @property seconds the beginning of the cycle in which it was chosen
  * @property cycle Jason's number of that cycle
- * @property conditions the parts of its context, as they were then
- * @property event what the event came of
- * @property again how often the plan had called itself, as the last step, before
+ * @property conditions the parts of its context with their values then
+ * @property event the cause of the event
+ * @property again the number of times that the plan had called itself, as its last step, before
  */
 @Serializable
 @SerialName("plan")
@@ -145,21 +145,21 @@ data class PlanCause(
 /**
  * A part of the context of a plan, or a test in its body.
  *
- * @property text as the program has it
- * @property value with the values of its variables; the same if it has none
+ * @property text its text in the program
+ * @property value its text with the values of its variables; the same if it has no variables
  * @property holds whether it was true
- * @property causes why what it speaks of was believed
+ * @property causes the causes of the beliefs on which it depends
  */
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
 
-/** All percepts that this came of, itself among them: the one whose event is at the root first. */
+/** Returns all percepts among the causes of this, and this if it is a percept: the one whose event is at the root first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
-/** All frames that this came of. */
+/** Returns all frames among the causes of this. */
 fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
 
-/** The root of this: the percept, the message or the goal of the program whose event began the intention. */
+/** Returns the root of this: the percept, the message or the goal of the program whose event began the intention. */
 fun Cause.root(): Cause = when (this) {
     is StepCause -> plan.root()
     is PlanCause -> event.root()
@@ -167,7 +167,7 @@ fun Cause.root(): Cause = when (this) {
     else -> this
 }
 
-/** This with causes that lie at most so many [levels] behind. */
+/** Returns this cause with a [depth] of at most [levels]. */
 internal fun Cause.within(levels: Int): Cause = when {
     depth <= levels -> this
     this is StepCause -> copy(plan = plan.planWithin(levels - 1), tests = tests.map { it.within(levels - 1) })
@@ -181,6 +181,6 @@ private fun PlanCause.planWithin(levels: Int): PlanCause = when {
     else -> copy(event = event.within(levels - 1), conditions = conditions.map { it.within(levels - 1) })
 }
 
-/** This with causes of so many [levels] at most. */
+/** Returns this condition with causes of a depth of at most [levels]. */
 internal fun Condition.within(levels: Int): Condition =
     if (causes.all { it.depth <= levels }) this else copy(causes = if (levels < 1) emptyList() else causes.map { it.within(levels) })

@@ -7,7 +7,7 @@ import argo.recording.replay.Recording
 import kotlin.math.abs
 
 /**
- * The commands of one agent of [recording], whoever sent them.
+ * Finds all commands of one agent of [recording], by any sender.
  *
  * @param cycles all cycles of the agent
  */
@@ -19,7 +19,7 @@ internal class Commands(
 ) {
     private val reflexOf = HashMap<RecordedCommand, ReflexEnd>()
 
-    /** All of them, in the order of their times. */
+    /** All commands, in the order of their times. */
     val all: List<RecordedCommand>
 
     init {
@@ -31,7 +31,7 @@ internal class Commands(
         }
     }
 
-    /** What became of the reflex that [command] is; null: it is none. */
+    /** Returns the outcome of [command] if it is a reflex; null: it is none. */
     fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
 
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
@@ -55,7 +55,7 @@ internal class Commands(
         return RecordedCommand(agent, 0, text, port, clock.seconds(ns), cycle?.number ?: 0, by, sent, cycle?.index ?: 0)
     }
 
-    /** Takes the reflex of the computer out that [end] tells of, which is known at about the same time. */
+    /** Removes and returns the reflex of the computer whose command has ended with [end]; both were recorded at about the same time. */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
             ?.also { remove(it) }

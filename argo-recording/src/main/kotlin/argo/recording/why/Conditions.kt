@@ -12,17 +12,17 @@ import jason.asSyntax.RelExpr
 import jason.asSyntax.Rule
 
 /**
- * Takes formulas of the program of [agent] apart, as it believes now.
+ * Splits formulas of the program of [agent] into their parts, and evaluates these by its present beliefs.
  *
- * @param originOf why a belief of the agent is there
- * @param goneOf why nothing is believed that a literal would be true of; none: not known
+ * @param originOf returns the cause of a belief of the agent
+ * @param goneOf returns the causes for which the agent believes nothing that unifies with a literal; empty: not known
  */
 internal class Conditions(
     private val agent: Agent,
     private val originOf: (Literal) -> Cause,
     private val goneOf: (Literal) -> List<Cause>,
 ) {
-    /** The parts of [formula], which is true under [un]. */
+    /** Returns the parts of [formula], which is true under [un]. */
     fun holding(formula: LogicalFormula, un: Unifier, depth: Int = 0): List<Condition> = when {
         formula is LogExpr && formula.op == LogExpr.LogicalOp.and -> holding(left(formula), un, depth) + holding(right(formula), un, depth)
         formula is LogExpr && formula.op == LogExpr.LogicalOp.or -> either(formula, un, depth)
@@ -32,7 +32,10 @@ internal class Conditions(
         else -> listOf(believed(formula, un, depth))
     }
 
-    /** The parts of [formula], which is not true under [un], up to the first one that fails; that is the last. */
+    /**
+     * Returns the parts of [formula], which is not true under [un], up to the first one that fails, in each of the first few ways that lead
+     * there.
+     */
     fun failing(formula: LogicalFormula, un: Unifier): List<Condition> {
         var ways = listOf(un)
         val held = ArrayList<Condition>()
@@ -45,7 +48,7 @@ internal class Conditions(
         return held
     }
 
-    /** The first way in which [formula] is true under [un]; null: it is not. */
+    /** Returns the first unifier that extends [un] and makes [formula] true; null: there is none. */
     fun solution(formula: LogicalFormula, un: Unifier): Unifier? = solutions(formula, un).firstOrNull()
 
     private fun solutions(formula: LogicalFormula, un: Unifier): List<Unifier> = try {
@@ -53,7 +56,7 @@ internal class Conditions(
     } catch (_: JasonException) {
         emptyList() // an internal action in it failed
     } catch (_: RuntimeException) {
-        emptyList() // a comparison of what has no value
+        emptyList() // a comparison of terms without a value
     }
 
     private fun failed(part: LogicalFormula, un: Unifier): Condition {
@@ -92,7 +95,7 @@ internal class Conditions(
         return Condition(shown(literal), normal("$applied"))
     }
 
-    /** Why [applied] follows from [rule]; null: it does not. */
+    /** Returns the causes by which [applied] follows from [rule]; null: it does not follow. */
     private fun byRule(rule: Rule, applied: Literal, depth: Int): List<Cause>? {
         val un = Unifier()
         if (!un.unifies(applied.copy().makeVarsAnnon(), rule.headClone())) return null
@@ -108,7 +111,7 @@ internal class Conditions(
 
     private fun shown(formula: LogicalFormula) = unquoted(normal("$formula"))
 
-    /** Jason writes brackets around each operation. */
+    /** Removes the brackets that Jason writes around each operation. */
     private fun unquoted(text: String) = when {
         text.startsWith("(") && text.endsWith(")") -> text.substring(1, text.length - 1)
         text.startsWith("not (") && text.endsWith(")") -> "not " + text.substring("not (".length, text.length - 1)

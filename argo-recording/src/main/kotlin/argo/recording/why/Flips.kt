@@ -9,14 +9,15 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Looks for percepts of a [cause] with another number, next to the recorded one, with which the command is not sent: by trying.
+ * Searches, by trials, for percepts of a [cause] with another number next to the recorded one, with which the agent does not send the
+ * command.
  *
- * @param had what the agent does with another percept in the place of one of the cause
+ * @param had replays the agent with another percept in the place of one of the cause
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0
 
-    /** Of each percept whose number a condition compares, the nearest value that was found. */
+    /** Returns the nearest value that was found for each percept whose number a condition compares. */
     fun find(): List<Had> = cause.percepts().filter { !it.isGone && it.frame != null }.mapNotNull(::flipped)
 
     private fun flipped(percept: PerceptCause): Had? {
@@ -33,7 +34,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     }.distinct().sortedBy { (value, place) -> abs(value - (literal.getTerm(place) as NumberTerm).solve()) }
         .map { (value, place) -> literal.copy().apply { setTerm(place, NumberTermImpl(value)) } }
 
-    /** The comparisons of numbers in the conditions behind the command: both sides, either way. */
+    /** The pairs of numbers that the conditions behind the command compare, in both orders. */
     private val limits = conditions(cause).flatMap { comparedIn(it.value) }.distinct()
 
     private fun conditions(of: Cause): List<Condition> = when (of) {
@@ -53,7 +54,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     } catch (_: IllegalArgumentException) {
         null
     } catch (_: RuntimeException) {
-        null // a sum of what is no number
+        null // a sum of terms that are no numbers
     }
 
     private fun around(limit: Double): List<Double> {

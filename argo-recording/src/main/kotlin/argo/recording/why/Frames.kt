@@ -2,12 +2,15 @@ package argo.recording.why
 
 import argo.recording.PerceivedSnapshot
 
-/** Counts the messages of boards that an agent perceives, from 1. One is perceived again when its filter lets more of it through. */
+/**
+ * Numbers the messages of boards that an agent perceives, from 1. A message that the agent perceives again, since the filter lets more of
+ * its percepts through, keeps its number.
+ */
 internal class Frames(private val secondsOf: (Long) -> Double) {
     private val newest = HashMap<String, Pair<Long, Int>>()
     private var count = 0
 
-    /** What is next: [snapshot], perceived in the cycle that has Jason's number [cycle]. */
+    /** Returns the frame of [snapshot], the next one, which the agent perceived in the cycle with Jason's number [cycle]. */
     fun of(snapshot: PerceivedSnapshot, cycle: Int): Frame {
         val known = newest[snapshot.port]?.takeIf { (receivedNs, _) -> receivedNs == snapshot.receivedNs }
         val number = known?.second ?: ++count

@@ -8,7 +8,7 @@ import argo.recording.agent.literalText
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 
-/** Which frame each percept of an agent came by, and went by. */
+/** Finds the frames by which the percepts of an agent came and went. */
 internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private val filterOf: (port: String, text: String) -> String?) {
     private val present = HashMap<String, PerceptCause>()
     private val gone = object : LinkedHashMap<String, PerceptCause>() {
@@ -18,15 +18,17 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     private val frames = Frames(secondsOf)
     private val earlier = HashSet<String>()
 
-    /** The newest frame of each board that has been perceived. */
+    /** The newest perceived frame of each board. */
     val newestFrames: Collection<Frame> get() = newest.values
 
-    /** These [percepts] are perceived when the replay begins: the frame is not known that they came by. */
+    /** Begins with [percepts], which the agent perceives when the replay begins, and whose frames are not known. */
     fun beginWith(percepts: List<Literal>) {
         percepts.mapTo(earlier, ::keyOf)
     }
 
-    /** The agent perceives [percepts] in the cycle of this [number] at [ns], of [snapshots] and of what it perceived before. */
+    /**
+     * Notes that the agent perceives [percepts], in the cycle with this [number] at [ns]: new ones come from [snapshots], the others stay.
+     */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)
         val now = snapshots.map { frames.of(it, number) to keysOf(it) }
@@ -46,16 +48,16 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         }
     }
 
-    /** How [percept] came that is perceived now; null: it is not perceived. */
+    /** Returns the arrival of [percept]; null: the agent does not perceive it now, or its arrival is not known. */
     fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
 
-    /** How [percept] went; null: it is not known. */
+    /** Returns the last departure of [percept]; null: none is known. */
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
-    /** How the percept went last that [matches]; null: none has. */
+    /** Returns the last departure of a percept that [matches]; null: none is known. */
     fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
 
-    /** The percepts in [snapshot] that were kept, as they are believed, each with its text. */
+    /** Returns the kept percepts of [snapshot] as the agent believes them, each with its text. */
     private fun keysOf(snapshot: PerceivedSnapshot): Map<String, String> = (snapshot.kept ?: snapshot.texts).mapNotNull { text ->
         believed(text, snapshot.namespace)?.let { keyOf(it) to text }
     }.toMap()
@@ -68,12 +70,12 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     }
 }
 
-/** The percept that a board's [text] is believed as in [namespace]; null: it cannot be read. */
+/** Returns the literal that an agent believes for a board's [text] in [namespace]; null: the text cannot be read. */
 internal fun believed(text: String, namespace: String?): Literal? = try {
     PerceptReader.read(text).let { if (namespace == null) it else it.cloneNS(ASSyntax.createAtom(namespace)) as Literal }
 } catch (_: PerceptSyntaxException) {
     null
 }
 
-/** What [literal] is without its annotations. */
+/** Returns the text of [literal] without its annotations. */
 internal fun keyOf(literal: Literal): String = literalText(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)

@@ -9,14 +9,14 @@ import kotlin.math.abs
  * A command of an agent in a recording.
  *
  * @property number counts the commands of the agent, from 1
- * @property text what was sent, `speed(120)`, or the action of the environment
+ * @property text the command, such as `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds when it was issued, since the first cycle: when the cycle of the step began; of a reflex of the board, when it was
- * reported
- * @property cycle Jason's number of that cycle, or of the one under way, see [argo.recording.Cycle.number]; 0: none had begun
- * @property by what sent it
- * @property sent its number among the agent's commands to boards, from 1, as the live view and the timeline have it; null: it was an action
- * of the environment, or a reflex that the board carried out
+ * @property seconds the time since the first cycle at which it was issued: the beginning of the step's cycle; for a reflex of the board,
+ * the time of the report
+ * @property cycle Jason's number of that cycle, or of the last one begun before, see [argo.recording.Cycle.number]; 0: none had begun
+ * @property by its sender
+ * @property sent its number among the agent's commands to boards, from 1, as in the live view and the timeline; null: it was an action of
+ * the environment, or a reflex that the board carried out
  * @property index counts the recorded cycles up to that one, see [argo.recording.Cycle.index]
  */
 @Serializable
@@ -33,7 +33,7 @@ data class RecordedCommand(
     internal val index: Long = 0,
 )
 
-/** What sends a command. */
+/** The sender of a command. */
 enum class Sender {
     /** A step of a plan. */
     PLAN,
@@ -41,27 +41,27 @@ enum class Sender {
     /** A critical rule of a filter. */
     REFLEX,
 
-    /** A person or another program, as by the live view. */
+    /** A person or another program, for example through the live view. */
     OUTSIDE,
 }
 
 /**
- * Which command is asked about.
+ * A question about a command, with the properties by which the command is found.
  *
  * @property text the whole command, or its functor; empty: any
- * @property seconds about when, since the first cycle; null: at any time
- * @property count the how manieth command of this [text], from 1; of an empty one, see [RecordedCommand.sent]; null: the last one, or the
- * one next to [seconds]
+ * @property seconds the approximate time since the first cycle; null: any time
+ * @property count the number of the command among those of this [text], from 1; for an empty text its number [RecordedCommand.sent]; null:
+ * the last command, or the one next to [seconds]
  */
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
     override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
 
-    /** Whether [command] is what is asked about, at any time. */
+    /** Returns true if the question is about [command], at any time. */
     fun isAbout(command: String): Boolean = command == text || command.substringBefore('(') == text
 
     /**
-     * The command of [all] that is asked about.
-     * @throws RecordingException if there is none; it names those around the time
+     * Returns the command of [all] that the question is about.
+     * @throws RecordingException if there is none; the message names the commands around the time
      */
     fun find(all: List<RecordedCommand>): RecordedCommand {
         val fitting = all.filter { isAbout(it.text) }
@@ -88,13 +88,13 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
     }
 
     companion object {
-        /** How far the time of a question may be from the command's. */
+        /** The largest difference between the times of a question and of its command. */
         const val TOLERANCE_S = 0.5
         private const val SHOWN = 8
         private val AT = Regex("""(.+?)@(\d{1,9}(?:\.\d{1,9})?)\s*s?""")
         private val COUNTED = Regex("""(.*)#([1-9]\d{0,8})""")
 
-        /** The question that [text] asks: `stop@12.3s`, `stop#3`, `#17`, `stop`; null: it is none. */
+        /** Returns the question in [text]: `stop@12.3s`, `stop#3`, `#17`, `stop`; null: the text is empty. */
         fun of(text: String): Question? {
             val asked = text.trim()
             AT.matchEntire(asked)?.destructured?.let { (command, seconds) -> return Question(command.trim(), seconds.toDouble()) }

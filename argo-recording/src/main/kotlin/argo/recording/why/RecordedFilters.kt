@@ -8,7 +8,7 @@ import argo.filters.matching.FilterSession
 import argo.recording.FilterChange
 
 /**
- * The filters that an agent perceives through in the course of its recording.
+ * The filters through which an agent perceives, at the present cycle of its recording.
  *
  * @param files the files in the recording, by their names
  */
@@ -16,7 +16,7 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     private var ofAll: FilterSession<String>? = null
     private val ofBoards = HashMap<String, FilterSession<String>?>()
 
-    /** The agent perceives through other filters from its next cycle on. */
+    /** Applies [changes]: the agent perceives through other filters from its next cycle on. */
     fun changed(changes: List<FilterChange>) = changes.forEach { change ->
         val port = change.port
         if (port == null) {
@@ -27,13 +27,16 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
         }
     }
 
-    /** The percepts of [texts] that meet critical rules of the filter of the board on [port], each with its rule. */
+    /** Returns the percepts of [texts] that meet critical rules of the filter of the board on [port], each with its rule. */
     fun critical(port: String, texts: List<String>): List<CriticalPercept<String>> {
         val filter = of(port)?.filter?.takeIf { it.critical.isNotEmpty() } ?: return emptyList()
         return FilterSession.ofTexts().apply { switchTo(filter) }.perceive(texts, 0).critical
     }
 
-    /** Why the filter of the board on [port] keeps or drops [text]; null: it has none. What rates hold back is not known. */
+    /**
+     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. It does not know the percepts that
+     * rates hold back.
+     */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 
     private fun of(port: String) = if (port in ofBoards) ofBoards[port] else ofAll
@@ -43,7 +46,7 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
         return try {
             FilterSession.ofTexts().apply { switchTo(XmlFilters.read(text.decodeToString(), "${change.name}.xml")) }
         } catch (_: FilterException) {
-            null // of a later version
+            null // a filter of a later version
         }
     }
 }

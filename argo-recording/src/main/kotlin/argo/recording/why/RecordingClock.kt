@@ -1,15 +1,15 @@
 package argo.recording.why
 
 /**
- * Seconds of a recording, which count from its first cycle.
+ * Converts between ns of the agents' clock and the seconds of a recording, which count from its first cycle.
  *
- * @param firstNs when that cycle began, in ns of the agents' clock
+ * @param firstNs the beginning of that cycle, in ns of the agents' clock
  */
 internal class RecordingClock(private val firstNs: Long) {
-    /** The seconds at [ns] of the agents' clock. */
+    /** Returns the seconds at [ns] of the agents' clock. */
     fun seconds(ns: Long): Double = (ns - firstNs) / NANOS
 
-    /** The time by the agents' clock, in ns, at [seconds]. */
+    /** Returns the time of the agents' clock, in ns, at [seconds]. */
     fun nanos(seconds: Double): Long = firstNs + (seconds * NANOS).toLong()
 
     private companion object {

@@ -4,21 +4,21 @@ import argo.recording.Cycle
 import argo.recording.ReflexEnd
 
 /**
- * Finds the frame that had a reflex carried out, among what an agent perceived.
+ * Finds the frame that caused a reflex, among the frames that an agent perceived.
  *
- * @param cycles those that are replayed, by which frames are counted
- * @param filters the filters at their beginning
+ * @param cycles the replayed cycles, by which frames are counted
+ * @param filters the filters at the beginning of the first of them
  */
 internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {
-    /** Why [reflex] was carried out, whose [command] went to a port that may be known. */
+    /** Returns the cause of [reflex], whose [command] may have a known port. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
-        // the newest one up to then: a report of a board can be taken by its agent a moment before its frame is
+        // the newest frame up to then, or the next one: an agent may take the report of a board a moment before the frame
         val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }
 
-    /** The percepts that met the rule of [reflex], in their order. */
+    /** Returns the percepts that met the rule of [reflex], in their order. */
     private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
         val frames = Frames(clock::seconds)
         return cycles.flatMap { cycle ->

@@ -27,12 +27,12 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent while it is replayed: what its events came of, which plans were chosen and under which conditions, and what its steps
- * note and send. It stands around the [inputs] of the agent, and only asks.
+ * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
+ * steps. It surrounds the [inputs] of the agent, and changes nothing.
  *
- * @param answers what answers them
- * @param filters the filters that the recording has
- * @param taken is called when an event has been taken from the queue, before a plan is looked for
+ * @param answers the answers to the agent
+ * @param filters the filters in the recording
+ * @param taken is called when the agent has taken an event from the queue, before it looks for a plan
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -41,25 +41,25 @@ internal class Trace(
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
 ) : Boundary by inputs {
-    /** A plan that was chosen, and what its body has tested since. */
+    /** A chosen plan, and the tests in its body since then. */
     private class Adopted(val plan: PlanCause) {
         val tests = LinkedHashMap<String, Condition>()
     }
 
-    /** A command, to a board or to the environment, and the step that issued it; its number counts from 1. */
+    /** A command, to a board or to the environment, and the step that issued it. */
     class Issued(val cycle: Cycle, val port: String?, val text: String, val cause: StepCause?)
 
-    /** What the boards have sent. */
+    /** The origins of the agent's percepts. */
     val percepts = PerceptOrigins(clock::seconds) { port, text -> filters.explain(port, text)?.toString() }
 
     /** All commands so far. */
     val issued = ArrayList<Issued>()
 
-    /** What became of events that were [taken]: the plan that was chosen last. */
+    /** The plan that the agent chose for the last event that was [taken]; null: none yet. */
     var chosen: PlanCause? = null
         private set
 
-    /** The agent's transition system. There from its first cycle on. */
+    /** The agent's transition system, from its first cycle on. */
     lateinit var ts: TransitionSystem
         private set
 
@@ -80,7 +80,7 @@ internal class Trace(
 
     private val cycle get() = inputs.cycle
 
-    /** The replay begins at [start]: what was before is not known. */
+    /** Begins at the key frame [start]; earlier causes are not known. */
     fun beginAt(start: KeyFrame) {
         this.start = start
         percepts.beginWith(start.perceived.map(::literalOf))
@@ -110,7 +110,7 @@ internal class Trace(
     }
 
     override fun ruleApplied() {
-        if (isWatching) return // Jason asks while it evaluates what is asked here
+        if (isWatching) return // Jason calls this also while it evaluates a formula for this class
         isWatching = true
         try {
             inputs.ruleApplied()
@@ -140,7 +140,7 @@ internal class Trace(
         }
     }
 
-    /** The steps that follow a split of an intention, `|&|` and `|||`, are of the plan that it stands in. */
+    /** Assigns the steps of the branches of `|&|` and `|||`, into which an intention splits, to the plan that contains the operator. */
     private fun adoptSplit() {
         val (means, adopted) = splitting ?: return
         splitting = null
@@ -163,11 +163,14 @@ internal class Trace(
         issued += Issued(cycle, port, text, step)
     }
 
-    /** Why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one that fails. */
+    /**
+     * Returns the reasons why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one
+     * that fails.
+     */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
 
-    /** Whether the context of [plan] is true under [un]. */
+    /** Returns true if the context of [plan] is true under [un]. */
     fun isApplicable(plan: Plan, un: Unifier): Boolean =
         plan.context.let { context -> context == null || inputs.asking { conditions.solution(context, un) != null } }
 
@@ -190,7 +193,7 @@ internal class Trace(
         return Adopted(cause)
     }
 
-    /** Whether the plan calls itself as its last step, so that Jason forgets the one before. */
+    /** Returns true if the plan calls itself as its last step, so that Jason forgets the call before. */
     private fun isTail(intention: Intention, plan: Plan): Boolean =
         intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
 
@@ -212,7 +215,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** What [means] was adopted for before the replay begins. */
+    /** Returns the plan of [means], which the agent adopted before the replay begins, with an unknown cause. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
@@ -242,7 +245,7 @@ internal class Trace(
         if (body.bodyType !in NOTING) return
         val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
         val key = normal(keyOf(literal))
-        notes.remove(key) // the newest one last
+        notes.remove(key) // the newest note comes last
         if (notes.size >= MAX_NOTES) notes.clear()
         notes[key] = step
     }
@@ -277,16 +280,16 @@ internal class Trace(
     private fun beginning(literal: Literal): Cause = if (start != null) UnknownCause(keyOf(literal), BEFORE) else
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
-    /** When the cycle began that is under way, in seconds since the beginning. */
+    /** The beginning of the present cycle, in seconds since the first cycle. */
     val now: Double get() = clock.seconds(cycle.ns)
 
-    /** What [event] came of, which was taken in this cycle; null: that is not known. */
+    /** Returns the cause of [event], which the agent took in this cycle; null: it is not known. */
     fun causeOf(event: Event): Cause? {
         val intention = event.intention?.takeUnless { it === Intention.EmptyInt || it.isFinished }
         return intention?.peek()?.let { means -> adopted[means]?.let { stepOf(means, it) } } ?: origins[event]
     }
 
-    /** The trigger of [event], without annotations. */
+    /** Returns the trigger of [event], without annotations. */
     fun shown(event: Event): String =
         event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
 
@@ -294,10 +297,10 @@ internal class Trace(
         private const val BEFORE = "that was before the replay begins, which this recording has lost"
         private const val MAX_NOTES = 10_000
 
-        /** How far an intention is followed to its root. */
+        /** The largest number of causes from a step to the root of its intention. */
         private const val MAX_DEPTH = 60
 
-        /** How far a condition is followed. */
+        /** The largest number of causes behind a condition. */
         private const val MAX_ASIDE = 8
         private const val FORK = ".fork"
         private val BRANCHES = setOf(".if_then_else", ".loop")
@@ -305,13 +308,13 @@ internal class Trace(
             BodyType.addBel, BodyType.addBelBegin, BodyType.addBelEnd, BodyType.addBelNewFocus, BodyType.delAddBel,
         )
 
-        /** Where [plan] stands. */
+        /** Returns the place of [plan] in the program. */
         fun placeOf(plan: Plan): Place {
             val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
             return Place(plan.label?.functor?.takeUnless { it.startsWith("p__") }, source?.srcFile?.let(::fileName), source?.srcLine)
         }
 
-        /** [body] as the program has it. */
+        /** Returns [body] as the program has it. */
         fun textOf(body: PlanBody): String = normal("${body.bodyType}${body.bodyTerm}")
     }
 }

@@ -20,9 +20,9 @@ internal class Trial(
     private val clock: RecordingClock,
 ) {
     /**
-     * Runs it on what was recorded, up to the cycle [last], watched by what [traceOf] makes; [ran] is called behind each cycle. Returns
-     * that.
-     * @throws RecordingException if it does something else than it did
+     * Runs the agent on its recorded input up to the cycle [last], and calls [ran] after each cycle. Returns the trace that [traceOf] makes
+     * for it.
+     * @throws RecordingException if the agent's course differs from the recorded one
      */
     fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace): Trace {
         lateinit var trace: Trace
@@ -48,8 +48,8 @@ internal class Trial(
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
 
     /**
-     * Runs it up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. What it does as
-     * it did ends as it did; a command that it did not send ends at once.
+     * Runs the agent up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. Recorded
+     * commands have their recorded outcomes; other commands end at once.
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
         val wanted = cycles.asSequence().takeWhile { it.index <= last }

@@ -19,13 +19,13 @@ import jason.asSyntax.Trigger
 import java.util.IdentityHashMap
 
 /**
- * Watches the plans that would issue the command of [question] while an agent is replayed: for which events they were relevant, and why
- * they were not chosen.
+ * Watches the plans that would issue the command of [question] in the replay of an agent: notes the events for which they were relevant,
+ * and the reasons why the agent did not choose them.
  *
- * @param ruleOf why the filter of the board on a port dropped a text
+ * @param ruleOf returns the reason why the filter of the board on a port dropped a text
  */
 internal class Unchosen(private val question: Question, private val ruleOf: (port: String, text: String) -> String?) {
-    /** What became of a plan at the last event that it was relevant for. */
+    /** The fate of a plan at the last event for which it was relevant. */
     private class Last(
         val event: Event,
         val shown: String,
@@ -43,7 +43,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
     private var asked: List<Plan>? = null
     private var open: List<Last> = emptyList()
 
-    /** An event has been taken from the queue of the agent that [trace] follows. */
+    /** Notes that the agent that [trace] follows has taken [event] from its queue. */
     fun taken(trace: Trace, event: Event) {
         settle(trace)
         val plans = asked ?: asked(trace).also { asked = it }
@@ -56,13 +56,13 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         }
     }
 
-    /** The cycle is over: which plan was chosen is known. */
+    /** Notes the chosen plan, which [trace] knows at the end of the cycle. */
     fun settle(trace: Trace) {
         open.forEach { it.chosen = trace.chosen }
         open = emptyList()
     }
 
-    /** The newest frames: those of their percepts that the filter has dropped are noted. */
+    /** Notes the percepts that the filter has dropped from [frames], the newest ones. */
     fun perceived(frames: Collection<Frame>) {
         for (frame in frames) {
             val kept = frame.kept?.toSet() ?: continue
@@ -70,7 +70,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         }
     }
 
-    /** The plans that would issue the command. */
+    /** Returns the plans that would issue the command. */
     fun plans(trace: Trace): List<UnchosenPlan> {
         settle(trace)
         val all = plansOf(trace)
@@ -133,7 +133,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
             goal.predicateIndicator == trigger.literal.predicateIndicator
     }
 
-    /** All steps in [body], also those of branches and loops. */
+    /** Returns all steps in [body], also those of branches and loops. */
     private fun steps(body: PlanBody?): Sequence<PlanBody> = sequence {
         var step = body
         while (step != null && !step.isEmptyBody) {
@@ -148,7 +148,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         for (argument in term.terms.orEmpty()) if (argument is PlanBody) yieldAll(steps(argument))
     }
 
-    /** What of [context] boards have sent and the agent does not believe. */
+    /** Returns the percepts that match literals of [context], and that boards have sent but the agent does not believe. */
     private fun missedBy(context: LogicalFormula?, trace: Trace): List<Missed> =
         literals(context).filter { trace.ts.ag.findBel(it, Unifier()) == null }.mapNotNull { missed(it) }
 

@@ -9,7 +9,7 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Answers why the agents of [recording] did something, and why not: Jason runs them again on what was recorded, and is watched.
+ * Explains why the agents of [recording] issued a command, or did not: it watches Jason run them again on their recorded input.
  *
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  */
@@ -24,10 +24,10 @@ class Why(private val recording: Recording) : AutoCloseable {
     val commands: List<RecordedCommand> = commandsOf.values.flatMap { it.all }.sortedBy { it.seconds }
 
     /**
-     * Why [command] was issued. Of a reflex no other value of a percept is looked for.
+     * Explains why [command] was issued. For a reflex it does not search for other values of percepts.
      *
-     * @param isTrying whether to look for another value of a percept with which it would not have been
-     * @throws RecordingException if the agent cannot be replayed up to there, or does something else than it did
+     * @param isTrying whether to search for another value of a percept with which the agent would not have issued the command
+     * @throws RecordingException if the agent cannot be replayed up to the command, or its course differs from the recorded one
      */
     fun answer(command: RecordedCommand, isTrying: Boolean = true): Answer {
         if (command.by != Sender.PLAN) return reflexAnswer(command)
@@ -38,7 +38,9 @@ class Why(private val recording: Recording) : AutoCloseable {
         return Answer(command, cause, null, frame, frames, had)
     }
 
-    /** No replay has what a reflex did, so there is no telling what another percept would have made of it. */
+    /**
+     * Explains a reflex, without counterfactuals: a replay does not carry out reflexes, so it cannot show the effect of another percept.
+     */
     private fun reflexAnswer(command: RecordedCommand): Answer {
         val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
         val cycles = replayable(command.agent, cyclesOf(command.agent))
@@ -47,10 +49,10 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * What the agent does if it perceives [percept] in place of what it perceived of that kind, the same functor and the same arguments but
-     * for numbers: from the frame on by which that came until the cycle of [command].
+     * Replays the agent with [percept] in place of the recorded percept of its kind: the same functor, and the same arguments but for
+     * numbers. The replacement lasts from the frame that brought the recorded percept until the cycle of [command].
      *
-     * @throws RecordingException as of [answer], or if [percept] is none
+     * @throws RecordingException as [answer] does, or if [percept] is no percept, or is the recorded one
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
@@ -63,8 +65,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Why the command that [question] asks about was not issued by [agent] up to its time, or to the end of the recording.
-     * @throws RecordingException as of [answer]
+     * Explains why [agent] did not issue the command of [question] up to its time, or to the end of the recording.
+     * @throws RecordingException as [answer] does
      */
     fun not(agent: String, question: Question): NotAnswer {
         val cycles = cyclesOf(agent)
@@ -90,7 +92,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         return trace.issued.getOrNull(replayedBefore(command))?.cause
     }
 
-    /** Null: [percept] is what the agent perceived. */
+    /** Replays the agent with [percept] in place of [of]; null: the agent perceived just [percept]. */
     private fun had(command: RecordedCommand, percept: Literal, of: PerceptCause?): Had? {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null
@@ -107,7 +109,7 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
-    /** Whether the filter of the board on [port] drops [percept] after the cycles [before]. */
+    /** Returns true if the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
         val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
@@ -132,7 +134,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         throw RecordingException("$percept is no percept such as dist(front,41)")
     }
 
-    /** The filters that [agent] perceived through when its recording began, or at its key frame. */
+    /** Returns the filters through which [agent] perceived when its recording began, or at its key frame. */
     private fun filtersOf(agent: String) =
         RecordedFilters(recording.program).apply { changed(recording.start(agent)?.filters.orEmpty()) }
 
@@ -142,7 +144,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun trial(agent: String, cycles: List<Cycle>) =
         Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
 
-    /** How many commands plans of the agent send in its replay before [command]. */
+    /** Returns the number of commands that plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
         return ofPlans(command.agent).count { it.index > start && it.number < command.number }
@@ -153,7 +155,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun replayable(agent: String, cycles: List<Cycle>) =
         recording.start(agent).let { start -> if (start == null) cycles else cycles.filter { it.index > start.index } }
 
-    /** Refuses what was before the key frame at which the replay of [agent] begins. */
+    /** Refuses a [cycle] of [agent] before the key frame at which the agent's replay begins. */
     private fun requireReplayed(agent: String, cycle: Long) {
         val start = recording.start(agent) ?: return
         if (cycle > start.index) return
@@ -166,7 +168,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     override fun close() = programs.close()
 }
 
-/** Whether [one] and [other] differ in numbers alone, or not at all. */
+/** Returns true if [one] and [other] differ only in numbers, or not at all. */
 internal fun isOfKind(one: Literal, other: Literal): Boolean = one.functor == other.functor && one.arity == other.arity &&
     one.negated() == other.negated() && one.ns == other.ns &&
     (0 until one.arity).all { one.getTerm(it) == other.getTerm(it) || one.getTerm(it).isNumeric && other.getTerm(it).isNumeric }

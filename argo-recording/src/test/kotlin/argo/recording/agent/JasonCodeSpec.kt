@@ -12,11 +12,11 @@ import java.util.jar.JarFile
 class JasonCodeSpec : FunSpec({
     val here = Path.of(InternalAction::class.java.protectionDomain.codeSource.location.toURI())
 
-    /** The actions and functions in [jar] by their classes, of which this Java may not be able to load one. */
+    /** Returns the class names of the actions and functions in [jar]; this Java may be too old to load some of them. */
     fun codeIn(jar: Path): List<String> = JarFile(jar.toFile()).use { file ->
         file.entries().asSequence().map { it.name }.filter { it.startsWith("jason/stdlib/") || it.startsWith("jason/functions/") }
             .filter { it.endsWith(".class") && '$' !in it }.map { it.removeSuffix(".class").replace('/', '.') }
-            .filter { it != "jason.stdlib.Manual" }.toList() // a program that prints what they do
+            .filter { it != "jason.stdlib.Manual" }.toList() // a program that prints their descriptions
     }
 
     for (jar in listOf(here, Path.of(System.getProperty("newest.jason.jar")))) {

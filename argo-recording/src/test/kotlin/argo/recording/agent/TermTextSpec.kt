@@ -20,7 +20,7 @@ import jason.asSyntax.Term
 import jason.asSyntax.UnnamedVar
 import jason.asSyntax.VarTerm
 
-/** What a recording holds of a term is read as the same term. */
+/** A term is read from its recorded text as the same term. */
 class TermTextSpec : FunSpec({
     fun shouldReturn(term: Term) {
         val text = textOf(term)
