@@ -54,6 +54,11 @@ final class Command implements SessionCommand {
         return frame.text();
     }
 
+    /** Returns whether it fails at a time of its own. */
+    boolean hasTimeLimit() {
+        return options.limitMillis() > 0;
+    }
+
     /** The time of its submission, by the link's clock. */
     long submittedAt() {
         return submittedAt;

@@ -2,6 +2,7 @@ package javino;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import javino.wire.CommandItem;
@@ -154,26 +155,31 @@ final class CommandLoop {
         return line.isVersion2() ? line.heardNanos() : movedNanos;
     }
 
-    /** The time at which the first of the waiting commands is given up if none gets through. */
+    /** The time at which to look again whether a waiting command is to be given up, unless one gets through. */
     private long patienceEnds() {
         long moved = movedNanos();
-        long since =
-                clock.nanos() - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(moved) : moved;
+        long now = clock.nanos();
+        long since = now - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(now) : moved;
         return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
     }
 
-    /** Returns whether a command has waited until {@link #patienceEnds}, and none has got through meanwhile. */
+    /** Returns whether a command without a time limit has waited for {@link #PATIENCE_NANOS}, and none has got through meanwhile. */
     private boolean isStuck() {
-        return writer.head() != null && clock.nanos() - patienceEnds() >= 0;
+        long now = clock.nanos();
+        if (now - movedNanos() < PATIENCE_NANOS) {
+            return false;
+        }
+        OptionalLong since = writer.waitingSince();
+        return since.isPresent() && now - since.getAsLong() >= PATIENCE_NANOS;
     }
 
-    /** Fails all commands that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the line moves again. */
+    /** Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the line moves again. */
     private void giveUpStuck() {
         if (!isStuck()) {
             return;
         }
         long before = clock.nanos() - PATIENCE_NANOS;
-        List<Command> stuck = writer.withdrawIf(command -> command.submittedAt() - before <= 0);
+        List<Command> stuck = writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
         Long moved = movedNanos();
         if (!stuck.isEmpty() && !moved.equals(toldNanos)) {
             toldNanos = moved;
@@ -262,7 +268,9 @@ final class CommandLoop {
         if (leaving == null) {
             return false;
         }
-        end(leaving, () -> oneWay.awaitLeft(leaving, writer.leavesAt()));
+        boolean isHeldBack = writer.isHeldBack();
+        boolean hasLeft = end(leaving, () -> oneWay.awaitLeft(leaving, writer.leavesAt()));
+        movedNanos = hasLeft && !isHeldBack ? clock.nanos() : movedNanos;
         return true;
     }
 

@@ -94,7 +94,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> commands.withdrawIf(isGivenUp));
     }
 
-    /** The time at which the first of the waiting commands was submitted; empty: none waits. */
+    /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return monitor.get(commands::waitingSince);
     }

@@ -255,7 +255,10 @@ internal class Ports(
             inUse = emptyList()
             states.clear()
             user.portInUseChanged()
-            lock.withLock { open.values.toList().also { open.clear() } }
+            lock.withLock {
+                lost.clear() // a port may have been lost since
+                open.values.toList().also { open.clear() }
+            }
         }
         ports.forEach(OpenPort::close)
         lost.closeAll()

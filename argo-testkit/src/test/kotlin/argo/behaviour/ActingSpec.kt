@@ -55,7 +55,7 @@ class ActingSpec : FunSpec({
             !start.
             +!start <- argo.port(ttyACM0); argo.limit(50); argo.percepts(open).
             +p <- argo.act(first); .wait(2000);
-                  for (.range(I,1,5)) { !!do(walk(I),[]) }; .wait(1000); !!do(walk(6),[]); !!do(speed(1),[latest]);
+                  for (.range(I,1,5)) { !!do(walk(I),[]) }; .wait(1000); !!do(walk(6),[]); !!do(run,[timeout(20000)]); !!do(speed(1),[latest]);
                   .wait(1500); !!do(stop,[urgent]); !!do(speed(2),[latest]).
             +!do(W,Options) <- argo.act(W,Options).
             -!do(W,_)[error(E),error_msg(M)] <- +failed(W,E); .print(M).
@@ -69,7 +69,7 @@ class ActingSpec : FunSpec({
             bob.sent shouldBe listOf("first", "stop")
             bob.log.count { "have waited for 5000 ms" in it } shouldBe 1
             bob.board.shows("p", "q")
-            bob.shouldSend("speed(2)").sent shouldBe listOf("first", "stop", "speed(2)")
+            bob.shouldSend("speed(2)").sent shouldBe listOf("first", "stop", "run", "speed(2)")
         }
     }
 

@@ -71,6 +71,8 @@ internal class Recorder(
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
     private var running: Running? = null
+
+    @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
     private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // the commands under way that a call of a cycle has sent
@@ -84,7 +86,7 @@ internal class Recorder(
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        val events = ForeignEvents { isRefused || inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
         var beliefs = -1
         var cycles = 0L
         var number = 0 // Jason's, of the cycle that runs
