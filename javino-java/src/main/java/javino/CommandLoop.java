@@ -173,13 +173,17 @@ final class CommandLoop {
         return since.isPresent() && now - since.getAsLong() >= PATIENCE_NANOS;
     }
 
-    /** Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the line moves again. */
+    /**
+     * Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the
+     * line moves again.
+     */
     private void giveUpStuck() {
         if (!isStuck()) {
             return;
         }
         long before = clock.nanos() - PATIENCE_NANOS;
-        List<Command> stuck = writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
+        List<Command> stuck =
+                writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
         Long moved = movedNanos();
         if (!stuck.isEmpty() && !moved.equals(toldNanos)) {
             toldNanos = moved;

@@ -112,7 +112,10 @@ final class CommandQueue {
 
     /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
     OptionalLong waitingSince() {
-        return waiting().filter(command -> !command.hasTimeLimit()).mapToLong(Command::submittedAt).reduce((a, b) -> a - b < 0 ? a : b);
+        return waiting()
+                .filter(command -> !command.hasTimeLimit())
+                .mapToLong(Command::submittedAt)
+                .reduce((a, b) -> a - b < 0 ? a : b);
     }
 
     private Stream<Command> waiting() {

@@ -54,8 +54,7 @@ final class OneWaySender {
 
     /** Waits until the last byte of a command leaves, at {@code left}, or it is over. */
     void awaitLeft(Command command, long left) throws PortException {
-        while (!command.isOver()
-                && left - clock.nanos() > WATCH_NANOS) { // the reader may be waiting for its turn
+        while (!command.isOver() && left - clock.nanos() > WATCH_NANOS) { // the reader may be waiting for its turn
             writer.awaitTime(clock.nanos() + WATCH_NANOS);
             inbox.look();
         }
