@@ -9,6 +9,7 @@ ANY = 255
 """Any number of arguments."""
 
 _MAX_ACTIONS = 126
+_MAX_NAME = 250
 _MAX_PARTS = 255
 _PART = 253
 _PART_WITH_RULES = 12
@@ -134,9 +135,10 @@ class Board:
                             % (name, function))
         if function is None:
             return lambda decorated: self.on_action(name, decorated, arguments)
-        data = to_bytes(name)
-        if split(name) != (name, [], True) or len(data) > 200:
+        if split(name) != (name, [], True):
             raise ValueError("%r is no action's name; give the functor alone, and the number of its arguments as arguments=1" % name)
+        if len(to_bytes(name)) > _MAX_NAME:
+            raise ValueError("an action's name has at most %d characters, unlike %r" % (_MAX_NAME, name))
         for i in range(len(self._actions)):
             if self._actions[i][0] == name:
                 self._actions[i] = (name, arguments, function)

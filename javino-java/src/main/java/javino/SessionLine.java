@@ -413,8 +413,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                     "port " + transport.name() + ": " + actionsLost
                             + " actions of the board's program found no room, and it refuses them; a board has "
                             + (CommandItem.MAX_ACTION + 1)
-                            + " at most, and fewer in little memory: give it more memory, as JavinoSized<600> javino; does, "
-                            + "or fewer actions");
+                            + " at most, of names with at most 250 characters, and fewer in little memory: give it more "
+                            + "memory, as JavinoSized<600> javino; does, or fewer actions");
         }
         rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));

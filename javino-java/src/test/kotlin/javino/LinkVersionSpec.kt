@@ -476,6 +476,20 @@ class LinkVersionSpec : FunSpec({
         }
     }
 
+    test("a simulated board leaves out an action whose name fits on no page, and has the others") {
+        FakeBoard.plugIn("long").version2().lenient().knows("n".repeat(251), "stop").use { board ->
+            val warnings = logged("javino.SessionLine") {
+                Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
+                    link.request(REQUEST, 20_000)
+                    while (link.vocabulary().isEmpty) link.request(REQUEST, 20_000)
+                    link.vocabulary().get().map { it.name() } shouldBe listOf("stop")
+                    link.actionsLost() shouldBe 1
+                }
+            }
+            warnings.single() shouldContain "1 actions of the board's program found no room"
+        }
+    }
+
     test("two boards that are exchanged on their lines carry out no command of the other's") {
         val boards = List(2) { VirtualBoard2() }
         var areExchanged = false
