@@ -22,13 +22,18 @@ def open_line(line, baud=None):
     return Console()
 
 
-def _sleep_ms(ms):
+def _wait(is_ready, ms):
+    """Looks every millisecond until something is ready, at most so long."""
     try:
         from time import sleep_ms
-        sleep_ms(ms)
     except ImportError:
         from time import sleep
-        sleep(ms / 1000)
+
+        def sleep_ms(ms):
+            sleep(ms / 1000)
+    begin = ticks_ms()
+    while not is_ready() and ticks_diff(ticks_ms(), begin) < ms:
+        sleep_ms(1)
 
 
 class Port:
@@ -58,9 +63,7 @@ class Port:
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""
-        begin = ticks_ms()
-        while not self._count() and ticks_diff(ticks_ms(), begin) < ms:
-            _sleep_ms(1)
+        _wait(self._count, ms)
 
 
 class Console:
@@ -106,9 +109,7 @@ class Console:
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""
-        if self._poll or not ms:
+        if self._poll:
             self._is_ready(ms)
-            return
-        begin = ticks_ms()
-        while not self._is_ready(0) and ticks_diff(ticks_ms(), begin) < ms:
-            _sleep_ms(1)
+        else:
+            _wait(lambda: self._is_ready(0), ms)
