@@ -2,7 +2,7 @@
 from . import frames
 from .clock import ticks_diff, ticks_ms
 from .items import MAX_SHAPES, Shapes
-from .lines import open_line
+from .lines import open_line, tell
 from .literals import functor_of, split, term, to_bytes, to_text, value
 
 ANY = 255
@@ -231,7 +231,9 @@ class Board:
             return
         size = _PART_WITH_RULES if self._rules else _PART
         answer = self._shapes.write(texts, self._known)
-        while len(answer) > size * _MAX_PARTS:  # a percept that fits into no answer is left out
+        if len(answer) > size * _MAX_PARTS:
+            tell("an answer has at most %d bytes%s: the last percepts are left out" % (size * _MAX_PARTS, " with rules" if self._rules else ""))
+        while len(answer) > size * _MAX_PARTS:
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
         if len(answer) <= (size if self._rules else size + 1):

@@ -10,6 +10,13 @@ class LineGone(OSError):
     """The line is gone and does not come back by itself: a cable was pulled, or the input has ended."""
 
 
+def tell(text):
+    """Warns the person at a computer, once. A microcontroller has no other place for words than its line."""
+    if IS_COMPUTER:
+        import warnings
+        warnings.warn(text, RuntimeWarning, stacklevel=2)
+
+
 def open_line(line, baud=None):
     """Returns the line for a name, an open port or None; see `Board`, and `hosts.open_named` for the names."""
     if line is not None and not isinstance(line, str):
