@@ -260,15 +260,20 @@ internal class Ports(
                 open.values.toList().also { open.clear() }
             }
         }
+        ports.forEach { it.link.leave() }
         ports.forEach(OpenPort::close)
         lost.closeAll()
     }
 
-    /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
+    /**
+     * Closes all ports for good; a port that is being opened now is closed at once. Another agent that asks for one of them waits until it is
+     * closed. May be called twice.
+     */
     fun stop() {
         lock.withLock {
             if (stopped) return
             stopped = true
+            open.values.forEach { it.link.leave() } // another agent may ask for them at once
             openings.interrupt()
             opener.clear()
             opener.execute(::closeNow)
