@@ -1,5 +1,6 @@
 package argo
 
+import argo.boards.AgentBoards
 import argo.boards.Board
 import argo.calls.ArgumentException
 import argo.calls.optionsIn
@@ -12,7 +13,7 @@ import jason.asSyntax.Term
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val port = portIn(optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]")) ?: return null
-    return call.arch.io.board(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.io))
+    return call.arch.boards.named(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.boards))
 }
 
 private fun portIn(options: List<Term>): Term? = options.map { option ->
@@ -20,6 +21,6 @@ private fun portIn(options: List<Term>): Term? = options.map { option ->
         ?: throw ArgumentException("$option is not an option; there is port(P)")
 }.lastOrNull()
 
-/** Explains why [port] names no board of [io]'s agent. */
-internal fun unknownBoard(port: Term, io: AgentIo): String =
-    "there is no board on port $port; the agent perceives ${io.perceivedBoards().joinToString { "${it.term}" }.ifEmpty { "none" }}"
+/** Explains why [port] names none of [boards]. */
+internal fun unknownBoard(port: Term, boards: AgentBoards): String =
+    "there is no board on port $port; the agent perceives ${boards.current.joinToString { "${it.term}" }.ifEmpty { "none" }}"

@@ -25,10 +25,10 @@ open class ports : BoardInternalAction("argo.ports", 1..1) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val io = call.arch.io
+        val ports = call.arch.boards.ports
         val wanted = elements(call.args[0]).map(::wantedPort).distinctBy { "${it.term}" }
         val outcome = call.suspendIntention()
-        io.choosePorts(wanted, outcome)
+        ports.chooseAll(wanted, outcome)
     }
 }
 
