@@ -26,7 +26,10 @@ open class ports : BoardInternalAction("argo.ports", 1..1) {
 
     override fun run(call: Call) {
         val ports = call.arch.boards.ports
-        val wanted = elements(call.args[0]).map(::wantedPort).distinctBy { "${it.term}" }
+        val wanted = elements(call.args[0]).map(::wantedPort).distinct()
+        wanted.groupBy { "${it.term}" }.values.find { it.size > 1 }?.let {
+            throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")
+        }
         val outcome = call.suspendIntention()
         ports.chooseAll(wanted, outcome)
     }

@@ -386,6 +386,27 @@ class PortsSpec : FunSpec({
         }
     }
 
+    test("of two names of one device in a list the first is used, which the log tells") {
+        bench("robot") { _ ->
+            val ports = listOf("sim:robot", "fussy:robot").map { WantedPort(ASSyntax.createString(it), it, null) }
+            CompletableFuture<Failure?>().also { this.ports.chooseAll(ports, it::complete) }.get(20, TimeUnit.SECONDS) shouldBe null
+            beliefs() shouldBe setOf("port(\"sim:robot\",on)")
+            told.single { "one device" in it } shouldContain "\"sim:robot\" and \"fussy:robot\" are one device"
+        }
+    }
+
+    test("lost ports that are too many are given up, which the log tells") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            val lost = LostPorts("bob", time, { }, told::add)
+            val ports = listOf("a", "b", "c").map { LostPort(checkNotNull(this.ports.current), ASSyntax.createAtom(it), it, 0) }
+            lost.add(ports)
+            lost.keep(1)
+            ports.map { it in lost } shouldBe listOf(false, false, true)
+            told.filter { "no more" in it }.map { it.substringBefore(" is") } shouldBe listOf("port a", "port b")
+        }
+    }
+
     test("a port is looked for as soon as the machine has a thread for it") {
         bench("robot") { (board) ->
             choose("sim:robot") shouldBe null
