@@ -100,7 +100,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal fun perceiveThrough(filter: PerceptionFilter?) {
         boards.perceiveThrough(filter)
         environment.switchTo(filter)
-        observing.filterChanged(filter)
+        observing.each { it.filterChanged(filter) }
     }
 
     /** Wakes the agent until [seen]: see [Waker]. */
@@ -156,7 +156,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun reasoningCycleFinished() {
         boundary.cycleFinished()
-        observing.cycleFinished()
+        observing.each { it.cycleFinished() }
         waker.cycleEnds()
         if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()
         super.reasoningCycleFinished()
@@ -164,7 +164,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** Closes all ports and ends all threads. Never waits for a line. */
     override fun stop() {
-        observing.close()
+        observing.each { it.close() }
         if (::boards.isInitialized) boards.ports.stop()
         if (!eachIsStopped) super.stop()
     }

@@ -193,7 +193,7 @@ internal class AgentBoards(
     fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
         board.perceiveThrough(filter)
         renewLines()
-        observers.boardFilterChanged(board.port.link.port, filter)
+        observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
     /** Tells the lines that the agent's wishes to its boards have changed. */
@@ -236,7 +236,7 @@ internal class AgentBoards(
 
     private fun portChanged(port: Term, status: PortStatus, reason: String?) {
         val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
-        observers.portChanged("$port", status.word, reason)
+        observers.each { it.portChanged("$port", status.word, reason) }
         portLines.report("$port") { more -> log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty() + more) }
         waker.wake { !states.hasNews() }
     }

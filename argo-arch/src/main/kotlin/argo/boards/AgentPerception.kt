@@ -25,7 +25,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         if (boards.isPerceiving) boards.current.forEach(Board::putDue)
         val snapshots = boards.ready.take()
         if (snapshots.isNotEmpty()) boards.forgetFormer()
-        snapshots.forEach { boards.observers.messagePerceived(it) }
+        snapshots.forEach { snapshot -> boards.observers.each { it.messagePerceived(snapshot) } }
         newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
         val isBoardNews = boards.current.count(Board::update) > 0 // each is to be updated
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()

@@ -103,7 +103,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     override fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
 
-    override fun filtered(snapshot: Snapshot) = agent.observers.messageFiltered(snapshot)
+    override fun filtered(snapshot: Snapshot) = agent.observers.each { it.messageFiltered(snapshot) }
 
     /** Prepares for being perceived through [port]. Any thread, before it is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
