@@ -1,7 +1,7 @@
 package argo.boards
 
-import argo.filters.jason.MessageSession
 import argo.filters.jason.perceptText
+import argo.filters.matching.FilterSession
 import argo.observing.RuleWatcher
 import argo.observing.WatchedRule
 import argo.platform.nowMs
@@ -78,7 +78,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         val reasons = from.map { it.term to it.explain(percept) }
         val different = reasons.distinctBy { (_, why) -> why }
         return when (different.size) {
-            0 -> MessageSession({ emptyList() }).also { it.switchTo(boards.filter) }.explain(percept, platform.nowMs()).toString()
+            0 -> FilterSession.ofTexts().also { it.switchTo(boards.filter) }.explain(percept, platform.nowMs()).toString()
             1 -> different.single().second
             else -> reasons.joinToString("; ") { (port, why) -> "$port: $why" }
         }

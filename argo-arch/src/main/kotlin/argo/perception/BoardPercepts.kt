@@ -180,7 +180,7 @@ internal class BoardPercepts(
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
-        explain(texts)
+        logDropped(texts)
         val perception = session.perceive(texts, nowMs())
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
         leave(port, perception, receivedNanos, seenNanos)
@@ -200,7 +200,7 @@ internal class BoardPercepts(
         handOver.put(snapshot)
     }
 
-    private fun explain(texts: List<String>) {
+    private fun logDropped(texts: List<String>) {
         if (!log.isLoggable(Level.FINE) || session.filter == null) return
         texts.map { session.explain(it, nowMs()) }.filter { it.outcome != Explanation.Outcome.KEPT }.forEach { log.fine("$it") }
     }
