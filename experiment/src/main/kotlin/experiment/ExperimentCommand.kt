@@ -246,6 +246,6 @@ internal class Experiment(private val archive: Archive, private val settings: Se
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
         settings.port?.let { port ->
-            RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") })
+            RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") }::ready)
         } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
 }

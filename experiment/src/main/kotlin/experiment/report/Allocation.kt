@@ -94,7 +94,7 @@ internal class Allocation(private val response: Response, private val columns: M
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)
-    val scale = TimeScale.of(effects.flatMap { listOf(it.value, it.low, it.high) } + analysis.mean)
+    val scale = TimeScale.of(effects.flatMap { listOf(it.value, it.interval.low, it.interval.high) } + analysis.mean)
     val table = table(
         "$number. Effects on the time from perceiving the wall in condition (${condition.letter}).",
         listOf("factor", "level", "effect, ${scale.unit}", "95 % interval, ${scale.unit}", "differs from 0"),
@@ -104,14 +104,11 @@ internal fun effects(number: String, condition: Condition, analysis: Factorial, 
         "${scale.text(analysis.mean, scale.decimals(mean))} ${scale.unit}</summary>\n$table</details>"
 }
 
-private fun row(effect: Effect, plan: Plan, scale: TimeScale): List<String> {
-    val interval = Interval(effect.low, effect.high)
-    return listOf(
-        words(effect.source), level(effect, plan), scale.text(effect.value, scale.decimals(interval)),
-        if (effect.low.isInfinite()) "unknown: one replication" else scale.text(interval),
-        if (effect.isSignificant) "yes" else "no",
-    )
-}
+private fun row(effect: Effect, plan: Plan, scale: TimeScale): List<String> = listOf(
+    words(effect.source), level(effect, plan), scale.text(effect.value, scale.decimals(effect.interval)),
+    if (effect.interval.low.isInfinite()) "unknown: one replication" else scale.text(effect.interval),
+    if (effect.isSignificant) "yes" else "no",
+)
 
 private fun level(effect: Effect, plan: Plan): String = effect.levels.single().let {
     when (effect.source) {

@@ -14,6 +14,7 @@ import experiment.analysis.proportionInterval
 import org.jetbrains.letsPlot.intern.Plot
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.temporal.ChronoUnit
 import java.util.Base64
 
 /**
@@ -66,7 +67,7 @@ factors, each with its levels:
 the distance limit L (${plan.limits.joinToString()} cm), the perception interval I (${plan.intervals.joinToString()} ms), the filter F
 (none, front side, front distance);
 ${plan.replications} replications of each of the ${plan.limits.size * plan.intervals.size * View.entries.size} combinations.</p>
-<p>${escaped(made.sentence)} All runs are in <code>runs.csv</code>.</p>
+<p>Made with ARGO ${escaped(made.build)} on ${made.at.truncatedTo(ChronoUnit.MINUTES)}. All runs are in <code>runs.csv</code>.</p>
 ${busyMachine(runs + scaled)}${leftOut()}$counts"""
     }
 

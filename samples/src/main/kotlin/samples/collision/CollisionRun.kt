@@ -94,8 +94,8 @@ internal class CollisionRun(
         progress.end()
         if (levels.port == null || witness.beliefs.port !in OPEN) return
         val deadline = clock.nanos() + TimeUnit.SECONDS.toNanos(HALT_LIMIT_S)
-        if (witness.beliefs.status != Witness.STOPPED) witness.haltRobot()
-        while (witness.beliefs.status != Witness.STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
+        if (!witness.beliefs.isStopped) witness.haltRobot()
+        while (!witness.beliefs.isStopped && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
     }
 
     private fun scene(): Scene {
