@@ -86,6 +86,10 @@ internal class CollisionRun(
         }
     }
 
+    /** A warning if a real robot may go on driving when the run is over; null: it stands. */
+    val warning: String?
+        get() = levels.port?.takeIf { witness.beliefs.mayDrive }?.let { "the robot on $it may still drive: its agent could not send stop" }
+
     /**
      * Gives the run up: stops a real robot unless it has been stopped, because a board's motors keep their last command. Takes
      * [HALT_LIMIT_S] s at most; any thread may call it.

@@ -57,6 +57,9 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     ) {
         /** True if the agent has stopped its robot. */
         val isStopped: Boolean get() = status == STOPPED
+
+        /** True if the agent has had its robot drive and has not stopped it. */
+        val mayDrive: Boolean get() = status != null && !isStopped
     }
 
     private companion object {
