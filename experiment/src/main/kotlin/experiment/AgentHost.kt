@@ -43,17 +43,18 @@ internal class AgentHost : RunLocalMAS() {
     }
 
     private fun beliefs(trial: Trial, port: String): List<Literal> {
-        val options = listOfNotNull("baud(${trial.baud})", "timeout(${answerLimitMs(trial)})", trial.condition.protocol?.let { "protocol($it)" })
-        val others = listOf(
-            "value(${trial.limit})", "interval(${trial.interval})", "view(${trial.view.filter(trial.condition, trial.limit)})",
-        )
+        val protocol = trial.condition.protocol?.let { "protocol($it)" }
+        val options = listOfNotNull("baud(${trial.baud})", "timeout(${answerLimitMs(trial)})", protocol)
+        val filter = trial.view.filter(trial.condition, trial.limit)
+        val others = listOf("value(${trial.limit})", "interval(${trial.interval})", "view($filter)")
         return others.map(ASSyntax::parseLiteral) + createLiteral("board", createString(port), parseTerm("$options"))
     }
 
-    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS]. */
+    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS], with a warning in the log. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
+        if (agent.thread.isAlive) LOG.log(System.Logger.Level.WARNING, "the agent ${agent.agName} still runs after $END_LIMIT_MS ms")
         delAg(agent.agName)
     }
 
@@ -62,5 +63,6 @@ internal class AgentHost : RunLocalMAS() {
 
     private companion object {
         const val END_LIMIT_MS = 2_000L
+        val LOG: System.Logger = System.getLogger("experiment")
     }
 }

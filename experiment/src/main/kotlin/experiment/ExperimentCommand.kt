@@ -24,7 +24,6 @@ import java.time.Instant
 import java.util.concurrent.Callable
 import kotlin.random.Random
 
-/** `experiment`: all runs of the collision experiment, and the report on them. */
 @Command(
     name = "experiment",
     description = [

@@ -72,6 +72,7 @@ internal class RealLaboratory(
             }
             halt(witness)
             pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command has to go out
+            if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {
             host.end(agent)

@@ -64,11 +64,9 @@ internal sealed interface Entry {
 /** The end of a run. */
 @Serializable
 internal enum class Outcome {
-    /** The robot was stopped. */
     @SerialName("stopped")
     STOPPED,
 
-    /** It ran into the wall. */
     @SerialName("collided")
     COLLIDED,
 

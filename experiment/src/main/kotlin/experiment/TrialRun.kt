@@ -28,7 +28,6 @@ internal class GivenUp {
     /** True if the experiment is aborted. */
     val isUp: Boolean get() = latch.count == 0L
 
-    /** Aborts the experiment. */
     fun giveUp() = latch.countDown()
 
     /** Waits [millis] ms at most; returns true if the experiment is aborted. */
@@ -105,7 +104,8 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
         Course.State.COLLIDED -> Outcome.COLLIDED to checkNotNull(course.reached(0.0, now))
         else -> return null
     }
-    return Entry.Result(outcome, course.distanceAt(now), msSince(course.reached(limit.toDouble(), now), end) ?: 0.0, msSince(perceived, end))
+    val sinceLimitMs = msSince(course.reached(limit.toDouble(), now), end) ?: 0.0
+    return Entry.Result(outcome, course.distanceAt(now), sinceLimitMs, msSince(perceived, end))
 }
 
 /** Returns the time from [start] to [end] in ms, null if there is no [start]. */

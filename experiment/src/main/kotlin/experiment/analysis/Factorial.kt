@@ -60,7 +60,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
 
-    /** The mean of all responses. */
     val mean: Double = cells.sumOf { at(it).sum() } / count
 
     /** The variation of the responses around [mean]: the total sum of squares. */
@@ -90,13 +89,11 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     fun squares(source: Source): Double =
         effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
-    /** Returns the degrees of freedom of [source]. */
     fun freedom(source: Source): Int = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
 
     /** Returns the share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
     fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0
 
-    /** The share of the error. */
     val errorShare: Double get() = if (total > 0) error / total else 0.0
 
     /** Returns the effects of [source] with their intervals at [confidence], such as 0.95. */

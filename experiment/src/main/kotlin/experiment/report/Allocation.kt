@@ -34,9 +34,10 @@ internal class Allocation(private val response: Response, private val columns: M
         minOf(all?.widest()?.let(::percent)?.decimals ?: UNSURE_DECIMALS, MOST_DECIMALS)
     }
 
-    /** Returns the heading of the tables. */
     fun heading(): String = "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall " +
-        "enters ${escaped(response.collisions)}. The last row is the variance that is divided up." +
+        "enters ${escaped(response.collisions)}. " +
+        (if (response == Response.LEAST_PERCEIVED_TIME) "Conditions without such a robot are left out: their shares are those of the " +
+            "${Response.PERCEIVED_TIME.title}. " else "") + "The last row is the variance that is divided up." +
         (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
             "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 

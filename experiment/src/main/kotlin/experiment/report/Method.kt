@@ -5,6 +5,8 @@ import experiment.Condition
 import experiment.Finished
 import experiment.RealLaboratory
 import experiment.Settings
+import experiment.Trial
+import experiment.View
 import experiment.exchangeNanos
 import experiment.maxLateMs
 import samples.collision.Course
@@ -47,7 +49,7 @@ private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<Strin
     "Sensors" to "distance, light and temperature on four sides. All ${Sensors.PER_SET} readings change in each frame; a distance " +
         "reading is the next whole centimetre or up to ${Sensors.DISTANCE_NOISE} cm more.",
     "Line" to "9600 baud, each byte takes its ten bit times in each direction." +
-        runs.take(1).joinToString { " A request and its answer of twelve percepts take ${exchangeNanos(it.trial) / 1_000_000} ms." },
+        if (runs.isEmpty()) "" else " A request and its answer of twelve percepts take ${ofConditions(runs, ::exchangeMs)}.",
     "Board" to "(a) and (b): version 1 of Javino, one message at a time; of several that arrive while it answers it handles the last " +
         "one. (c): version 2 as the library in <code>javino-arduino</code> speaks it. (d): it also " +
         "watches the critical rule, reads its sensors every 5 ms for that, and stops the robot itself.",
@@ -87,8 +89,10 @@ internal fun busyMachine(runs: List<Finished>): String {
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +
         "(${limits(late)}), by ${whole(late.maxOf { it.result.lateMs })} ms at most, although each of them was made " +
         "${Campaign.MAX_TRIES} times. Their times can be wrong by as much, and on an idle machine they may end differently. " +
-        "They are hollow in the figures, have an asterisk in the table of other lines, and in <code>runs.csv</code> their " +
-        "<code>late_ms</code> exceeds their <code>late_limit_ms</code>.</p>\n<details><summary>Runs of the busy machine</summary>\n<p>" +
+        "They are hollow in the figures, the tables of times count them as late, " +
+        (if (runs.any { it.trial.isScaled }) "the table of other lines has an asterisk behind them, " else "") +
+        "and in <code>runs.csv</code> their <code>late_ms</code> exceeds their <code>late_limit_ms</code>.</p>\n" +
+        "<details><summary>Runs of the busy machine</summary>\n<p>" +
         late.joinToString { "${it.trial.id} (${whole(it.result.lateMs)} ms)" } + "</p></details>\n"
 }
 
@@ -100,6 +104,10 @@ internal fun lateness(runs: List<Finished>): String {
         "was repeated, until it was made ${Campaign.MAX_TRIES} times; ${runs.count { it.isLate }} of the counted runs still have one."
 }
 
-private fun limits(runs: List<Finished>) = runs.map { it.trial.condition }.distinct().sorted().joinToString(transform = ::limit)
+private fun exchangeMs(condition: Condition) =
+    "${exchangeNanos(Trial(condition, View.NONE, limit = 0, interval = 0, replication = 1)) / 1_000_000} ms"
 
-private fun limit(condition: Condition) = "(${condition.letter}) ${whole(maxLateMs(condition))} ms"
+private fun limits(runs: List<Finished>) = ofConditions(runs) { "${whole(maxLateMs(it))} ms" }
+
+private fun ofConditions(runs: List<Finished>, words: (Condition) -> String) =
+    runs.map { it.trial.condition }.distinct().sorted().joinToString { "(${it.letter}) ${words(it)}" }
