@@ -11,7 +11,6 @@ import samples.project.MasRun
 import samples.project.SampleProject
 import java.util.concurrent.Callable
 
-/** `blink`: the smallest agent. */
 @Command(
     name = "blink",
     description = ["The smallest agent: it has the LED of a board blink, once a second."],

@@ -8,7 +8,6 @@ import samples.project.MasRun
 import samples.project.SampleProject
 import java.util.concurrent.Callable
 
-/** `turtle`: a robot that speaks ROS. */
 @Command(
     name = "turtle",
     description = ["A robot that speaks ROS drives at a wall, stops before it, and goes home to its dock."],
