@@ -291,6 +291,10 @@ class Board internal constructor(private val time: VirtualTime) {
         return taken.add(index)
     }
 
+    /** True if its port has been opened at least once. */
+    internal var wasOpened = false
+        private set
+
     /** True if its port exists. */
     internal val isPresent: Boolean get() = isConnected
 
@@ -311,6 +315,7 @@ class Board internal constructor(private val time: VirtualTime) {
         if (openingNanos > 0) time.block(time.nanos() + openingNanos, interruptible = false) { false }
         if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
+        wasOpened = true
     }
 
     internal fun open(port: String, settings: LineSettings): Transport {

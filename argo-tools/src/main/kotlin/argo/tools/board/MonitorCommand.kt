@@ -91,6 +91,7 @@ internal class MonitorCommand : DataCommand() {
         private var seen = emptySet<String>()
         private val explained = HashSet<String>()
         private var unanswered = 0
+        private var silence: String? = null
 
         fun untilEnd(): Int {
             val status = try {
@@ -107,6 +108,7 @@ internal class MonitorCommand : DataCommand() {
             }
             Thread.interrupted() // the summary is not interrupted
             summary()
+            if (rates.messages == 0L) silence?.let(err::println)
             return status
         }
 
@@ -124,7 +126,7 @@ internal class MonitorCommand : DataCommand() {
                 recording?.add(System.nanoTime(), Direction.IN, text)
                 show(text)
             } catch (late: PortTimeoutException) {
-                if (mode == "request") show(late)
+                if (mode == "request") show(late) else silence = late.message
             }
             if (mode == "request") waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         }

@@ -12,7 +12,11 @@ import kotlinx.serialization.json.JsonObject
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
-import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import java.nio.file.attribute.BasicFileAttributes
 import java.util.Optional
 import java.util.OptionalInt
 
@@ -47,7 +51,10 @@ internal class PortsCommand : DataCommand() {
             misuse("$it is no serial port, and nothing is known of it before it is opened; \"ports --probe $it\" does that")
         }
         val (missing, ports) = ports().partition { !probe && !describe && isMissing(it.path()) }
-        missing.forEach { err.println(paint.bad("there is no port ${printable(it.name())}; there are: ${present()}")) }
+        missing.forEach {
+            val name = printable(it.name()).ifEmpty { "without a name" }
+            err.println(paint.bad("there is no port $name; there are: ${present()}"))
+        }
         val rows = ports.map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe || describe) it.copy(board = board(it)) else it }
         when {
@@ -60,9 +67,16 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Returns true if the system has no such device. */
-    private fun isMissing(path: String) =
-        SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
+    /** Returns true if the system has no such device; a file or a folder is none. */
+    private fun isMissing(path: String) = SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none(::isDevice)
+
+    private fun isDevice(path: String) = try {
+        Files.readAttributes(Path.of(path), BasicFileAttributes::class.java).isOther
+    } catch (_: IOException) {
+        false
+    } catch (_: InvalidPathException) {
+        false
+    }
 
     private fun ports(): List<SerialPortInfo> {
         val present = SerialPorts.list()

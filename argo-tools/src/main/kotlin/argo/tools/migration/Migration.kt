@@ -45,9 +45,9 @@ internal class Migration(files: List<Path>) {
     }
 
     private fun expanded(file: Path): List<Path> = when {
-        file.isDirectory() -> sourcesIn(file, KNOWN)
+        file.isDirectory() -> sourcesIn(file, KNOWN).ifEmpty { throw ToolException("$file has no file that can be checked, as $THESE") }
         !Files.exists(file) -> throw ToolException("there is no file $file")
-        file.extension !in KNOWN -> throw ToolException("$file cannot be checked; files that can: ${KNOWN.joinToString { ".$it" }}")
+        file.extension !in KNOWN -> throw ToolException("$file cannot be checked; files that can: $THESE")
         else -> listOf(file)
     }
 
@@ -61,5 +61,6 @@ internal class Migration(files: List<Path>) {
     private companion object {
         val PROJECTS = setOf("mas2j", "jcm", "gradle", "kts")
         val KNOWN = PROJECTS + setOf("asl", "xml")
+        val THESE = KNOWN.joinToString { ".$it" }
     }
 }

@@ -77,7 +77,11 @@ internal class RecordingCommand : DataCommand() {
             throw ToolException("$file has no topic ${unknown.first()}; those that it has: ${recording.channels.joinToString { it.topic }}")
         }
         val start = recording.times?.first ?: return
-        recording.messages(start.after(from) ?: start, start.after(until) ?: Long.MAX_VALUE, topics).forEach { print(it, start) }
+        val begin = start.after(from) ?: start
+        val end = start.after(until) ?: Long.MAX_VALUE
+        if (end <= begin) misuse("--until is later than --from")
+        val printed = recording.messages(begin, end, topics).onEach { print(it, start) }.count()
+        if (printed == 0) err.println("$file has no such message in that time")
     }
 
     private fun print(message: McapMessage, start: Long) {

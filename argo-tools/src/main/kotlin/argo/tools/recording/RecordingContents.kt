@@ -35,7 +35,8 @@ internal class RecordingContents(private val recording: McapReader) {
     /** Returns lines for a person on a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
-        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by ${recording.library}, $state".format(seconds))
+        val library = recording.library.ifEmpty { "an unknown program" }
+        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by $library, $state".format(seconds))
         addAll(
             table(
                 listOf("TOPIC", "SCHEMA", "MESSAGES", "FIRST", "LAST"),
