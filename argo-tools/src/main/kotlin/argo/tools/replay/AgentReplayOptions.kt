@@ -69,26 +69,4 @@ internal class AgentReplayOptions {
     )
     var within: Long? = null
         private set
-
-    /** The class path with Jason and the project's classes, besides this program's own; null: none. */
-    @Option(names = ["--class-path"], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
-    var classPath: String? = null
-        private set
-
-    /** True if the result is JSON. */
-    @Option(names = ["--json"], description = ["prints JSON"])
-    var json = false
-        private set
-
-    /** Returns these options without the class path, as arguments. */
-    fun arguments(): List<String> = buildList {
-        if (isCheck) add("--check")
-        if (json) add("--json")
-        from?.let { add("--from=$it") }
-        until?.let { add("--until=$it") }
-        of.forEach { add("--of=$it") }
-        programs.forEach { add("--agent=$it") }
-        filter?.let { add("--filter=$it") }
-        within?.let { add("--within=$it") }
-    }
 }

@@ -1,6 +1,7 @@
 package argo.tools.samples
 
 import argo.tools.command.ExitStatus
+import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
 import argo.tools.command.runJava
@@ -22,7 +23,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
 
     override fun call(): Int {
         val classPath = try {
-            samplesClassPath(ownJar() ?: Path.of(""), module)
+            Installation(ownJar() ?: Path.of("")).classPathOf(module)
         } catch (missing: ToolException) {
             return if (arguments.any { it in HELP }) help(missing) else throw missing
         }
