@@ -6,6 +6,7 @@ import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import argo.tools.command.requireWithin
+import argo.tools.command.table
 import javino.serial.SerialPortInfo
 import javino.serial.SerialPorts
 import kotlinx.serialization.json.JsonObject
@@ -102,9 +103,7 @@ internal class PortsCommand : DataCommand() {
     private fun print(rows: List<Row>) {
         if (rows.isEmpty()) return out.println("there are no serial ports; is the board plugged in, with a cable that carries data?")
         val head = listOf("PORT", "USB", "SERIAL", "PRODUCT", "HELD BY") + if (probe) listOf("BOARD") else emptyList()
-        val table = (listOf(head) + rows.map(Row::cells)).map { line -> line.map(::printable) }
-        val widths = head.indices.map { column -> table.maxOf { it[column].length } }
-        table.forEach { line -> out.println(line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd()) }
+        table(head, rows.map { row -> row.cells().map(::printable) }).forEach(out::println)
     }
 }
 

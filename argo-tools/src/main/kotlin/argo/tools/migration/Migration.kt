@@ -64,3 +64,10 @@ internal class Migration(files: List<Path>) {
         val THESE = KNOWN.joinToString { ".$it" }
     }
 }
+
+/** Returns the names of the filters that Kotlin sources below [folders] make. */
+private fun kotlinFiltersIn(folders: List<Path>): Set<String> = folders.filter { it.isDirectory() }
+    .flatMap { sourcesIn(it, setOf("kt")) }.distinct()
+    .flatMap { source -> FILTER_MADE.findAll(source.readBytes().toString(Charsets.UTF_8)).map { it.groupValues[1] } }.toSet()
+
+private val FILTER_MADE = Regex("""\b(?:dropFilter|keepFilter)\(\s*(?:name\s*=\s*)?"([^"]+)"""")

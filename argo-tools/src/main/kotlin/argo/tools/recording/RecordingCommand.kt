@@ -9,6 +9,7 @@ import argo.tools.command.jsonOf
 import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
+import argo.tools.command.secondsIn
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
@@ -85,7 +86,7 @@ internal class RecordingCommand : DataCommand() {
     }
 
     private fun print(message: McapMessage, start: Long) {
-        val seconds = (message.logTimeNs - start) / NANOS
+        val seconds = secondsIn(message.logTimeNs - start)
         if (json) {
             val members = arrayOf("topic" to message.channel.topic, "seconds" to seconds, "ns" to message.logTimeNs)
             out.println(jsonOf(*members, "message" to parsed(message)))
@@ -104,9 +105,5 @@ internal class RecordingCommand : DataCommand() {
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
         val ns = nanosOf(it) ?: misuse("$it is no second of a recording")
         this + minOf(ns, Long.MAX_VALUE - this)
-    }
-
-    private companion object {
-        const val NANOS = 1e9
     }
 }

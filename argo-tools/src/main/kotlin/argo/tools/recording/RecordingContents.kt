@@ -5,6 +5,8 @@ import argo.mcap.McapReader
 import argo.tools.command.counted
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
+import argo.tools.command.secondsIn
+import argo.tools.command.table
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
@@ -14,7 +16,7 @@ private class ChannelContents(val channel: McapChannel, val messages: Long, val 
 /** The contents of [recording], in short. */
 internal class RecordingContents(private val recording: McapReader) {
     private val times = recording.times
-    private val seconds = times?.let { (it.last - it.first) / NANOS } ?: 0.0
+    private val seconds = times?.let { secondsIn(it.last - it.first) } ?: 0.0
     private val channels = channels()
 
     private fun channels(): List<ChannelContents> {
@@ -25,7 +27,7 @@ internal class RecordingContents(private val recording: McapReader) {
             val time = message.logTimeNs
             ranges.merge(message.channel.id, time..time) { all, _ -> minOf(all.first, time)..maxOf(all.last, time) }
         }
-        fun since(time: Long?) = time?.let { (it - (times?.first ?: it)) / NANOS }
+        fun since(time: Long?) = time?.let { secondsIn(it - (times?.first ?: it)) }
         return recording.channels.map { channel ->
             val range = ranges[channel.id]
             ChannelContents(channel, counts[channel.id] ?: 0, since(range?.first), since(range?.last))
@@ -67,16 +69,4 @@ internal class RecordingContents(private val recording: McapReader) {
     )
 
     private fun clock(seconds: Double?) = seconds?.let { "%.3f s".format(it) } ?: "-"
-
-    /** Arranges [rows] below [head] in columns; returns no lines without rows. */
-    private fun table(head: List<String>, rows: List<List<String>>): List<String> {
-        if (rows.isEmpty()) return emptyList()
-        val all = listOf(head) + rows
-        val widths = head.indices.map { column -> all.maxOf { it[column].length } }
-        return all.map { line -> line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd() }
-    }
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }
