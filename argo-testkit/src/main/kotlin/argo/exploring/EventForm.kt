@@ -58,7 +58,6 @@ internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) 
     private fun wrong(expected: String) = IllegalArgumentException("an event $kind has other fields: $expected, in $json")
 }
 
-/** The kinds of events. */
 internal val KINDS = listOf(
     "Reads", "Flickers", "Unplugged", "Hangs", "IgnoresRequests", "AnswersLate", "Restarts", "Garbles", "Floods", "Hears", "MessagesLate",
 )

@@ -129,5 +129,4 @@ internal fun AgentSetUp.describedBy(exploration: Exploration, state: WorldState)
     }
 }
 
-/** Returns the length of a run with [events]. */
 internal fun Exploration.lengthOf(events: List<WorldEvent>): Duration = (events.maxOfOrNull { it.ends } ?: Duration.ZERO) + settling

@@ -281,7 +281,6 @@ class Board internal constructor(private val time: VirtualTime) {
     /** Its [arrivals], each with true if an expectation has taken it. */
     internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
-    /** The commands that no expectation has taken. */
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
     /** Takes [command] if it has arrived at an [acceptable time][isTimely] and no expectation has taken it. */

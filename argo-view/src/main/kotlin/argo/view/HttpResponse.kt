@@ -13,7 +13,6 @@ internal class HttpResponse(
     val status: Int, val type: String, val body: ByteArray, val allow: String? = null, val location: String? = null,
 ) {
     companion object {
-        /** Responds with [value] as JSON. */
         inline fun <reified T> json(value: T, status: Int = 200, allow: String? = null) =
             HttpResponse(status, JSON, Json.encodeToString(value).toByteArray(), allow)
 

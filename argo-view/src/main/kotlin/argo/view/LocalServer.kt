@@ -32,7 +32,6 @@ internal fun localServer(port: Int, threads: Executor, handle: (HttpExchange) ->
     return server
 }
 
-/** The server's address for browsers. */
 internal val HttpServer.uri: URI get() = URI("http://127.0.0.1:${address.port}/")
 
 /** Returns the reason for refusing a request for [path], in words; null: it is accepted. */
@@ -41,7 +40,6 @@ internal fun HttpExchange.refusal(path: String): String? {
     return RequestGate.refusal(host, origin, fetchSite, isPage = path == "/")
 }
 
-/** Sends [response]. */
 internal fun HttpExchange.send(response: HttpResponse) {
     response.location?.let { responseHeaders.add("Location", it) }
     response.allow?.let { responseHeaders.add("Allow", it) }

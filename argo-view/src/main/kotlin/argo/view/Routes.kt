@@ -31,7 +31,6 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
 
-    /** Returns the response to [request]. */
     fun respond(request: Request): HttpResponse {
         if (request.method == "GET") lanes?.respond(request.path, request.query)?.let { return it }
         val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")

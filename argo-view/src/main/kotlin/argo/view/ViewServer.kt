@@ -24,7 +24,6 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     private val threads = RequestThreads(name, nanos)
     private val server = localServer(port, threads, ::handle)
 
-    /** Its address for browsers. */
     val address: URI = server.uri
 
     /** Begins to serve, unless it has begun. */

@@ -76,10 +76,8 @@ internal fun ruleOf(text: String): Rule {
     return requireNotNull(rule.make(call.terms.orEmpty())) { "the rule ${call.functor} is written as ${rule.usage}, not $text" }
 }
 
-/** Returns true if the function [name] makes a rule of this library. */
 internal fun isKnownRule(name: String) = name in RULES
 
-/** Returns true if [name] is the function of [rule]. */
 internal fun isNamed(rule: Rule, name: String) = rule is ReadyRule && rule.function == name
 
 internal fun noSuchRule(text: String) = "there is no rule $text; there are ${RULES.values.joinToString { it.usage }}"

@@ -27,7 +27,6 @@ import java.nio.file.StandardOpenOption
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.LockSupport
 
-/** `monitor`: shows percepts as they arrive. */
 @Command(
     name = "monitor",
     description = [
@@ -84,7 +83,6 @@ internal class MonitorCommand : DataCommand() {
         return RecordingWriter(writer, System.nanoTime()).use { Run(link, it).untilEnd() }
     }
 
-    /** One monitoring. */
     private inner class Run(private val link: Link, private val recording: RecordingWriter?) {
         private val start = System.nanoTime()
         private val rates = Rates()

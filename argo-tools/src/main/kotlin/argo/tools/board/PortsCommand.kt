@@ -21,7 +21,6 @@ import java.nio.file.attribute.BasicFileAttributes
 import java.util.Optional
 import java.util.OptionalInt
 
-/** `ports`: lists the serial ports. */
 @Command(
     name = "ports",
     description = [

@@ -29,7 +29,6 @@ import java.time.Duration
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.extension
 
-/** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
 @Command(
     name = "replay",
     description = [

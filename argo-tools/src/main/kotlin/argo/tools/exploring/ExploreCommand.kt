@@ -17,7 +17,6 @@ import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
-/** `explore`: has the test kit look for a run of agents in which they break a rule. */
 @Command(
     name = "explore",
     description = [

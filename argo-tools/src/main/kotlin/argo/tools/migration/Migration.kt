@@ -28,7 +28,6 @@ internal class Migration(files: List<Path>) {
         return ofAgents + ofProjects + ofFilters
     }
 
-    /** The number of files read. */
     val count: Int get() = files.size
 
     private fun missingFilters(file: Path, check: AgentCheck): List<Advice> =

@@ -19,7 +19,6 @@ import picocli.CommandLine.Parameters
 import java.math.BigDecimal
 import java.nio.file.Path
 
-/** `recording`: shows the contents of a recording in the MCAP format. */
 @Command(
     name = "recording",
     description = [

@@ -13,7 +13,6 @@ import kotlinx.serialization.json.JsonPrimitive
 /** A channel with the number of its messages, and the times of the first and the last, in seconds since the recording's first message. */
 private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
 
-/** The contents of [recording], in short. */
 internal class RecordingContents(private val recording: McapReader) {
     private val times = recording.times
     private val seconds = times?.let { secondsIn(it.last - it.first) } ?: 0.0

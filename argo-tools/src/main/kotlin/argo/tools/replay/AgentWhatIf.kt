@@ -127,7 +127,6 @@ internal class WhatIfReport(private val results: List<WhatIfResult>, private val
     /** True if all send the commands that were recorded. */
     val isIdentical: Boolean get() = results.all { it.difference == null }
 
-    /** Returns the results as lines for a person. */
     fun lines(): List<String> = results.flatMap { it.lines() }
 
     fun json(): JsonObject = jsonOf("identical" to isIdentical, "problems" to problems, "agents" to results.map { it.json() })

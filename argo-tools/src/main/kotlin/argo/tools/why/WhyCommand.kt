@@ -17,7 +17,6 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `why`: explains why an agent in a recording sent a command, or did not. */
 @Command(
     name = "why",
     description = [

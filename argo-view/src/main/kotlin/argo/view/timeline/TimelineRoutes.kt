@@ -21,7 +21,6 @@ internal class TimelineRoutes(
 ) {
     private val contents = Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems, number)
 
-    /** Returns the response to a request for [path]. */
     fun respond(path: String, parameters: Map<String, String>): HttpResponse = when (path) {
         "/" -> page()
         "/recording" -> HttpResponse.json(contents)

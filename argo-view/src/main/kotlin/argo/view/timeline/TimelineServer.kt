@@ -30,7 +30,6 @@ internal class TimelineServer(
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
     private val server = localServer(port, threads, ::handle)
 
-    /** Its address for browsers. */
     val address: URI = server.uri
 
     init {

@@ -14,7 +14,6 @@ import java.net.BindException
 import java.nio.file.Path
 import java.util.concurrent.CountDownLatch
 
-/** `view`: shows a recording of agents in a browser. */
 @Command(
     name = "view",
     description = [
