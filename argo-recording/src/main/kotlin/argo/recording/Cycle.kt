@@ -21,6 +21,17 @@ data class Cycle(
     val isEnding: Boolean = false,
     @Holds("whether printed lines may be missing, as Java was ending")
     val missesPrints: Boolean = false,
+    @Holds("why no replay can have this cycle, and ends before it; missing: one can")
+    val refusal: Refusal? = null,
+)
+
+/** The reason why a cycle cannot be replayed. */
+@Serializable
+data class Refusal(
+    @Holds("the reason, a sentence for a person")
+    val why: String,
+    @Holds("whether it is the project's own code, which replay --check carries out again, so that it goes on")
+    val isOfProject: Boolean = false,
 )
 
 /** The input that entered an agent in a cycle. */

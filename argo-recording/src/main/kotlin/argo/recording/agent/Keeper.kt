@@ -15,7 +15,7 @@ internal interface Keeper {
     /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler do something at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
-    /** Takes [work] that another thread leaves for the beginning of the agent's next cycle. Any thread. */
+    /** Takes [work] that another thread, or code of the project, leaves for the beginning of the agent's next cycle. Any thread. */
     fun left(work: RunnableSerializable)
 
     companion object {
@@ -46,10 +46,14 @@ internal interface Keeper {
     }
 }
 
-/** The work that waits for the beginning of an agent's next cycle. Work that other threads leave goes to [keeper] instead. */
+/**
+ * The work that waits for the beginning of an agent's next cycle. Work that other threads leave goes to [keeper] instead, and work of the
+ * project.
+ */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
-        if (Keeper.current === keeper || task.javaClass.name.startsWith("argo.")) return super.offer(task)
+        val isOwn = task.javaClass.name.startsWith("argo.") || JasonCode.isOwn(task.javaClass) && Keeper.current === keeper
+        if (isOwn) return super.offer(task)
         keeper.left(task)
         return true
     }

@@ -13,7 +13,7 @@ import jason.asSyntax.Term
  *
  * @param args the arguments that the action or function gets: Jason has copied them, but code of the project may change them
  */
-internal class CallNote(private val name: String, args: Array<Term>, private val isOfProject: Boolean) {
+internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }
     private val answers = ArrayList<Map<Int, String>>()
     private val commands = ArrayList<Sent>()

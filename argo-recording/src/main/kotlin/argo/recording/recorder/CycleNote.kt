@@ -18,5 +18,5 @@ internal class CycleNote(
     val percepts: Int get() = notes.percepts?.size ?: 0
 
     /** Makes the texts, on any thread. */
-    fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints)
+    fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints, notes.refusal)
 }

@@ -6,6 +6,7 @@ import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
+import argo.recording.Refusal
 import argo.recording.agent.laterText
 import argo.recording.agent.literalText
 import jason.asSyntax.Literal
@@ -27,6 +28,10 @@ internal class CycleNotes(val ns: Long) {
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
 
+    /** The reason why no replay can have this cycle; null: none is known. */
+    var refusal: Refusal? = null
+        private set
+
     /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
@@ -36,12 +41,18 @@ internal class CycleNotes(val ns: Long) {
     /** True while the agent is sending a message. */
     var isSending = false
 
+    /** Notes that no replay can have this cycle because of [why], or only one that carries out the project's code if [isOfProject]. */
+    fun refuse(why: String, isOfProject: Boolean = true) {
+        val known = refusal
+        if (known == null || known.isOfProject && !isOfProject) refusal = Refusal(why, isOfProject)
+    }
+
     /** Ends the cycle. */
     fun end() = calls.forEach(CallNote::end)
 
     /** Returns true if nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty() && !isChangedOutside
+        filters.isEmpty() && !isChangedOutside && refusal == null
 
     /** Returns the agent's input, once the cycle is over. */
     fun input() = Input(

@@ -86,7 +86,8 @@ internal class Recorder(
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        val events = ForeignEvents { isRefused || inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        var isLast = false // whether the recording ends with the cycle that runs
         var beliefs = -1
         var cycles = 0L
         var number = 0 // Jason's, of the cycle that runs
@@ -97,15 +98,17 @@ internal class Recorder(
     override fun cycleStarting(ts: TransitionSystem) {
         val agent = running ?: begin(ts) ?: return
         if (inCycle != null) endOpenCycle(agent)
-        if (isRefused || !isKnown(agent)) return carryOutEnds(agent)
+        if (isRefused) return carryOutEnds(agent)
         agent.now = CycleNotes(this.agent.nanos())
+        noteUnknownCode(agent)
         agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
-        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
+        refuseForeignBeliefs(agent)
+        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.course.begin()
         carryOutEnds(agent)
@@ -124,18 +127,31 @@ internal class Recorder(
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
+        end(agent)
+    }
+
+    /** Ends the recording of the agent, while the agent goes on. */
+    private fun end(agent: Running) {
         isRefused = true
+        agent.ts.c.removeEventListener(agent.events)
         track.close()
     }
 
-    /** Returns true if all added code can be watched; otherwise ends the recording of the agent, while the agent goes on. */
-    private fun isKnown(agent: Running): Boolean = try {
+    /** Notes that the recording of the agent ends with this cycle, if added code cannot be watched. */
+    private fun noteUnknownCode(agent: Running) = try {
         agent.code.watchAdded()
-        true
     } catch (unknown: UnknownCodeException) {
-        refused("${unknown.message}")
-        track.close()
-        false
+        agent.now.refuse("${unknown.message}", isOfProject = false)
+        agent.isLast = true
+        track.told += "${unknown.message}"
+        log.severe("argo_record: ${unknown.message}$WITHOUT")
+    }
+
+    /** Refuses the cycle if a thread of the project has changed the agent's beliefs; of its events alone a replay has all. */
+    private fun refuseForeignBeliefs(agent: Running) {
+        if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
+            agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
+        }
     }
 
     /**
@@ -150,8 +166,21 @@ internal class Recorder(
                     agent.now.ends += arrived.end
                     agent.keyFrames.ended(arrived.end.number)
                 }
-                arrived.work?.run() ?: begun.carryOut(arrived.end)
+                val work = arrived.work
+                if (work == null) begun.carryOut(arrived.end)
+                else unchanged(agent, { "work that the thread ${arrived.end.thread} left has changed the agent" }, work::run)
             }
+        }
+    }
+
+    /** Does [work] of the project. Refuses the cycle, with [why], if that changes the agent: a replay does not carry it out. */
+    private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
+        if (isRefused) return work()
+        val before = MindSizes.of(agent.ts)
+        val events = agent.events.size
+        return work().also {
+            val isOfThread = agent.events.size != events
+            if (!isOfThread && MindSizes.of(agent.ts) != before) agent.now.refuse(why())
         }
     }
 
@@ -167,7 +196,7 @@ internal class Recorder(
     }
 
     private fun refused(why: String): Running? {
-        log.severe("argo_record: $why; the agent runs without a recording from now on")
+        log.severe("argo_record: $why$WITHOUT")
         isRefused = true
         return null
     }
@@ -216,13 +245,27 @@ internal class Recorder(
         val around = agent.now.underWay
         agent.now.underWay = note
         try {
-            return noting(note, call, live(call.un))
+            return noting(note, call, if (code == WatchedKind.OUTSIDE) live(call.un) else ofProject(agent, call, code, live))
         } catch (failed: JasonException) {
             note.failure = callFailure(failed)
             throw failed
         } finally {
             agent.now.underWay = around
         }
+    }
+
+    private fun ofProject(agent: Running, call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
+        if (code == WatchedKind.SUSPENDING) {
+            agent.now.refuse("the project's action ${call.name} has a thread resume its intention")
+            return live(call.un)
+        }
+        return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
+    }
+
+    /** Refuses the cycle if an action of the project [does] something besides its result now: a replay does not carry the action out. */
+    private fun refuseIfOfProject(agent: Running, does: String) {
+        val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
+        agent.now.refuse("the project's action ${call.name} $does besides its result")
     }
 
     private fun noting(note: CallNote, call: InternalCall, result: Any): Any {
@@ -266,7 +309,8 @@ internal class Recorder(
     override fun left(work: RunnableSerializable) = inbox.put(Arrived(End(0, THREAD, thread = Thread.currentThread().name), work))
 
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
-        current() ?: return live(action)
+        val agent = current() ?: return live(action)
+        refuseIfOfProject(agent, "acts in the environment")
         val number = begun.begin { end ->
             complete(action, end)
             running?.ts?.c?.addFeedbackAction(action)
@@ -281,6 +325,7 @@ internal class Recorder(
     private fun sending(message: Message, live: () -> Unit) {
         val agent = current()
         if (agent == null || agent.now.isSending) return live() // an infrastructure may send a broadcast as single messages
+        refuseIfOfProject(agent, "sends a message")
         agent.now.isSending = true
         val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
         try {
@@ -313,6 +358,7 @@ internal class Recorder(
         val now = agent.now
         agent.ts.c.selectedEvent?.takeIf(agent.events::take)?.let { now.events += triggerText(it.trigger) }
         agent.beliefs = agent.ts.ag.bb.size()
+        refuseForeignBeliefs(agent)
         val isAlone = Overlaps.end(agent.overlap)
         if (!isAlone) noteCounters(agent, course.firstMessage)
         val isRecorded = !now.isNothing() || now.isAtWork || course.hasHappened
@@ -321,7 +367,7 @@ internal class Recorder(
         now.end()
         val cycle = CycleNote(++agent.cycles, agent.number, now, course, isEnding, agent.course.missesPrints)
         track.cycle(cycle)
-        if (!isEnding) takeKeyFrame(agent, cycle)
+        if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
     /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must hold the counters. */
@@ -342,7 +388,7 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
-        if (!agent.events.isEmpty()) return // a waiting event belongs to the next cycle
+        if (agent.events.size > 0) return // a waiting event belongs to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // so the next cycle holds them, for a replay that begins here
@@ -405,6 +451,7 @@ internal class Recorder(
         const val ACTION = "action"
         const val THREAD = "thread"
         const val EVERYBODY = "everybody"
+        const val WITHOUT = "; the agent runs without a recording from now on"
     }
 }
 

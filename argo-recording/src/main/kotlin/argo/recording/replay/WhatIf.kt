@@ -113,9 +113,10 @@ class WhatIf internal constructor(
 
     private fun runRecorded() {
         var last: Cycle? = null
+        val begin = recording.start(recorded.name)?.index ?: 0
         firstNs = recording.firstNs
         for (cycle in cycles) {
-            recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
+            recording.requireNext(recorded.name, cycle, last?.index ?: begin, !includes.isOfRecordedProgram)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
             if (cycle.isEnding && sent.isEmpty()) break // the recorded agent might have gone on

@@ -42,7 +42,7 @@ internal class AgentReplay(
         return ReplayReport(
             recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
             elapsedNs,
-            replay.differences,
+            replay.differences, replay.refusals,
             shown.associateWith(replay::beliefs), cycles(recording, firstNs, endNs), recording.problems + listOfNotNull(trouble),
         )
     }
