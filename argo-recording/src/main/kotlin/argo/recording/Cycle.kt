@@ -110,7 +110,7 @@ data class Mail(
 data class End(
     @Holds("its number, in the order in which the agent began things; 0: another thread began it")
     val number: Int,
-    @Holds("timer, call of an internal action, action of the environment, or thread: work that another thread left")
+    @Holds("timer, call of an internal action, action of the environment; thread: work that another thread left, work: that of the project")
     val kind: String,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,

@@ -190,6 +190,16 @@ class ExactReplaySpec : FunSpec({
         shouldReplay(file)
     }
 
+    test("an event that another thread puts into the queue, and for which an intention waits") {
+        val (file, log) = logged {
+            recorded("!start. !ring. +!start <- .wait({+ring(N)}); .print(heard). +!ring <- .wait(50); planted.rings; .print(rung).") {
+                after(1.seconds)
+            }
+        }
+        log.filter { "ends there" in it }.shouldBeEmpty()
+        shouldReplay(file)
+    }
+
     test("plans that are added while the agent runs, with chance and functions in them") {
         shouldReplay(
             recorded(

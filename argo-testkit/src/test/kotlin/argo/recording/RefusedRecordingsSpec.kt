@@ -134,6 +134,13 @@ class RefusedRecordingsSpec : FunSpec({
         )
     }
 
+    test("a loop that goes on with results of an action in later cycles") {
+        shouldBeRefusedThere(
+            "for (planted.ways(X)) { .wait(20) }",
+            "a loop goes on with results of planted.ways from an earlier cycle", "a replay ends there",
+        )
+    }
+
     test("an agent whose recording has ended keeps no event that a thread adds later") {
         val file = recordingFile()
         val ended = AtomicReference<TransitionSystem>()

@@ -1,11 +1,14 @@
 package argo.recording.agent
 
 import argo.insides.Insides
+import argo.platform.SchedulerLayer
 import jason.asSemantics.TransitionSystem
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.TimeUnit
 
 /**
  * Owns the timers that an agent begins and the work that other threads leave for it, and carries them out in the agent's cycles: a recorder
@@ -52,7 +55,7 @@ internal interface Keeper {
  */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
-        val isOwn = task.javaClass.name.startsWith("argo.") || JasonCode.isOwn(task.javaClass) && Keeper.current === keeper
+        val isOwn = task.javaClass.name.startsWith("argo.") || Keeper.current === keeper && JasonCode.isOwn(task.javaClass)
         if (isOwn) return super.offer(task)
         keeper.left(task)
         return true
@@ -67,5 +70,19 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
             val waiting = Insides.tasks[ts].toList()
             Insides.tasks[ts] = KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) }
         }
+    }
+}
+
+/** Replaces Jason's scheduler: passes the timers that an agent begins in its cycle to its [Keeper], and all others to Jason's scheduler. */
+internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {
+    override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
+        val keeper = Keeper.current ?: return below.schedule(work, delay, unit)
+        return keeper.timer(work, unit.toNanos(delay)) { below.schedule(it, delay, unit) }
+    }
+
+    override fun execute(command: Runnable) = below.execute(command) // work without a delay is no timer
+
+    companion object {
+        fun install() = install(KeptTimers::class.java, Place.AGENT, ::KeptTimers)
     }
 }

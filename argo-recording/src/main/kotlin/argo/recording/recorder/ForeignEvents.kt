@@ -27,7 +27,6 @@ internal class ForeignEvents(private val isOwn: () -> Boolean) : CircumstanceLis
 
     private operator fun BeliefBase.contains(literal: Literal) = contains(literal) != null
 
-    /** Takes all collected events. */
     fun take(): List<Event> = generateSequence { added.poll() }.toList()
 
     /** Takes [event]; returns false if it is not among the collected ones. */

@@ -23,6 +23,7 @@ import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Includes
+import argo.recording.agent.JasonCode
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
 import argo.recording.agent.KeptInclude
@@ -42,6 +43,7 @@ import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Agent
+import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.Event
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
@@ -53,6 +55,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 
 /**
@@ -70,6 +73,7 @@ internal class Recorder(
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
+    private val works = AtomicInteger() // that wait in the inbox
     private var running: Running? = null
 
     @Volatile
@@ -80,7 +84,6 @@ internal class Recorder(
     @Volatile
     private var inCycle: Thread? = null
 
-    /** The state of a running agent. */
     private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
@@ -167,10 +170,15 @@ internal class Recorder(
                     agent.keyFrames.ended(arrived.end.number)
                 }
                 val work = arrived.work
-                if (work == null) begun.carryOut(arrived.end)
-                else unchanged(agent, { "work that the thread ${arrived.end.thread} left has changed the agent" }, work::run)
+                if (work == null) begun.carryOut(arrived.end) else carryOut(agent, arrived.end, work)
             }
         }
+    }
+
+    private fun carryOut(agent: Running, end: End, work: Runnable) {
+        works.decrementAndGet()
+        if (end.kind != WORK) work.run()
+        else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
     }
 
     /** Does [work] of the project. Refuses the cycle, with [why], if that changes the agent: a replay does not carry it out. */
@@ -274,7 +282,9 @@ internal class Recorder(
         note.isBacktracking = true
         return iterator {
             for (un in result) {
-                note.answered(bound(call, un as Unifier))
+                if (!note.answered(bound(call, un as Unifier))) {
+                    current()?.now?.refuse("a loop goes on with results of ${note.name} from an earlier cycle", isOfProject = false)
+                }
                 yield(un)
             }
         }
@@ -306,7 +316,13 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    override fun left(work: RunnableSerializable) = inbox.put(Arrived(End(0, THREAD, thread = Thread.currentThread().name), work))
+    /** Takes [work]. That of Jason's own classes is left in a replay, too, but for the end of an action of the project. */
+    override fun left(work: RunnableSerializable) {
+        val type = work.javaClass
+        val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
+        works.incrementAndGet()
+        inbox.put(Arrived(End(0, if (isOfProject) WORK else THREAD, thread = Thread.currentThread().name), work))
+    }
 
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
         val agent = current() ?: return live(action)
@@ -388,7 +404,7 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
-        if (agent.events.size > 0) return // a waiting event belongs to the next cycle
+        if (agent.events.size > 0 || works.get() > 0) return // a waiting event, or work, belongs to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // so the next cycle holds them, for a replay that begins here
@@ -450,6 +466,7 @@ internal class Recorder(
         const val TIMER = "timer"
         const val ACTION = "action"
         const val THREAD = "thread"
+        const val WORK = "work"
         const val EVERYBODY = "everybody"
         const val WITHOUT = "; the agent runs without a recording from now on"
     }

@@ -71,7 +71,6 @@ internal class Track(
         if (isNew) warn("argo_record: ${refusal.why}; a replay${if (refusal.isOfProject) " without --check" else ""} ends there")
     }
 
-    /** Stores a key frame. */
     fun keyFrame(note: KeyFrameNote) = store(keyFrames, note.ns, note.size) { json(KeyFrame.serializer(), note.frame()) }
 
     fun ended(command: CommandEnd) = store(commands, command.ns, COMMAND_BYTES) { json(CommandEnd.serializer(), command) }

@@ -137,7 +137,6 @@ class WhatIf internal constructor(
         }
     }
 
-    /** Runs a cycle that was not recorded. */
     private fun runOwn(ns: Long) = run(Cycle(WhatIfAnswers.BETWEEN, number + 1, ns))
 
     private fun run(cycle: Cycle): Unit = try {
@@ -169,7 +168,6 @@ class WhatIf internal constructor(
     }
 
     private companion object {
-        /** The time of a cycle that was not recorded, in ns. */
         const val CYCLE_NS = 1_000_000L
 
         /** The time for which an agent runs on after the recording, since it may be slower than the recorded one, in ns. */
