@@ -15,7 +15,7 @@ internal fun beginningOf(ts: TransitionSystem) =
 
 /**
  * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if it
- * draws a number or reads a clock, or if the agent was made as a copy of another.
+ * draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
