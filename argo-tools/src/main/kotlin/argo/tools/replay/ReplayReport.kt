@@ -3,6 +3,7 @@ package argo.tools.replay
 import argo.recording.replay.Difference
 import argo.tools.command.counted
 import argo.tools.command.jsonOf
+import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
 /** The beginning of the replay of an [agent] whose first cycles are missing: after the [cycle] that began at [ns]. */
@@ -46,16 +47,16 @@ internal class ReplayReport(
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {
             val of = if (agents.size == 1) "" else "agent ${it.agent} "
-            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format((it.ns - firstNs) / NANOS))
+            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format(secondsIn(it.ns - firstNs)))
         }
-        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
+        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
         course.forEach { addAll(described("differs", it)) }
         if (isIdentical) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
         if (isCheck) {
             results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
             if (isDeterministic) add("nothing in it gave another result")
         }
-        shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
+        shown.forEach { add("%9.3f s  ".format(secondsIn(it.cycle.ns - firstNs)) + it.words()) }
         for ((agent, believed) in beliefs) {
             add(if (believed.isEmpty()) "$agent believes nothing" else "$agent believes:")
             believed.forEach { add("  $it") }
@@ -64,11 +65,11 @@ internal class ReplayReport(
 
     fun json(): JsonObject = jsonOf(
         "agents" to agents,
-        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to (it.ns - firstNs) / NANOS) },
-        "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
+        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsIn(it.ns - firstNs)) },
+        "cycles" to cycles, "seconds" to secondsIn(recordedNs), "took" to secondsIn(elapsedNs),
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
         "differences" to (course.map { it to 1 } + results).map { (difference, times) -> jsonOf(difference, times) },
-        "shown" to shown.map { it.json((it.cycle.ns - firstNs) / NANOS) },
+        "shown" to shown.map { it.json(secondsIn(it.cycle.ns - firstNs)) },
         "beliefs" to jsonOf(*beliefs.toList().toTypedArray()),
     )
 
@@ -84,11 +85,7 @@ internal class ReplayReport(
         "  likely:   ${it.cause}",
     )
 
-    private fun secondsOf(it: Difference) = (it.ns - firstNs) / NANOS
+    private fun secondsOf(it: Difference) = secondsIn(it.ns - firstNs)
 
     private fun pace() = if (recordedNs > 0 && elapsedNs > 0) ", %.0f times real time".format(recordedNs.toDouble() / elapsedNs) else ""
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }
