@@ -399,6 +399,9 @@ public final class Link implements AutoCloseable {
 
     /** Returns when something has come from the board, or it must have started. */
     private void awaitStart() throws PortException {
+        if (channel.sayHelloToListener()) {
+            return;
+        }
         try {
             if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
                 // another call waited for it meanwhile, or listens for so long that the action must not wait for it
