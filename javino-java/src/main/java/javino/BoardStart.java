@@ -8,6 +8,7 @@ final class BoardStart {
     private final long startedAt; // from then on a board that has not answered is taken to run
     private volatile boolean isReady;
     private volatile boolean hasHeard;
+    private volatile boolean hasSaidHello;
 
     /** @param bootMillis milliseconds from now for which it may be starting */
     BoardStart(LineClock clock, int bootMillis) {
@@ -24,6 +25,16 @@ final class BoardStart {
     /** Returns whether something has come from the board in version 1. */
     boolean hasHeard() {
         return hasHeard;
+    }
+
+    /** Returns whether HELLO has been said, so that a board of version 2 would have answered. */
+    boolean hasSaidHello() {
+        return hasSaidHello;
+    }
+
+    /** Records that HELLO has been said. */
+    void saidHello() {
+        hasSaidHello = true;
     }
 
     /** Records that something has come from the board in version 1. */

@@ -20,14 +20,12 @@ final class RequestChannel {
     private final Negotiation negotiation;
     private final Lock negotiating;
     private final long byteNanos;
-    private volatile boolean hasSaidHello;
     private volatile boolean isListening;
 
-    /** @param settings their {@link LinkSettings#bootMillis()} count from now */
     RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.clock = clock;
-        start = new BoardStart(clock, settings.bootMillis());
+        start = line.start();
         ResponseCorrelator answers = new ResponseCorrelator(line.inbox(), clock);
         version1 = new Version1Requests(line.inbox(), writer, clock, start, answers);
         negotiation = new Negotiation(line, writer, version1, answers, start, clock, settings);
@@ -35,35 +33,17 @@ final class RequestChannel {
         byteNanos = settings.line().byteNanos();
     }
 
-    /** Nanoseconds for which the board may still be starting; 0 once something has come from it, or it must have started. Any thread. */
-    long nanosUntilStarted() {
-        return start.nanosLeft();
-    }
-
-    /**
-     * Returns whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any
-     * thread.
-     */
-    boolean mustAsk() {
-        return !line.isVersion2() && (mustAnswer() || line.protocol() == Protocol.AUTO && !hasSaidHello);
-    }
-
-    /** Returns whether an action of version 1 has to wait for an answer, and not only for WELCOME. */
-    private boolean mustAnswer() {
-        return start.nanosLeft() > 0 || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed());
-    }
-
     /**
      * Returns when the board has answered and it is known which version it speaks, or when it must have started. A board that is taken to
      * run is sent no request, only HELLO.
      */
     void awaitStart() throws PortException {
-        if (!mustAsk()) {
+        if (!line.mustAsk()) {
             return;
         }
         version1.askForAction(true);
         try {
-            if (line.protocol() == Protocol.AUTO && !mustAnswer()) {
+            if (line.protocol() == Protocol.AUTO && !line.mustAnswer()) {
                 sayHello();
             } else if (line.protocol() == Protocol.AUTO) {
                 negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
@@ -82,7 +62,7 @@ final class RequestChannel {
      * @return whether HELLO has been said
      */
     boolean sayHelloToListener() throws PortException {
-        if (!isListening || line.protocol() != Protocol.AUTO || mustAnswer()) {
+        if (!isListening || line.protocol() != Protocol.AUTO || line.mustAnswer()) {
             return false;
         }
         sayHello();
@@ -92,11 +72,11 @@ final class RequestChannel {
     private void sayHello() throws PortException {
         negotiating.lock();
         try {
-            if (!hasSaidHello) {
+            if (!start.hasSaidHello()) {
                 negotiation.sayHello(Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            hasSaidHello = true;
+            start.saidHello();
             negotiating.unlock();
         }
     }
@@ -106,7 +86,7 @@ final class RequestChannel {
         try {
             return negotiation.run(request, timeoutMillis);
         } finally {
-            hasSaidHello = true;
+            start.saidHello();
             negotiating.unlock();
         }
     }
