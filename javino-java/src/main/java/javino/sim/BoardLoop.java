@@ -8,6 +8,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
+import javino.BoardReceiver;
 import javino.Frame;
 import javino.FrameDecoder;
 import javino.LineClock;
@@ -204,7 +205,6 @@ public final class BoardLoop {
         }
     }
 
-    /** The number of messages that have arrived and were not handled. */
     int waiting() {
         return arrived.size();
     }
@@ -214,7 +214,6 @@ public final class BoardLoop {
         return Optional.ofNullable(arrived.remove().version1());
     }
 
-    /** Reads the bytes that have arrived, and ignores them. */
     void ignore() throws PortException {
         read += line.read(buffer, 0, buffer.length, 0);
     }
@@ -226,7 +225,6 @@ public final class BoardLoop {
         }
     }
 
-    /** The session that computers of version 2 have with the board. */
     BoardSession session() {
         return session;
     }
