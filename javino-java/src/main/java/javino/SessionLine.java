@@ -26,11 +26,10 @@ import javino.wire.WireFrame;
  * <p>Safe on any thread. Outcomes and reports are passed on outside of the lock, by the thread that has found them out. No lock is held
  * while bytes are written or awaited.
  */
-final class SessionLine implements SessionListener<Command>, Inbox.FrameListener {
+final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
     /** The longest single read while a frame is being written, behind which another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-    /** The longest single read. */
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /** The shortest time limit of a write: with less, a late thread would pass for a driver that takes nothing. */
@@ -65,6 +64,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private volatile int actionsLost;
     private boolean hasToldLostActions;
     private boolean hasToldSlowBoard;
+    private boolean hasToldUnreadable;
 
     /** A frame that goes out, and the command of version 1 that it is; null: it belongs to the session. */
     record Outgoing(byte[] frame, Command command) {}
@@ -84,7 +84,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         heardNanos = clock.nanos();
         start = new BoardStart(clock, settings.bootMillis());
         version1 = new Version1Commands(writer, clock.nanos(), this::mustAsk);
-        inbox = new Inbox(monitor, transport, clock, writer::received, wanted, this);
+        inbox = new Inbox(monitor, transport, clock, wanted, this);
         session = new ComputerSession<>(
                 settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
         if (wanted == Protocol.V2) {
@@ -92,7 +92,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
-    /** The inbox, which reads the line. */
     Inbox inbox() {
         return inbox;
     }
@@ -102,7 +101,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return protocol;
     }
 
-    /** Returns whether a session has begun and not ended. */
     boolean isOpen() {
         return monitor.get(session::isOpen);
     }
@@ -124,7 +122,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return hasLapsed;
     }
 
-    /** Knows whether the board runs. */
     BoardStart start() {
         return start;
     }
@@ -170,7 +167,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         version1.moved(clock.nanos());
     }
 
-    /** The board's actions; empty while they are not known. */
     Optional<List<BoardAction>> vocabulary() {
         return isVersion2() ? monitor.get(session::vocabulary) : Optional.empty();
     }
@@ -450,7 +446,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         });
     }
 
-    /** Forgets percepts that came unasked. */
     void forgetHeard() {
         monitor.change(heard::clear);
     }
@@ -482,8 +477,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void receiving(long now) {
+    public void receiving(int bytes, long now) {
         session.receiving(now);
+        writer.received(bytes, now);
     }
 
     @Override
@@ -642,6 +638,18 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                             + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
         hasDropped = true;
+    }
+
+    @Override
+    public void unreadable(FrameKind kind) {
+        if (!hasToldUnreadable) {
+            hasToldUnreadable = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + " sent a frame " + kind
+                            + " that cannot be read here, so it is dropped, as are others without a further warning;"
+                            + " does the board run the library of this version of ARGO?");
+        }
     }
 
     @Override
