@@ -22,7 +22,6 @@ final class BoardStart {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
 
-    /** Returns whether something has come from the board in version 1. */
     boolean hasHeard() {
         return hasHeard;
     }
@@ -32,18 +31,15 @@ final class BoardStart {
         return hasSaidHello;
     }
 
-    /** Records that HELLO has been said. */
     void saidHello() {
         hasSaidHello = true;
     }
 
-    /** Records that something has come from the board in version 1. */
     void heard() {
         hasHeard = true;
         isReady = true;
     }
 
-    /** Records that the board has answered in version 2. */
     void answered() {
         isReady = true;
     }

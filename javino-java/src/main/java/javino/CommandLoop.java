@@ -92,7 +92,6 @@ final class CommandLoop {
         line.write(frame);
     }
 
-    /** Sends commands until the line ends or the thread is interrupted. */
     void run() throws PortException {
         line.sends();
         while (true) {

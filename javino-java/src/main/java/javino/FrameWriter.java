@@ -22,7 +22,6 @@ final class FrameWriter implements WaitingCommands<Command> {
     enum Kind {
         ACTION,
         REQUEST,
-        /** A frame of a session of version 2. */
         SESSION
     }
 
@@ -53,7 +52,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         this(new Monitor(clock, transport.name()), transport, pacer, clock);
     }
 
-    /** @param monitor guards it */
     FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
         this.monitor = monitor;
         this.transport = transport;
@@ -87,7 +85,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Withdraws the commands that wait and that {@code isGivenUp}. */
     List<Command> withdrawIf(Predicate<Command> isGivenUp) {
         return monitor.get(() -> commands.withdrawIf(isGivenUp));
     }
@@ -120,7 +117,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         return transport.isWritableNow(writtenBytes - readBytes);
     }
 
-    /** Bytes handed to the driver so far. */
     long written() {
         return monitor.get(() -> writtenBytes);
     }
@@ -152,7 +148,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(pacer::isSlow);
     }
 
-    /** Records that the outcome of a command has been reported. */
     void reported() {
         monitor.change(() -> {
             commands.finished();
@@ -227,7 +222,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         }
     }
 
-    /** The exception of a frame whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
         return new PortTimeoutException(
                 transport.name(),
@@ -235,7 +229,6 @@ final class FrameWriter implements WaitingCommands<Command> {
                         + " ms; " + whyNoTime());
     }
 
-    /** The likely reason why nothing gets through. */
     String whyNoTime() {
         return isHeldBack()
                 ? "the board does not answer, and would lose commands, which wait until it does"
@@ -307,12 +300,10 @@ final class FrameWriter implements WaitingCommands<Command> {
         return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
     }
 
-    /** Records that all that was written has arrived. */
     void allArrived(long now) {
         monitor.change(() -> pacer.allArrived(now));
     }
 
-    /** Waits until the clock shows {@code nanos}. */
     void awaitTime(long nanos) throws PortException {
         monitor.getInterruptibly(() -> {
             awaitZero(() -> nanos - clock.nanos());
@@ -326,7 +317,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         requireLine();
     }
 
-    /** Records that {@code bytes} have been read at {@code now}. */
     void received(int bytes, long now) {
         monitor.change(() -> pacer.received(bytes, now));
     }

@@ -423,7 +423,6 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Work on an open line. */
     private interface LineWork<T> {
         T run() throws PortException;
     }

@@ -12,7 +12,6 @@ final class PortOwners {
 
     private PortOwners() {}
 
-    /** One owner's hold on a port. */
     static final class Claim {
         private final String canonicalName;
         private final String owner;
@@ -38,7 +37,6 @@ final class PortOwners {
         return new Claim(line, "nobody");
     }
 
-    /** Claims a port for {@code owner}. */
     static Claim claim(String port, String owner) throws PortBusyException {
         Claim claim = new Claim(Transports.canonicalName(port), owner);
         Claim other = CLAIMS.putIfAbsent(claim.canonicalName, claim);

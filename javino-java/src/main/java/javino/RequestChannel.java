@@ -10,7 +10,6 @@ import java.util.concurrent.locks.Lock;
 final class RequestChannel {
     /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
-    /** Bytes of a request and of a frame before it. */
     private static final int REQUEST_BYTES = 50;
 
     private final SessionLine line;
@@ -26,9 +25,8 @@ final class RequestChannel {
         this.line = line;
         this.clock = clock;
         start = line.start();
-        ResponseCorrelator answers = new ResponseCorrelator(line.inbox(), clock);
-        version1 = new Version1Requests(line.inbox(), writer, clock, start, answers);
-        negotiation = new Negotiation(line, writer, version1, answers, start, clock, settings);
+        version1 = new Version1Requests(line.inbox(), writer, clock, start);
+        negotiation = new Negotiation(line, writer, version1, start, clock, settings);
         negotiating = clock.newLock(false);
         byteNanos = settings.line().byteNanos();
     }

@@ -52,7 +52,6 @@ final class Version1Commands {
         unasked = writer.head();
     }
 
-    /** Nanoseconds until {@link #begin} has a command. */
     long nanosUntilBegin() {
         return underWay != null || mustAskFirst() ? Monitor.FOREVER : writer.nanosUntilCommand();
     }

@@ -94,7 +94,6 @@ public final class ReplayBoard implements SimulatedBoard {
                 - said.get(0).millis();
     }
 
-    /** One use of the port. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
