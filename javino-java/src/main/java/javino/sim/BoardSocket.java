@@ -56,6 +56,10 @@ final class BoardSocket {
         }
     }
 
+    Class<?> boardClass() {
+        return board.getClass();
+    }
+
     boolean isRunning() {
         Run run = current;
         return run != null && run.thread.isAlive();
