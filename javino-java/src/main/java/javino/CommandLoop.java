@@ -30,12 +30,7 @@ final class CommandLoop {
 
     /** @param monitor the one of the writer and the line */
     CommandLoop(
-            Monitor monitor,
-            Transport transport,
-            FrameWriter writer,
-            SessionLine line,
-            LineClock clock,
-            Start start) {
+            Monitor monitor, Transport transport, FrameWriter writer, SessionLine line, LineClock clock, Start start) {
         port = transport.name();
         this.monitor = monitor;
         this.writer = writer;

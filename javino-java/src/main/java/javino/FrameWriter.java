@@ -18,7 +18,7 @@ import javino.session.WaitingCommands;
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
-    /** The purpose of a frame: the pacer treats the two differently. */
+    /** The purpose of a frame, by which the pacer treats it: in version 1 an action or a request, or a frame of version 2. */
     enum Kind {
         ACTION,
         REQUEST,
@@ -47,10 +47,6 @@ final class FrameWriter implements WaitingCommands<Command> {
     private long readBytes; // of the bytes written, those that the far end has proved to have read
     private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
-
-    FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
-        this(new Monitor(clock, transport.name()), transport, pacer, clock);
-    }
 
     FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
         this.monitor = monitor;
@@ -106,8 +102,7 @@ final class FrameWriter implements WaitingCommands<Command> {
 
     /**
      * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true until the frame is
-     * written if the thread begins it under the same lock, with {@link #beginFrame}. The caller holds the monitor's
-     * lock.
+     * written if the thread begins it under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();

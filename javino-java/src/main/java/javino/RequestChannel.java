@@ -10,6 +10,7 @@ import java.util.concurrent.locks.Lock;
 final class RequestChannel {
     /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
+
     private static final int REQUEST_BYTES = 50;
 
     private final SessionLine line;

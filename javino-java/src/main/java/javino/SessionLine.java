@@ -30,6 +30,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
     /** The longest single read while a frame is being written, behind which another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /** The shortest time limit of a write: with less, a late thread would pass for a driver that takes nothing. */
@@ -44,6 +45,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private final Inbox inbox;
     private final ComputerSession<Command> session;
     private final Version1Commands version1;
+    private final CommandFailures failures;
     private final BoardStart start;
     private final Protocol wanted;
     private final int answerLimit;
@@ -52,7 +54,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private volatile Protocol protocol;
     private volatile BoardListener listener; // null: nobody is called
     private volatile long heardNanos; // time at which the board was last known to be there
-    private volatile boolean hasLapsed;
+    private volatile boolean
+            hasLapsed; // the board spoke version 2 and then fell silent, so that another one may be there
     private int rules; // number of rules that the board can hold, in this session
     private Reply answer;
     private boolean hasDropped; // an answer was dropped, and none has come since
@@ -87,6 +90,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         inbox = new Inbox(monitor, transport, clock, wanted, this);
         session = new ComputerSession<>(
                 settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
+        failures = new CommandFailures(transport.name(), session);
         if (wanted == Protocol.V2) {
             session.open(clock.nanos());
         }
@@ -115,11 +119,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
             hasLapsed = false;
             protocol = protocol == Protocol.AUTO ? Protocol.V1 : protocol;
         });
-    }
-
-    /** Returns whether the board spoke version 2 and then fell silent, so that another one may be there. */
-    boolean hasLapsed() {
-        return hasLapsed;
     }
 
     BoardStart start() {
@@ -310,9 +309,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
             return null;
         }
         if (command.rule() != null) {
-            String port = transport.name();
-            failUnderWay(new ActionRefusedException(
-                    port, "the board at port " + port + " speaks version 1, in which it takes no rules"));
+            failUnderWay(failures.takesNoRules());
             return null;
         }
         if (writer.isBoardSlow() && !hasToldSlowBoard) {
@@ -394,7 +391,11 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
             failure = trouble;
         }
         Throwable why = failure;
-        monitor.change(() -> failUnderWay(why));
+        monitor.change(() -> {
+            if (version1.isUnderWay(next.command())) {
+                failUnderWay(why);
+            }
+        });
         if (why instanceof PortGoneException gone) {
             throw gone;
         }
@@ -564,7 +565,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
             writer.provedRead(command.beganBehind());
         }
         Throwable why =
-                outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
+                outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failures.of(command, outcome);
         reports.add(() -> {
             if (why == null) {
                 command.outcome().complete(null);
@@ -572,46 +573,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
                 command.outcome().completeExceptionally(why);
             }
         });
-    }
-
-    private PortException failureOf(Command command, CommandOutcome outcome) {
-        String port = transport.name();
-        String text = command.text();
-        return switch (outcome) {
-            case DONE -> null;
-            case REFUSED ->
-                new ActionRefusedException(
-                        port,
-                        command.rule() == null
-                                ? "the board at port " + port + " refuses \"" + text + "\": "
-                                        + ActionCheck.refusal(
-                                                text, session.vocabulary().orElse(List.of()))
-                                : "the board at port " + port + " refuses " + text
-                                        + ": it has no room for it, or cannot watch it");
-            case FAILED ->
-                new ActionRefusedException(
-                        port,
-                        "the board at port " + port + " began \"" + text
-                                + "\", and has reported that it could not carry it out");
-            case UNCONFIRMED ->
-                new ActionUnconfirmedException(
-                        port,
-                        "port " + port + " did not say that it acted on \"" + text
-                                + "\"; it may have, or the board does not run any more");
-            case TOO_LONG -> new ActionRefusedException(port, tooLong(command));
-        };
-    }
-
-    private String tooLong(Command command) {
-        boolean isRule = command.rule() != null;
-        String sent = isRule ? command.rule().text() : command.text();
-        int most = session.longestText(isRule);
-        return "the board at port " + transport.name() + " takes no " + (isRule ? "rule" : "command") + " of "
-                + sent.length() + " bytes, " + most + " at most"
-                + (most < CommandItem.MAX_TEXT
-                        ? ", as much as its memory holds: give the board more, as JavinoSized<600> javino; does"
-                        : "")
-                + ": " + (isRule ? command.text() : Frame.quoted(sent));
     }
 
     @Override

@@ -17,7 +17,8 @@ final class Version1Commands {
     private boolean isWritten; // its last byte leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    private boolean isHeldBack; // only urgent commands went out when it began, so its arrival has no meaning for the others
+    private boolean
+            isHeldBack; // only urgent commands went out when it began, so its arrival has no meaning for the others
     private Command unasked; // may go out although the board should be asked for something before
     private volatile long movedNanos;
 
@@ -78,11 +79,16 @@ final class Version1Commands {
 
     /** Records that a command was written by {@code now}, and when its last byte leaves. */
     void written(Command command, long left, long now) {
-        if (command == underWay) {
+        if (isUnderWay(command)) {
             isWritten = true;
             leavesAt = left;
             lookAt = now + WATCH_NANOS;
         }
+    }
+
+    /** Returns whether a command is still under way, and nobody else has failed it. */
+    boolean isUnderWay(Command command) {
+        return command == underWay;
     }
 
     /** Returns whether to look now if the device is still there, for a command that takes long to leave. */

@@ -82,9 +82,7 @@ final class Vocabulary {
     }
 
     void accept(VocabularyPage page, long now) {
-        if (!asks()
-                || page.first() != actions.size()
-                || page.actions().isEmpty() && page.total() > actions.size()) {
+        if (!asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
             return;
         }
         for (BoardAction action : page.actions()) {
