@@ -4,7 +4,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.SplittableRandom;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -49,7 +51,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private final BoardStart start;
     private final Protocol wanted;
     private final int answerLimit;
-    private final Deque<Runnable> reports = new ArrayDeque<>(); // to be passed on when the lock is free
+    private final Queue<Runnable> reports = new ConcurrentLinkedQueue<>(); // to be passed on when the lock is free
     private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
     private volatile Protocol protocol;
     private volatile BoardListener listener; // null: nobody is called
@@ -416,7 +418,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
 
     /** Passes outcomes and reports on. The caller holds no lock. */
     void report() {
-        for (Runnable next = monitor.get(reports::poll); next != null; next = monitor.get(reports::poll)) {
+        for (Runnable next = reports.poll(); next != null; next = reports.poll()) {
             next.run();
         }
     }
