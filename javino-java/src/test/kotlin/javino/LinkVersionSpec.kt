@@ -10,11 +10,13 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
+import javino.sim.count
 import javino.virtual.LineEnd
 import javino.wire.FrameKind
 import javino.wire.Welcome
@@ -78,6 +80,8 @@ private fun olderDraft(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, wel
 
 private fun newerRevision(welcome: WireFrame) =
     WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(4, 5, "${(Welcome.REVISION + 1).toChar()}"))
+
+private fun cut(frame: WireFrame) = WireFrame.of(frame.kind(), frame.number(), frame.payload().take(1))
 
 private fun actionsLost(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().dropLast(1) + '3')
 
@@ -458,6 +462,21 @@ class LinkVersionSpec : FunSpec({
             }
         }
         warnings.single() shouldContain "51 actions of the board's program found no room"
+    }
+
+    test("frames that arrive whole and cannot be read are told once") {
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.VOCABULARY) cut(it) else it) } }
+        val warnings = logged("javino.SessionLine") {
+            bench(board).use { bench ->
+                repeat(40) {
+                    bench.link.request(REQUEST, 500)
+                    bench.link.watch(100)
+                }
+                bench.link.vocabulary().isEmpty shouldBe true
+            }
+        }
+        warnings.single() shouldContain "a frame VOCABULARY that cannot be read here"
+        board.count(FrameKind.DESCRIBE) shouldBeGreaterThan 1
     }
 
     test("of a simulated board's actions the first 126 are known, and it is told that there are others") {
