@@ -232,7 +232,8 @@ class Board:
         size = _PART_WITH_RULES if self._rules else _PART
         answer = self._shapes.write(texts, self._known)
         if len(answer) > size * _MAX_PARTS:
-            tell("an answer has at most %d bytes%s: the last percepts are left out" % (size * _MAX_PARTS, " with rules" if self._rules else ""))
+            tell("an answer has at most %d bytes%s: the last percepts are left out"
+                 % (size * _MAX_PARTS, " with rules" if self._rules else ""))
         while len(answer) > size * _MAX_PARTS:
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
