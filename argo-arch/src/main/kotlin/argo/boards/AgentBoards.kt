@@ -1,6 +1,5 @@
 package argo.boards
 
-import argo.acting.CommandLedger
 import argo.acting.CommandOptions
 import argo.acting.Transmission
 import argo.acting.ended
