@@ -73,7 +73,7 @@ internal class ReplayCommand : JasonCommand() {
         val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck).run()
         if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
-        val isGood = report.problems.isEmpty() && (if (options.isCheck) report.isDeterministic else report.isIdentical)
+        val isGood = report.problems.isEmpty() && report.isWhole && (if (options.isCheck) report.isDeterministic else report.isIdentical)
         return if (isGood) ExitStatus.DONE else ExitStatus.FAILED
     }
 

@@ -48,7 +48,7 @@ internal class AgentReplay(
         return ReplayReport(
             recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
             elapsedNs,
-            replay.differences,
+            replay.differences, replay.refusals,
             shown.associateWith(replay::beliefs), cycles, recording.problems + listOfNotNull(trouble),
         )
     }
