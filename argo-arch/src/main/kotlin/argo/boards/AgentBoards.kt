@@ -228,7 +228,7 @@ internal class AgentBoards(
         if (issued == null) return transmission
         return Transmission { left, outcome ->
             transmission.follow(left) { failure ->
-                observers.commandEnded(issued, failure)
+                observers.each { it.commandEnded(issued, failure) }
                 outcome(failure)
             }
         }

@@ -4,6 +4,7 @@ import argo.recording.replay.Difference
 import argo.recording.replay.RefusedCycle
 import argo.tools.command.counted
 import argo.tools.command.jsonOf
+import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
 /** The beginning of the replay of an [agent] whose first cycles are missing: after the [cycle] that began at [ns]. */
@@ -54,7 +55,7 @@ internal class ReplayReport(
             val of = if (agents.size == 1) "" else "agent ${it.agent} "
             add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format(secondsAt(it.ns)))
         }
-        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
+        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
         refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }
         course.forEach { addAll(described("differs", it)) }
         if (isIdentical && (cycles > 0 || isWhole)) {
@@ -74,7 +75,7 @@ internal class ReplayReport(
     fun json(): JsonObject = jsonOf(
         "agents" to agents,
         "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns)) },
-        "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
+        "cycles" to cycles, "seconds" to secondsIn(recordedNs), "took" to secondsIn(elapsedNs),
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
         "refused" to refusals.map {
             jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns), "why" to it.why)
@@ -96,11 +97,7 @@ internal class ReplayReport(
         "  likely:   ${it.cause}",
     )
 
-    private fun secondsAt(ns: Long) = (ns - firstNs) / NANOS
+    private fun secondsAt(ns: Long) = secondsIn(ns - firstNs)
 
     private fun pace() = if (recordedNs > 0 && elapsedNs > 0) ", %.0f times real time".format(recordedNs.toDouble() / elapsedNs) else ""
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }
