@@ -1,5 +1,6 @@
 package argo.ros.joining
 
+import argo.platform.foreignText
 import argo.ros.bridge.operation
 import argo.ros.bridge.part
 import argo.ros.bridge.text
@@ -106,7 +107,7 @@ internal class Offers(private val participant: Participant, private val send: (S
             topic == goals.cancelTopic -> warn(UNCANCELLED)
             topic.endsWith("/$COMMAND") -> {
                 val service = offers.keys.find { topicOf(it) == topic }.orEmpty()
-                act(offers[service], topic, message, NEWEST) { if (it.error != null) warn("$topic: ${it.inWords}") }
+                act(offers[service], topic, message, NEWEST) { if (it.error != null) warn("$topic: ${foreignText(it.inWords)}") }
             }
             else -> return false
         }
@@ -115,7 +116,7 @@ internal class Offers(private val participant: Participant, private val send: (S
 
     private fun goalPublished(message: JsonObject) {
         val given = message.part("goal_id")?.text("id").orEmpty()
-        val id = goals.begin(given) ?: return warn("the goal $given of $action has come before, and is not begun again")
+        val id = goals.begin(given) ?: return warn("the goal ${foreignText(given)} of $action has come before, and is not begun again")
         act(offers[action], action, message.part("goal"), SendOptions.defaults()) { goals.end(id, it) }
     }
 

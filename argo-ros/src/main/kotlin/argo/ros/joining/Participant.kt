@@ -1,6 +1,7 @@
 package argo.ros.joining
 
 import argo.filters.matching.perceptsOf
+import argo.platform.foreignText
 import javino.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
@@ -62,7 +63,7 @@ internal class PerceptPublisher(private val base: String, private val topics: To
         topics.publish("$base/$ALL", STRING, listOf(data(JsonPrimitive(percepts.joinToString("") { "$it;" }))))
     }
 
-    private fun leftOut(percept: String) = warn("$percept is no literal without variables, and is published on $base/$ALL only")
+    private fun leftOut(percept: String) = warn("${foreignText(percept)} is no literal without variables, and is published on $base/$ALL only")
 
     private companion object {
         const val ALL = "percepts"

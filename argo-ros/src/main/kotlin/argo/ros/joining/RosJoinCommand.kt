@@ -3,7 +3,6 @@ package argo.ros.joining
 import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
-import argo.platform.foreignText
 import argo.ros.bridge.OnceEach
 import argo.tools.board.LineOptions
 import argo.tools.command.ToolProvider
@@ -79,7 +78,7 @@ internal class RosJoinCommand : Callable<Int> {
 
     /** Begins to have the board called [name] take part; ended by what is returned. */
     private fun join(name: String, port: String, bridge: BridgeAddress): AutoCloseable {
-        val warn = OnceEach { tell("/$name: ${foreignText(it)}") }
+        val warn = OnceEach { tell("/$name: $it") }
         val topics = Topics(warn)
         val board = JoinedBoard(name, port, topics, intervalMs, line.timeoutMs, listens, { open(port) }, ::tell, warn)
         val membership = Membership(board, topics, bridge, ::tell, warn)
