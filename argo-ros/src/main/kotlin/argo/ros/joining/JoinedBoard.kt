@@ -15,8 +15,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Has a board take part without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is sent once
- * at most.
+ * Has a board take part without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is
+ * sent once at most.
  *
  * @param port its port, for messages
  * @param intervalMs the time from one request to the next

@@ -63,7 +63,8 @@ internal class PerceptPublisher(private val base: String, private val topics: To
         topics.publish("$base/$ALL", STRING, listOf(data(JsonPrimitive(percepts.joinToString("") { "$it;" }))))
     }
 
-    private fun leftOut(percept: String) = warn("${foreignText(percept)} is no literal without variables, and is published on $base/$ALL only")
+    private fun leftOut(percept: String) =
+        warn("${foreignText(percept)} is no literal without variables, and is published on $base/$ALL only")
 
     private companion object {
         const val ALL = "percepts"
