@@ -62,11 +62,11 @@ public final class Link implements AutoCloseable {
         line = new SessionLine(monitor, transport, clock, writer, settings);
         channel = new RequestChannel(line, writer, clock, settings);
         answeredNanos = clock.nanos();
-        commands = new CommandLoop(monitor, transport, writer, line, channel, clock, this::awaitStart);
+        commands = new CommandLoop(monitor, transport, writer, line, clock, this::awaitStart);
     }
 
     /**
-     * Opens a port.
+     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits for that.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
      * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
@@ -169,7 +169,7 @@ public final class Link implements AutoCloseable {
     public Reply request(String message, int timeoutMillis) throws PortException {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
-        if (line.protocol() == Protocol.V1 && !channel.mustAsk()) {
+        if (line.protocol() == Protocol.V1 && !line.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         return isCommand(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
@@ -385,7 +385,13 @@ public final class Link implements AutoCloseable {
         end("port " + port() + " is gone: it was closed");
     }
 
+    /** Announces {@link #close}: from now on an {@link #open} of the port waits until it is closed, for a while. Does not wait. */
+    public void leave() {
+        claim.leave();
+    }
+
     private void end(String why) {
+        claim.leave();
         writer.end(why); // wakes threads that wait for the line
         commands.failAll(why);
         ending.lock(); // a second caller returns when the port is really free
@@ -399,8 +405,11 @@ public final class Link implements AutoCloseable {
 
     /** Returns when something has come from the board, or it must have started. */
     private void awaitStart() throws PortException {
+        if (channel.sayHelloToListener()) {
+            return;
+        }
         try {
-            if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+            if (!reading.tryLock(Math.max(line.start().nanosLeft(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
                 // another call waited for it meanwhile, or listens for so long that the action must not wait for it
                 return;
             }
@@ -420,7 +429,6 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Work on an open line. */
     private interface LineWork<T> {
         T run() throws PortException;
     }

@@ -1,7 +1,6 @@
 package argo.observing
 
 import argo.filters.CriticalRule
-import argo.filters.PerceptionFilter
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Level
@@ -18,19 +17,10 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
     private val guarded = observers.map(::Guarded)
     private val commands = AtomicLong()
 
-    fun messageFiltered(message: PerceivedMessage) = each { it.messageFiltered(message) }
-
-    fun messagePerceived(message: PerceivedMessage) = each { it.messagePerceived(message) }
-
-    /** Reports that [text] is to be sent on [port]. Returns the command, for [commandEnded]; null: nobody observes. */
+    /** Reports that [text] is to be sent on [port]. Returns the command; null: nobody observes. */
     fun commandIssued(port: String, text: String): IssuedCommand? {
         if (guarded.isEmpty()) return null
         return IssuedCommand(commands.incrementAndGet(), port, text, nanos()).also { command -> each { it.commandIssued(command) } }
-    }
-
-    /** Reports the end of [command], which [commandIssued] has returned. */
-    fun commandEnded(command: IssuedCommand?, failure: CommandFailure?) {
-        if (command != null) each { it.commandEnded(command, failure) }
     }
 
     fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: CommandFailure?) {
@@ -39,17 +29,8 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         each { it.reflexEnded(reflex) }
     }
 
-    fun portChanged(port: String, status: String, reason: String?) = each { it.portChanged(port, status, reason) }
-
-    fun filterChanged(filter: PerceptionFilter?) = each { it.filterChanged(filter) }
-
-    fun boardFilterChanged(port: String, filter: PerceptionFilter?) = each { it.boardFilterChanged(port, filter) }
-
-    fun cycleFinished() = each { it.cycleFinished() }
-
-    fun close() = each { it.close() }
-
-    private inline fun each(event: (AgentObserver) -> Unit) {
+    /** Reports [event] to each observer. */
+    inline fun each(event: (AgentObserver) -> Unit) {
         for (observer in guarded) {
             try {
                 event(observer.observer)
@@ -62,7 +43,7 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         }
     }
 
-    private class Guarded(val observer: AgentObserver) {
+    internal class Guarded(val observer: AgentObserver) {
         val hasFailed = AtomicBoolean()
     }
 }

@@ -1,0 +1,48 @@
+package argo
+
+import argo.boards.AgentBoards
+import argo.boards.Board
+import argo.calls.ArgumentException
+import argo.calls.optionsIn
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+import jason.asSyntax.StringTerm
+import jason.asSyntax.Term
+import jason.asSyntax.VarTerm
+
+/**
+ * Returns the name of the port [term] in the form for a transport.
+ * @throws ArgumentException if it names no port
+ */
+internal fun portName(term: Term): String {
+    val name = when {
+        term is VarTerm -> term.functor
+        term is StringTerm -> term.string
+        term is Literal && term.isAtom -> term.functor
+        else -> throw ArgumentException("a port is an atom such as ttyACM0 or a string such as \"/dev/ttyACM0\", not $term")
+    }
+    if (term is VarTerm && name.startsWith("_")) throw ArgumentException("the variable for the port has no value")
+    if (name.isBlank()) throw ArgumentException("the port has no name")
+    return name
+}
+
+/** Returns the port for the agent's beliefs: the term [written], or for a variable its name, as an atom if possible, else as a string. */
+internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
+
+/**
+ * Returns the board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
+ * @throws ArgumentException if there are other options, or several ports
+ */
+internal fun boardIn(call: BoardInternalAction.Call): Board? {
+    val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)
+    if (ports.size > 1) throw ArgumentException("the options name ${ports.size} ports; there is one port(P) in a call")
+    val port = ports.singleOrNull() ?: return null
+    return call.arch.boards.named(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.boards))
+}
+
+private fun portIn(option: Term): Term = (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
+    ?: throw ArgumentException("$option is not an option; there is port(P)")
+
+/** Explains why [port] names none of [boards]. */
+internal fun unknownBoard(port: Term, boards: AgentBoards): String =
+    "there is no board on port $port; the agent perceives ${boards.current.joinToString { "${it.term}" }.ifEmpty { "none" }}"

@@ -1,0 +1,49 @@
+package argo.perception
+
+import jason.asSemantics.Event
+import jason.asSyntax.Literal
+import jason.asSyntax.Trigger.TEOperator
+import jason.asSyntax.Trigger.TEType
+import jason.bb.BeliefBase
+import jason.bb.StructureWrapperForLiteral
+import java.util.Queue
+
+/**
+ * Puts the events of new [critical] percepts before all others in [queue], each kind in its order. Other threads may add events meanwhile;
+ * none is lost.
+ */
+internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
+    val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
+    if (queue.none { tellsOf(it, wanted) }) return
+    val waiting = generateSequence(queue::poll).toList() // in parts of the queue an event of another thread could be passed over
+    val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
+    queue.addAll(urgent)
+    queue.addAll(others)
+}
+
+private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Boolean {
+    val trigger = event.trigger
+    return event.isExternal && trigger.operator == TEOperator.add && trigger.type == TEType.belief &&
+        trigger.literal.hasSource(BeliefBase.APercept) && StructureWrapperForLiteral(trigger.literal) in percepts
+}
+
+/**
+ * Orders the percept events of several boards in turns in Jason's queue, of which Jason takes one a cycle, so that a board with many events
+ * does not delay the others.
+ *
+ * @param queue the agent's event queue; other threads may add events meanwhile; none is lost
+ * @param waiting the number of events in it before those of the new snapshots were added
+ * @param boardOf returns the board of a percept; null: none has it
+ */
+internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {
+    val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)
+    if (!isNew) return
+    val all = generateSequence(queue::poll).toList()
+    val (percepts, others) = all.drop(waiting).partition(::isPerceptEvent)
+    val lanes = listOf(all.take(waiting)) + percepts.groupBy { boardOf(it.trigger.literal) }.values
+    queue.addAll(inTurns(lanes) + others)
+}
+
+/** Returns the first of each of [lanes], then the second of each, and so on. */
+private fun <T> inTurns(lanes: List<List<T>>): List<T> =
+    (0 until lanes.maxOf { it.size }).flatMap { i -> lanes.mapNotNull { it.getOrNull(i) } }

@@ -1,0 +1,116 @@
+package javino;
+
+import java.util.OptionalInt;
+import java.util.function.Consumer;
+import java.util.function.IntSupplier;
+import javino.wire.FrameKind;
+import javino.wire.WireDecoder;
+import javino.wire.WireFrame;
+
+/**
+ * Finds the frames that a computer sends to a board on a line that both versions of the protocol may share. Times are nanoseconds of any
+ * one clock. One thread at a time.
+ */
+public final class BoardReceiver {
+    /** A frame, of one of the two versions. */
+    public record Found(Frame version1, WireFrame version2) {
+        /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
+        public OptionalInt nonceBehind() {
+            if (version2 == null) {
+                return OptionalInt.of(0);
+            }
+            return version2.kind() == FrameKind.HELLO ? OptionalInt.of(version2.number()) : OptionalInt.empty();
+        }
+    }
+
+    private final Protocol reads;
+    private final long timeoutNanos;
+    private final IntSupplier nonce;
+    private final WireDecoder version2;
+    private final FrameDecoder version1;
+    private long lastNanos;
+
+    /**
+     * @param reads the version whose frames are found, or both
+     * @param timeoutNanos silence that ends a frame
+     * @param longestPayload bytes of payload of version 2
+     * @param nonce that of the session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only; 0: there
+     *     is none
+     */
+    public BoardReceiver(
+            Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
+        this.reads = reads;
+        this.timeoutNanos = timeoutNanos;
+        this.nonce = nonce;
+        version2 = new WireDecoder(
+                false, timeoutNanos, longestPayload, nonce, frame -> found.accept(new Found(null, frame)));
+        version1 = new FrameDecoder(timeoutNanos, reads == Protocol.V1 ? -1 : WireFrame.START, frame -> {
+            found.accept(new Found(frame, null));
+            setAnywhere();
+        });
+    }
+
+    private void setAnywhere() {
+        version1.anywhere(nonce.getAsInt() == 0);
+    }
+
+    /**
+     * Takes a byte that has arrived at {@code now}.
+     *
+     * @param silenceNanos silence before it
+     */
+    public void accept(byte octet, long now, long silenceNanos) {
+        idle(now);
+        lastNanos = now;
+        if (silenceNanos > timeoutNanos / 4 && !version1.isReading()) {
+            version1.quiet(true);
+        }
+        put(octet);
+    }
+
+    /** Notes that nothing has arrived since the last byte. */
+    public void idle(long now) {
+        if (now - lastNanos > timeoutNanos) {
+            while (!version1.isEmpty()) {
+                version1.giveUp();
+                readAgain(version1.takeOther());
+            }
+        }
+        version2.idle(now);
+    }
+
+    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has not. */
+    public long nanosUntilIdle(long now) {
+        return version1.isReading() || version2.isInFrame()
+                ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
+                : Long.MAX_VALUE;
+    }
+
+    private void put(byte octet) {
+        if (reads == Protocol.V2 || version2.isInFrame()) {
+            put2(octet);
+        } else {
+            setAnywhere();
+            version1.acceptUnbroken(new byte[] {octet}, 0, 1, lastNanos);
+            readAgain(version1.takeOther());
+        }
+    }
+
+    /** Takes bytes that version 1 leaves, the first of which begins a frame of version 2. */
+    private void readAgain(byte[] rest) {
+        for (int i = 0; i < rest.length; i++) {
+            if (i == 0) {
+                put2(rest[i]);
+            } else {
+                put(rest[i]);
+            }
+        }
+    }
+
+    private void put2(byte octet) {
+        version2.accept(octet, lastNanos);
+        boolean isAnywhere = nonce.getAsInt() == 0;
+        version1.anywhere(isAnywhere);
+        version1.quiet(isAnywhere);
+    }
+}
