@@ -1,4 +1,4 @@
-"""A small bridge of the rosbridge protocol to a ROS 1 graph, for tests: topics in both directions, services, and a little of rosapi.
+"""A small bridge of the rosbridge protocol to a ROS 1 graph, for tests: topics and services in both directions, and a little of rosapi.
 
     bridge.py PORT
 
@@ -6,13 +6,16 @@ Sends the newest message of a topic each throttle interval. Prints "ready" when 
 """
 
 import asyncio
+import itertools
 import json
 import sys
 import threading
 import time
 
 import genpy
+import genpy.message
 import roslib.message
+import rosgraph
 import rospy
 import rosservice
 from tornado.httpserver import HTTPServer
@@ -33,12 +36,7 @@ def to_json(value):
 
 
 def fill(message, values):
-    for name, value in values.items():
-        inner = getattr(message, name)
-        if isinstance(value, dict) and hasattr(inner, "__slots__"):
-            fill(inner, value)
-        else:
-            setattr(message, name, type(inner)(value) if isinstance(inner, (int, float)) else value)
+    genpy.message.fill_message_args(message, [values])
     return message
 
 
@@ -75,13 +73,36 @@ class Subscription:
         self.subscriber.unregister()
 
 
+class Service:
+    """Has a client answer for a service."""
+
+    def __init__(self, client, name, kind):
+        self.client, self.name, self.loop = client, name, asyncio.get_running_loop()
+        self.found = roslib.message.get_service_class(kind)
+        if self.found is None:
+            raise ValueError("there is no type " + kind)
+        if name in SERVICES:  # of a client that has gone
+            SERVICES.pop(name).shutdown()
+        SERVICES[name] = rospy.Service(name, self.found, self.ask)
+
+    def ask(self, request):
+        call, answered = "request-%d" % next(NUMBERS), threading.Event()
+        values = self.client.calls[call] = {"answered": answered}
+        operation = {"op": "call_service", "id": call, "service": self.name, "args": to_json(request)}
+        asyncio.run_coroutine_threadsafe(self.client.answer(operation), self.loop)
+        answered.wait()
+        return fill(self.found._response_class(), values["values"])
+
+
 class Client(WebSocketHandler):
     def open(self):
-        self.subscriptions, self.publishers = {}, {}
+        self.subscriptions, self.publishers, self.calls = {}, {}, {}
 
     def on_close(self):
         for topic in list(self.subscriptions):
             self.subscriptions.pop(topic).end()
+        for publisher in self.publishers.values():
+            publisher.unregister()
 
     def check_origin(self, origin):
         return True
@@ -93,11 +114,19 @@ class Client(WebSocketHandler):
             pass
 
     async def on_message(self, text):
-        operation = json.loads(text)
+        try:
+            self.hear(json.loads(text))
+        except Exception as trouble:  # which the clients of a real bridge do not see either
+            print("%s: %s" % (text[:200], trouble), flush=True)
+
+    def hear(self, operation):
         topic = operation.get("topic")
         kind = operation["op"]
         if kind == "advertise":
-            self.publishers[topic] = rospy.Publisher(topic, message_class(operation["type"]), queue_size=10)
+            latch = operation.get("latch", False)
+            self.publishers[topic] = rospy.Publisher(topic, message_class(operation["type"]), queue_size=10, latch=latch)
+        elif kind == "unadvertise":
+            self.publishers.pop(topic).unregister()
         elif kind == "publish":
             publisher = self.publishers[topic]
             publisher.publish(fill(publisher.data_class(), operation["msg"]))
@@ -110,6 +139,14 @@ class Client(WebSocketHandler):
             self.subscriptions.pop(topic).end()
         elif kind == "call_service":
             asyncio.ensure_future(self.call(operation))
+        elif kind == "advertise_service":
+            Service(self, operation["service"], operation["type"])
+        elif kind == "unadvertise_service":
+            SERVICES.pop(operation["service"]).shutdown()
+        elif kind == "service_response":
+            call = self.calls.pop(operation["id"])
+            call["values"] = operation["values"]
+            call["answered"].set()
 
     async def call(self, operation):
         service, arguments = operation["service"], operation.get("args") or {}
@@ -135,7 +172,20 @@ def now(arguments):
     return {"time": {"secs": int(seconds), "nsecs": int(seconds % 1 * 1e9)}}
 
 
-KNOWN = {"/rosapi/get_time": now}
+def topics(arguments):
+    publishers, subscribers, _ = rosgraph.Master("/bridge").getSystemState()
+    types = dict(rosgraph.Master("/bridge").getTopicTypes())
+    names = sorted({name for name, _ in publishers + subscribers})
+    return {"topics": names, "types": [types.get(name, "") for name in names]}
+
+
+def services(arguments):
+    return {"services": rosservice.get_service_list()}
+
+
+KNOWN = {"/rosapi/get_time": now, "/rosapi/topics": topics, "/rosapi/services": services}
+NUMBERS = itertools.count()
+SERVICES = {}
 
 
 async def main(port):

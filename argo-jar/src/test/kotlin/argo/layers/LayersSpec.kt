@@ -58,7 +58,7 @@ class LayersSpec : FunSpec({
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
-            "argo.ros.bridge", "argo.ros.mapping", "argo.ros.serving", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
+            "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
             "javino.tcp", "javino.sim",
         )
     }
@@ -140,12 +140,12 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
                 .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "javino", "javino.wire")).check(product)
         }
-        test("are served knowing links, observed agents, the platform, filters and what a tool is") {
+        test("take boards in knowing links, observed agents, the platform, filters and what a tool is") {
             val known = arrayOf(
                 "argo.links", "argo.observing", "argo.platform", "argo.filters..", "argo.tools.board", "argo.tools.command", "javino",
             )
-            noClasses().that().resideInAPackage("argo.ros.serving").should()
-                .dependOnClassesThat(productBut("argo.ros.serving", "argo.ros.bridge", "javino.wire", *known)).check(product)
+            noClasses().that().resideInAPackage("argo.ros.joining").should()
+                .dependOnClassesThat(productBut("argo.ros..", "javino.wire", *known)).check(product)
         }
         test("are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.ros..").should()

@@ -17,7 +17,6 @@ internal data class RosAddress(val socket: URI, val mapping: String) {
         private const val MAX_PORT = 65_535
         private val FORM = Regex("ros:(?://)?(\\[[0-9A-Fa-f:.%]+]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?/?(?:#(.*))?")
 
-        /** Reads the name of a port. */
         fun of(port: String): RosAddress {
             val (host, number, mapping) = FORM.matchEntire(port)?.destructured ?: throw malformed(port)
             val socketPort = if (number.isEmpty()) USUAL_PORT else number.toInt()

@@ -9,6 +9,8 @@ import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
 import argo.ros.bridge.NeverSent
+import argo.ros.bridge.OnceEach
+import argo.ros.bridge.OperationListener
 import argo.ros.bridge.Outgoing
 import argo.ros.bridge.RobotGraph
 import argo.ros.bridge.RobotTime
@@ -19,7 +21,6 @@ import argo.ros.bridge.SimulatedClock
 import argo.ros.bridge.Subscription
 import argo.ros.bridge.TopicMessages
 import argo.ros.bridge.operation
-import argo.ros.bridge.operationIn
 import argo.ros.bridge.part
 import argo.ros.bridge.rosNanos
 import argo.ros.bridge.subscriptions
@@ -56,15 +57,15 @@ internal class RosLink private constructor(
 ) : BoardLink {
     private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
-    private val warned = HashSet<String>() // guarded by lock, as all below
+    private val warn = OnceEach { LOG.warning("port $port: $it") }
 
     private val api = RosApi(clock, ::send)
-    private val types = RobotTypes(mapping, api, ::warn, ::tell)
-    private val graph = RobotGraph(mapping, api, clock, ::warn)
-    private val time = RobotTime(clock, api, ::clockIsThere, ::warn, ::tell)
-    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, ::warn)
+    private val types = RobotTypes(mapping, api, warn, ::tell)
+    private val graph = RobotGraph(mapping, api, clock, warn)
+    private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn)
 
-    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") }
+    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, as all below
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private var wish: Wish? = null
     private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
@@ -81,12 +82,16 @@ internal class RosLink private constructor(
     override val mayVanish get() = true
     override val actions: List<BoardAction> = mapping.commands.map { BoardAction(it.name, it.parameters.size) }
 
-    private inner class Listener : BridgeListener {
-        override fun text(message: String) {
+    private inner class Listener : OperationListener(warn) {
+        override fun hear(operation: JsonObject): Boolean {
             val now = clock.nanos()
-            val operation = operationIn(message)
-            if (operation == null) warn("the bridge sends what is no operation of the rosbridge protocol: \"${message.take(QUOTED)}\"")
-            else hear(operation, now)
+            if (commands.heard(operation) || api.heard(operation, now)) return true
+            when (operation.text("op")) {
+                "publish" -> published(operation, now)
+                "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
+                else -> return false
+            }
+            return true
         }
 
         override fun isAlive() = lock.withLock {
@@ -94,19 +99,7 @@ internal class RosLink private constructor(
             changed.signalAll()
         }
 
-        override fun dropped(what: String) = warn("the bridge sends $what; it is not read")
-
         override fun gone(reason: String) = this@RosLink.gone(reason)
-    }
-
-    private fun hear(operation: JsonObject, nowNanos: Long) {
-        if (commands.heard(operation) || api.heard(operation, nowNanos)) return
-        when (operation.text("op")) {
-            "publish" -> published(operation, nowNanos)
-            "status" -> if (operation.text("level") in TROUBLE) warn("the bridge reports: ${operation.text("msg")}")
-            "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
-            else -> warn("the bridge sends the operation ${operation.text("op")}, which is not read")
-        }
     }
 
     private fun published(operation: JsonObject, nowNanos: Long) {
@@ -227,14 +220,6 @@ internal class RosLink private constructor(
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
-    /** Logs [said], which may hold what a robot sends, once. */
-    private fun warn(said: String) {
-        val message = said.replace(CONTROL, "?")
-        val count = lock.withLock { if (warned.size <= MAX_WARNED && warned.add(message)) warned.size else 0 }
-        if (count in 1..MAX_WARNED) LOG.warning("port $port: $message")
-        else if (count > MAX_WARNED) LOG.warning("port $port: there is more to report than $MAX_WARNED lines, and no more is")
-    }
-
     private fun tell(message: String) = LOG.info("port $port: $message")
 
     private fun gone(reason: String) {
@@ -253,10 +238,6 @@ internal class RosLink private constructor(
 
     companion object {
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
-        private val CONTROL = Regex("\\p{Cntrl}")
-        private val TROUBLE = setOf("error", "warning")
-        private const val QUOTED = 60
-        private const val MAX_WARNED = 100
         private const val CHECKING_MS = 3_000L
 
         /**

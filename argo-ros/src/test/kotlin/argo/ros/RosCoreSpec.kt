@@ -1,17 +1,41 @@
 package argo.ros
 
+import argo.links.JavinoLink
+import argo.ros.bridge.OnceEach
+import argo.ros.bridge.flag
+import argo.ros.bridge.operationIn
+import argo.ros.bridge.text
+import argo.ros.joining.BridgeAddress
+import argo.ros.joining.JoinedBoard
+import argo.ros.joining.Membership
+import argo.ros.joining.Participant
+import argo.ros.joining.Topics
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
 import io.kotest.matchers.booleans.shouldBeTrue
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import javino.Link
+import javino.LinkSettings
+import javino.sim.SimulatedBoards
+import javino.sim.Sketch
+import javino.wire.BoardAction
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import java.net.ServerSocket
 import java.net.Socket
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.TimeUnit
+import kotlin.time.Duration.Companion.minutes
 
 private const val PYTHON = "/usr/bin/python3" // Debian's, which has rospy
 private const val ROSCORE = "/usr/bin/roscore"
@@ -20,25 +44,50 @@ private const val NEEDED = "import rospy, rosservice, actionlib, tornado, sensor
 /** A ROS 1 graph on this computer: a roscore, the robot of `src/test/ros/robot.py` and a bridge, `src/test/ros/bridge.py`. */
 private class RosGraph : AutoCloseable {
     private val logs: Path = Files.createTempDirectory("argo-ros-core")
+    private val messages = logs.resolve("messages")
     private val master = freePort()
-    private val processes = ArrayList<Process>()
+    private val processes = HashMap<String, Process>()
     val bridge = freePort()
 
     suspend fun start() {
-        begin("core", PYTHON, ROSCORE, "-p", "$master")
-        awaitPort(master)
+        run("messages.py", "argo_msgs", "$messages")
+        startCore()
         begin("robot", PYTHON, "src/test/ros/robot.py")
         begin("bridge", PYTHON, "src/test/ros/bridge.py", "$bridge")
         awaitPort(bridge)
     }
 
+    suspend fun startCore() {
+        begin("core", PYTHON, ROSCORE, "-p", "$master")
+        awaitPort(master)
+    }
+
     private fun begin(name: String, vararg command: String) {
-        val builder = ProcessBuilder(*command).redirectErrorStream(true).redirectOutput(logs.resolve("$name.log").toFile())
-        builder.environment() += mapOf(
+        processes[name] = builder(*command).redirectOutput(logs.resolve("$name.log").toFile()).redirectErrorStream(true).start()
+    }
+
+    /** Runs a script of `src/test/ros`, and returns the last line that it prints. */
+    fun run(script: String, vararg arguments: String): String {
+        val process = builder(PYTHON, "src/test/ros/$script", *arguments).redirectErrorStream(true).start()
+        val lines = process.inputStream.bufferedReader().readLines()
+        withClue(lines) { process.waitFor() shouldBe 0 }
+        return lines.lastOrNull().orEmpty()
+    }
+
+    private fun builder(vararg command: String) = ProcessBuilder(*command).apply {
+        environment() += mapOf(
             "ROS_MASTER_URI" to "http://127.0.0.1:$master", "ROS_HOSTNAME" to "127.0.0.1", "ROS_LOG_DIR" to "$logs",
-            "ROS_PACKAGE_PATH" to "/usr/share", "PYTHONUNBUFFERED" to "1",
+            "ROS_PACKAGE_PATH" to "/usr/share", "PYTHONUNBUFFERED" to "1", "PYTHONPATH" to "$messages",
         )
-        processes += builder.start()
+    }
+
+    /** Ends the process [name]. */
+    fun end(name: String) {
+        val process = processes.remove(name) ?: return
+        val all = process.descendants().toList() + process.toHandle()
+        all.forEach(ProcessHandle::destroy)
+        process.waitFor(5, TimeUnit.SECONDS)
+        all.filter { it.isAlive }.forEach(ProcessHandle::destroyForcibly)
     }
 
     private suspend fun awaitPort(number: Int) = eventually(LIMIT) { Socket("127.0.0.1", number).close() }
@@ -48,12 +97,7 @@ private class RosGraph : AutoCloseable {
         .joinToString("\n") { "--- ${it.fileName}\n${Files.readString(it).takeLast(SHOWN)}" }
 
     override fun close() {
-        for (process in processes.reversed()) {
-            val all = process.descendants().toList() + process.toHandle()
-            all.forEach(ProcessHandle::destroy)
-            process.waitFor(5, TimeUnit.SECONDS)
-            all.filter { it.isAlive }.forEach(ProcessHandle::destroyForcibly)
-        }
+        listOf("bridge", "robot", "core").forEach(::end)
         logs.toFile().deleteRecursively()
     }
 
@@ -64,7 +108,47 @@ private class RosGraph : AutoCloseable {
     }
 }
 
-/** ARGO's client on a real ROS 1 graph. */
+/** A board that counts its answers, and notes its actions. */
+private class Blinker : Sketch {
+    private var count = 0
+    val done = ConcurrentLinkedQueue<String>()
+
+    override fun percepts() = listOf("count(${++count})", "ready")
+
+    override fun act(command: String) = (command == "stop" || command.startsWith("blink(")).also { if (it) done += command }
+}
+
+/** A board of [sketch] that takes part in a graph as `/uno`, with known actions. */
+private class Uno(bridge: Int, private val sketch: Blinker) : AutoCloseable {
+    val told = ConcurrentLinkedQueue<String>()
+    private val warn = OnceEach { told += it }
+    private val topics = Topics(warn)
+    private val board = JoinedBoard("uno", "sim:$NAME", topics, 20, 500, false, ::open, { told += it }, warn)
+    private val known = object : Participant by board {
+        override val actions = listOf(BoardAction("stop", 0), BoardAction("blink", 1))
+    }
+    private val membership = Membership(known, topics, BridgeAddress.of("127.0.0.1:$bridge"), { told += it }, warn)
+
+    init {
+        SimulatedBoards.plugIn(NAME, sketch)
+        board.start()
+        membership.start()
+    }
+
+    private fun open() = JavinoLink(Link.open("sim:$NAME", LinkSettings.defaults().withBaud(115_200), "ros-join"))
+
+    override fun close() {
+        membership.close()
+        board.close()
+        SimulatedBoards.unplug(NAME)
+    }
+
+    private companion object {
+        const val NAME = "blinker"
+    }
+}
+
+/** Robots and boards on a real ROS 1 graph. */
 @Tags("Thorough")
 class RosCoreSpec : FunSpec({
     val missing: String? by lazy {
@@ -102,4 +186,43 @@ class RosCoreSpec : FunSpec({
             }
         }
     }
+
+    test("a board takes part in a real ROS graph, used by rostopic, rosservice and actionlib, and again after a restart of roscore").config(
+        enabledOrReasonIf = { missing?.let(Enabled::disabled) ?: Enabled.enabled }, blockingTest = true,
+    ) {
+        RosGraph().use { graph ->
+            graph.start()
+            val sketch = Blinker()
+            Uno(graph.bridge, sketch).use { uno ->
+                withClue({ graph.log() + uno.told.joinToString("\n") }) {
+                    suspend fun awaitUno() = eventually(3.minutes) {
+                        graph.run("services.py").split(' ') shouldContainAll listOf("/uno/act", "/uno/blink", "/uno/stop")
+                    }
+                    awaitUno()
+                    val seen = operationIn(graph.run("client.py")).shouldNotBeNull()
+                    withClue(seen) {
+                        seen.texts("topics") shouldContainAll
+                            listOf("/uno/count", "/uno/ready", "/uno/percepts", "/uno/port", "/uno/blink/command", "/uno/command")
+                        seen.texts("services") shouldContainAll listOf("/uno/act", "/uno/blink", "/uno/stop")
+                        seen.text("type") shouldBe "std_msgs/Float64"
+                        seen.text("port").orEmpty() shouldContain "data: \"on\""
+                        seen.text("count").orEmpty().lines().first().toDouble() shouldBeGreaterThan 0.0
+                        listOf("stop", "blink", "act").forEach { withClue(it) { seen.text(it).orEmpty() shouldContain "success: True" } }
+                        seen.text("refused").orEmpty() shouldContain "act_refused"
+                        seen.flag("server") shouldBe true
+                        seen.texts("states") shouldBe listOf("3", "4") // succeeded, aborted
+                        seen.text("result").orEmpty() shouldContain "act_refused"
+                    }
+                    sketch.done.toList() shouldBe listOf("stop", "blink(1)", "blink(2)", "blink(3)", "blink(4)")
+                    graph.end("core")
+                    graph.startCore()
+                    awaitUno()
+                    uno.told.any { "has lost its topics" in it }.shouldBeTrue()
+                    operationIn(graph.run("client.py")).shouldNotBeNull().text("act").orEmpty() shouldContain "success: True"
+                }
+            }
+        }
+    }
 })
+
+private fun JsonObject.texts(name: String) = (get(name) as JsonArray).map { it.jsonPrimitive.content }

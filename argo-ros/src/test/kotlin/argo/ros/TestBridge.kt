@@ -8,8 +8,14 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import org.java_websocket.WebSocket
+import org.java_websocket.drafts.Draft
+import org.java_websocket.exceptions.InvalidDataException
+import org.java_websocket.framing.CloseFrame
 import org.java_websocket.framing.Framedata
+import org.java_websocket.framing.PingFrame
+import org.java_websocket.framing.PongFrame
 import org.java_websocket.handshake.ClientHandshake
+import org.java_websocket.handshake.ServerHandshakeBuilder
 import org.java_websocket.server.WebSocketServer
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -27,8 +33,9 @@ internal typealias Service = (JsonObject) -> Pair<Boolean, JsonElement>
  * each throttle interval; without one it drops messages that come too early.
  *
  * @param number its TCP port; 0: a free one
+ * @param token the token that clients must show; null: none
  */
-internal class TestBridge(number: Int = 0) : AutoCloseable {
+internal class TestBridge(number: Int = 0, token: String? = null) : AutoCloseable {
     private val started = CountDownLatch(1)
     private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "test-bridge-timer").apply { isDaemon = true } }
     private val subscriptions = ConcurrentHashMap<String, Handler>() // by topic: the tests have one client
@@ -37,9 +44,15 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
     val heard = ConcurrentLinkedQueue<JsonObject>()
     private val services = ConcurrentHashMap<String, Service>()
 
-    /** True if it shows that it is there. */
+    private val held = ConcurrentLinkedQueue<() -> Unit>() // answers to pings
+
+    /** True if it shows that it is there; when it becomes true, pings that came before are answered. */
     @Volatile
     var answersPings = true
+        set(value) {
+            field = value
+            if (value) generateSequence(held::poll).forEach { it() }
+        }
 
     /** Called with each message that is published to it. */
     @Volatile
@@ -50,6 +63,14 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
     var onGoal: (goal: JsonObject) -> Unit = { }
 
     private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), number), 1) {
+        override fun onWebsocketHandshakeReceivedAsServer(
+            connection: WebSocket, draft: Draft, request: ClientHandshake,
+        ): ServerHandshakeBuilder {
+            val isMeant = token == null || request.getFieldValue("Authorization") == "Bearer $token"
+            if (!isMeant) throw InvalidDataException(CloseFrame.POLICY_VALIDATION)
+            return super.onWebsocketHandshakeReceivedAsServer(connection, draft, request)
+        }
+
         override fun onOpen(connection: WebSocket, handshake: ClientHandshake) = subscriptions.clear()
 
         override fun onClose(connection: WebSocket, code: Int, reason: String, remote: Boolean) = Unit
@@ -61,7 +82,8 @@ internal class TestBridge(number: Int = 0) : AutoCloseable {
         override fun onStart() = started.countDown()
 
         override fun onWebsocketPing(connection: WebSocket, frame: Framedata) {
-            if (answersPings) super.onWebsocketPing(connection, frame)
+            val pong = PongFrame(frame as PingFrame)
+            if (answersPings) connection.sendFrame(pong) else held += { if (connection.isOpen) connection.sendFrame(pong) }
         }
     }.apply {
         isReuseAddr = true

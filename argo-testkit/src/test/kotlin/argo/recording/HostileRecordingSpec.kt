@@ -207,7 +207,7 @@ class HostileRecordingSpec : FunSpec({
 
     test("options that would begin a server or another recording") {
         val before = Thread.getAllStackTraces().keys.map { it.name }.toSet()
-        val options = mapOf("option.argo_view" to "0", "option.argo_ros" to "0", "option.argo_record" to "$folder/x.mcap")
+        val options = mapOf("option.argo_view" to "0", "option.argo_ros" to "127.0.0.1:9090", "option.argo_record" to "$folder/x.mcap")
         shouldDoNothing(made("!start.", options))
         val begun = Thread.getAllStackTraces().keys.map { it.name }.toSet() - before
         begun.filter { "argo" in it || "http" in it.lowercase() }.shouldBeEmpty()

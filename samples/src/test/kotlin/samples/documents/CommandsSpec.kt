@@ -66,6 +66,8 @@ private val NOT_TRIED = mapOf(
     "sudo usermod" to "changes the machine",
     "lsusb" to "is the system's",
     "ssh" to "needs another computer",
+    "rostopic" to "is a tool of ROS; RosCoreSpec runs it",
+    "rosservice" to "is a tool of ROS; RosCoreSpec runs it",
     "./split " to "is run by javino-arduino/check",
     "cc " to "is run by FirmwareSnippetsSpec",
     "riscv64-unknown-elf-gcc" to "is for a microcontroller of the reader's; the Makefile's rules are the same",

@@ -4,6 +4,7 @@ import javino.NoSuchPortException
 import javino.PortException
 import javino.PortFaultException
 import javino.PortInterruptedException
+import kotlinx.serialization.json.JsonObject
 import java.io.IOException
 import java.lang.ref.WeakReference
 import java.net.ConnectException
@@ -23,17 +24,45 @@ import java.util.concurrent.TimeoutException
 
 /** Hears what a bridge sends, on a thread of the HTTP client; returns soon. */
 internal interface BridgeListener {
-    /** A message came. */
     fun text(message: String)
 
     /** The bridge has shown that it is there. */
     fun isAlive()
+
+    /** The bridge has answered a [Bridge.ping], and so has read all that was sent before. */
+    fun answered() = isAlive()
 
     /** A message was dropped unread: [what], in words. */
     fun dropped(what: String)
 
     /** The connection is gone, for [reason]. May be called more than once. */
     fun gone(reason: String)
+}
+
+/**
+ * Reads what a bridge sends, one operation after the other.
+ *
+ * @param warn takes what cannot be read, and what the bridge complains of, each text once
+ */
+internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
+    /** Takes in [operation]; false: it is unknown here. */
+    protected abstract fun hear(operation: JsonObject): Boolean
+
+    override fun text(message: String) {
+        val operation = operationIn(message)
+            ?: return warn("the bridge sends what is no operation of the rosbridge protocol: \"${message.take(QUOTED)}\"")
+        if (hear(operation)) return
+        val kind = operation.text("op")
+        if (kind != "status") warn("the bridge sends the operation $kind, which is not read")
+        else if (operation.text("level") in TROUBLE) warn("the bridge reports: ${operation.text("msg")}")
+    }
+
+    override fun dropped(what: String) = warn("the bridge sends $what; it is not read")
+
+    private companion object {
+        val TROUBLE = setOf("error", "warning")
+        const val QUOTED = 60
+    }
 }
 
 /** A connection to a bridge. Nothing here waits for the bridge. Safe for use by several threads. */
@@ -76,10 +105,11 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
     }
 
-    /** Closes the connection, with a word to the bridge if it still takes one. */
+    /** Closes the connection, in [CLOSING_MS] at most: what has been sent is lost if the bridge has not read it by the end. */
     override fun close() {
         outbox.close()
-        socket.sendClose(WebSocket.NORMAL_CLOSURE, "").orTimeout(CLOSING_MS, TimeUnit.MILLISECONDS).whenComplete { _, _ -> socket.abort() }
+        socket.sendClose(WebSocket.NORMAL_CLOSURE, "")
+        CompletableFuture.delayedExecutor(CLOSING_MS, TimeUnit.MILLISECONDS).execute { socket.abort() }
     }
 
     private class Receiver(private val listener: BridgeListener) : WebSocket.Listener {
@@ -110,7 +140,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
 
         override fun onPong(socket: WebSocket, message: ByteBuffer): CompletionStage<*>? {
-            listener.isAlive()
+            listener.answered()
             socket.request(1)
             return null
         }
@@ -126,7 +156,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
 
     companion object {
         private const val CONNECTING_S = 3L
-        private const val CLOSING_MS = 200L
+        private const val CLOSING_MS = 1_000L
 
         /** The longest message that is read, in characters; a longer one is dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024

@@ -70,7 +70,6 @@ internal class Commands(
 
     private fun advertisement(topic: String, type: String) = operation("advertise", "topic" to topic, "type" to type)
 
-    /** Sends the command [text]. */
     fun send(text: String, options: SendOptions): SentCommand {
         val outcome = CompletableFuture<Unit>()
         val command = GroundTerm.ofOrNull(text) as? GroundTerm.Structure
@@ -270,7 +269,6 @@ private fun valueOf(term: GroundTerm): Value = when (term) {
     }
 }
 
-/** Makes the object with [fields], by their paths. */
 private fun nested(fields: List<Pair<List<String>, JsonElement>>): JsonObject = JsonObject(
     fields.groupBy({ (path, _) -> path.first() }, { (path, value) -> path.drop(1) to value }).mapValues { (_, inside) ->
         inside.singleOrNull { (path, _) -> path.isEmpty() }?.second ?: nested(inside)

@@ -35,7 +35,6 @@ internal fun operationIn(text: String): JsonObject? = try {
 /** Returns the text of field [name]; null: there is none. */
 internal fun JsonObject.text(name: String): String? = (this[name] as? JsonPrimitive)?.takeIf { it !is JsonNull }?.contentOrNull
 
-/** Returns the object in field [name]; null: there is none. */
 internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObject
 
 /** Returns the value of field [name]; null if it is neither `true` nor `false`. */

@@ -34,7 +34,6 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
 
-    /** Ends the connection from the bridge's side. */
     fun end() = listener.gone("the bridge has closed the connection")
 
     private fun answer(operation: JsonObject) {

@@ -33,7 +33,6 @@ internal class RobotTime(
     private var toldNanos: Long? = null // these two are used by the bridge's thread only
     private var answers = 0
 
-    /** Begins to ask for the time. */
     fun ask() {
         dueNanos = null
         if (!isClockKnown) askForClock()
@@ -49,7 +48,6 @@ internal class RobotTime(
         }
     }
 
-    /** Asks again if it is time to. */
     fun renew() {
         if (dueNanos?.let { clock.nanos() - it >= 0 } == true) ask()
     }
@@ -115,7 +113,6 @@ internal class RobotTime(
     }
 
     companion object {
-        /** The topic of a simulator's time. */
         const val CLOCK = "/clock"
 
         /** The greatest age of a message that is believed, in ns. */

@@ -41,7 +41,6 @@ internal class RobotTypes(
     private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, as the next one
     private var isChecked = false
 
-    /** Returns the type of the messages of [rule]; null: it is not known. */
     fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
 
     /** Returns the type of the messages, requests or goals of [rule]; null: it is not known. */

@@ -20,7 +20,6 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     class Answer(val values: JsonObject, val receivedNanos: Long) {
         fun text(name: String): String? = values.text(name)
 
-        /** Returns the texts in the list [name]; null: there is no such list. */
         fun texts(name: String): List<String>? = (values[name] as? JsonArray)?.mapNotNull { (it as? JsonPrimitive)?.content }
     }
 
@@ -66,7 +65,6 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         /** Part of a bridge's answer if there is no such service. */
         private const val MISSING = "does not exist"
 
-        /** The longest wait for an answer. */
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10)
     }
 }

@@ -12,7 +12,6 @@ internal class SilentTopics {
         topics.forEach { dueNanos.putIfAbsent(it, nowNanos + LIMIT_NANOS) }
     }
 
-    /** Notes that a message of [topic] has come at [nowNanos]. */
     fun heard(topic: String, nowNanos: Long) {
         dueNanos[topic] = nowNanos + LIMIT_NANOS
     }

@@ -41,7 +41,6 @@ internal class TopicMessages(
         if (newest.keys.retainAll(topics.toSet())) isNew = true
     }
 
-    /** Forgets everything. */
     fun clear() {
         newest.clear()
         isNew = false

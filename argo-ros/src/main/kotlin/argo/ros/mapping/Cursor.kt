@@ -16,10 +16,8 @@ internal class Cursor(private val text: String, private val start: Place) {
         skipBlanks()
     }
 
-    /** The place of the next character. */
     val place: Place get() = Place(start.line, start.column + at)
 
-    /** True at the end of the rule. */
     val isAtEnd: Boolean get() = at == text.length
 
     /** The rest up to the next blank, for messages. */
@@ -32,21 +30,16 @@ internal class Cursor(private val text: String, private val start: Place) {
         return isThere
     }
 
-    /** Takes the first of [symbols] that is next; null: none is. */
     fun takeOneOf(symbols: List<String>): String? = symbols.find(::take)
 
-    /** Takes the text that [pattern] matches here; null: it does not match. */
     fun take(pattern: Regex): String? = pattern.matchAt(text, at)?.value?.also { advance(it.length) }
 
-    /** Takes [symbol], or refuses the text that is there. */
     fun expect(symbol: String, where: String) {
         if (!take(symbol)) throw refusal("expected '$symbol' $where, but found $found")
     }
 
-    /** Takes the text that [pattern] matches here, or refuses the text that is there. */
     fun expect(pattern: Regex, what: String): String = take(pattern) ?: throw refusal("expected $what, but found $found")
 
-    /** Makes a refusal of the text here, with [message]. */
     fun refusal(message: String) = Refusal(place, message)
 
     private fun advance(by: Int) {

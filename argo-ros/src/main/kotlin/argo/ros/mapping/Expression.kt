@@ -10,7 +10,6 @@ internal sealed interface Expression {
     /** Returns the value; [Value.None] if a field has none, or one with which the expression cannot calculate. */
     fun valueIn(scope: Scope): Value
 
-    /** A literal number, atom or string. */
     data class Constant(val value: Value) : Expression {
         override fun valueIn(scope: Scope) = value
     }
@@ -20,7 +19,6 @@ internal sealed interface Expression {
         override fun valueIn(scope: Scope) = scope.valueOf(path)
     }
 
-    /** A calculation with two numbers. */
     data class Calculation(val operator: Char, val left: Expression, val right: Expression) : Expression {
         override fun valueIn(scope: Scope): Value {
             val (first, second) = left.valueIn(scope) to right.valueIn(scope)
@@ -40,7 +38,6 @@ internal sealed interface Expression {
             value as? Value.None ?: Value.None("$operator calculates with numbers, not with ${value.inWords()}")
     }
 
-    /** A call of a [Function]. */
     data class Call(val function: Function, val argument: Expression) : Expression {
         override fun valueIn(scope: Scope): Value {
             val value = argument.valueIn(scope)
@@ -49,9 +46,7 @@ internal sealed interface Expression {
         }
     }
 
-    /** A literal: a functor and arguments. */
     data class Compound(val functor: String, val arguments: List<Expression>) : Expression {
-        /** The literal as a [Value.Symbol]. */
         override fun valueIn(scope: Scope): Value {
             if (arguments.isEmpty()) return Value.Symbol(functor)
             val terms = arguments.mapIndexed { index, argument ->
@@ -66,7 +61,6 @@ internal sealed interface Expression {
     }
 }
 
-/** Returns all fields in this expression. */
 internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Constant -> emptyList()
     is Expression.Field -> listOf(this)
@@ -79,7 +73,6 @@ internal fun Expression.fields(): List<Expression.Field> = when (this) {
 internal fun written(path: List<String>): String =
     path.reduceOrNull { before, step -> if (step[0].isDigit()) "$before[$step]" else "$before.$step" }.orEmpty()
 
-/** Looks up the values of an expression's fields. */
 internal fun interface Scope {
     /** Returns the value at [path]; [Value.None] if there is none. */
     fun valueOf(path: List<String>): Value
@@ -122,7 +115,6 @@ internal class MessageScope(private val message: JsonElement, private val bytes:
     }
 }
 
-/** A condition of a rule. */
 internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
     /** Returns [Value.TRUE] if it holds, [Value.FALSE] if it does not, [Value.None] if a value is missing or cannot be compared. */
     fun valueIn(scope: Scope): Value {
@@ -174,7 +166,6 @@ internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     YAW("a quaternion with the numbers x, y, z and w", ::yawOf);
 
     companion object {
-        /** Returns the function with the name [name]; null: there is none. */
         fun of(name: String): Function? = entries.find { it.name.lowercase() == name }
     }
 }

@@ -11,7 +11,6 @@ private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-
 /** The characters that a header of HTTP takes. */
 private val TOKEN = Regex("[!-~]+")
 
-/** The end of a mapping's file name. */
 internal const val SUFFIX = ".ros.yaml"
 
 /**

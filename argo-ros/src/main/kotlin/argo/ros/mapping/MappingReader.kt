@@ -2,7 +2,6 @@ package argo.ros.mapping
 
 import argo.filters.Problem
 
-/** The first lines of a mapping, for messages. */
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**

@@ -28,7 +28,6 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     return rule
 }
 
-/** Returns the fields of its message that this rule uses. */
 internal fun PerceptRule.fields(): List<Expression.Field> =
     percept.fields() + conditions.flatMap { it.left.fields() + it.right.fields() }
 
@@ -41,10 +40,8 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value {
     return percept.valueIn(scope)
 }
 
-/** The result if a condition does not hold. */
 private val NO_PERCEPT = Value.Text("")
 
-/** Refuses [field] if it is not among the [known] fields of [type]. */
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
     val name = field.path.first()
     if (name !in known) throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")

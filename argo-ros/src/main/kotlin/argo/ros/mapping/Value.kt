@@ -9,7 +9,6 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 import java.math.BigDecimal
 
-/** The value of an expression. */
 internal sealed interface Value {
     /** A number; neither infinite nor no number. */
     data class Number(val value: Double) : Value

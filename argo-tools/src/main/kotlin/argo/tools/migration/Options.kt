@@ -34,7 +34,8 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
         /** The options of `argo.Arch` in a project file. */
         val OF_ARCH: Map<String, KnownOption> = mapOf(
             "argo_sensing" to oneOf("fresh", "every", "in_cycle"), "argo_percepts" to whole(1..Int.MAX_VALUE),
-            "argo_view" to whole(0..65_535), "argo_record" to any("a file, or last(5)"), "argo_ros" to any("a port number, or an address"),
+            "argo_view" to whole(0..65_535), "argo_record" to any("a file, or last(5)"),
+            "argo_ros" to KnownOption("the address of a rosbridge_server, as \"robot:9090\"") { it.toIntOrNull() == null },
         )
     }
 }

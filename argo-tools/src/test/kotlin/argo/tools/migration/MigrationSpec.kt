@@ -151,7 +151,9 @@ class MigrationSpec : FunSpec({
         of("argo_view=99999999").single().what shouldBe "argo_view of argo.Arch is a whole number from 0 to 65535, not 99999999"
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
         of("argo_diary=on").single().must shouldBe false
-        of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"0.0.0.0:9090\"").shouldBeEmpty()
+        of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"robot:9090\"").shouldBeEmpty()
+        of("argo_ros=9090").single().what shouldBe
+            "argo_ros of argo.Arch is the address of a rosbridge_server, as \"robot:9090\", not 9090"
     }
 
     test("NE is noted where a program may be for another version, and what has no effect everywhere") {

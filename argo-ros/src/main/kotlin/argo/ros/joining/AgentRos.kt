@@ -1,0 +1,50 @@
+package argo.ros.joining
+
+import argo.observing.AgentObserver
+import argo.observing.ObservedAgent
+import argo.observing.PerceivedMessage
+import javino.SendOptions
+import javino.wire.BoardAction
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * Has [agent]'s boards take part in a graph: their percepts, before its filter, and their actions. Commands from there go the way of
+ * `argo.act`.
+ *
+ * @param warn takes what is not published, each text once
+ * @param leave takes the agent off the graph
+ */
+internal class AgentRos(
+    private val agent: ObservedAgent,
+    private val topics: Topics,
+    private val warn: (String) -> Unit,
+    private val leave: () -> Unit,
+) : AgentObserver, Participant {
+    private class Board(val publisher: PerceptPublisher) {
+        var publishedNanos: Long? = null
+    }
+
+    private val boards = HashMap<String, Board>() // by port; guarded by this
+
+    override val name = graphName(agent.name)
+    override val actions: List<BoardAction>? get() = agent.actions
+
+    override fun messageFiltered(message: PerceivedMessage) {
+        synchronized(this) {
+            val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
+            val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics, warn)) }
+            if (board.publishedNanos == message.receivedNanos) return // the filter has let more of the message through
+            board.publishedNanos = message.receivedNanos
+            board.publisher.publish(message.texts)
+        }
+    }
+
+    override fun portChanged(port: String, status: String, reason: String?) =
+        topics.publish("/$name/port/${graphName(port.removeSurrounding("\""))}", STRING, listOf(data(JsonPrimitive(status))))
+
+    override fun act(command: String, options: SendOptions, done: (Outcome) -> Unit) = agent.act(command, options) { failure ->
+        done(failure?.let { Outcome(it.error, it.cause) } ?: Outcome.DONE)
+    }
+
+    override fun close() = leave()
+}

@@ -1,0 +1,42 @@
+package argo.ros.joining
+
+import argo.ros.RosAddress
+import argo.ros.mapping.MappingException
+import argo.ros.mapping.findToken
+import javino.NoSuchPortException
+
+/** No bridge is at an address, as [message] says. */
+internal class RefusedAddress(message: String) : Exception(message)
+
+/**
+ * The bridge to a graph.
+ *
+ * @property ros its address
+ * @property token the token that it is shown; null: none
+ */
+internal class BridgeAddress(val ros: RosAddress, val token: String?) {
+    companion object {
+        private val NUMBER = Regex("[0-9]+")
+
+        /**
+         * Reads `HOST:PORT`, which may have the form of a port of an agent, `ros://HOST:PORT#NAME`. The token stands in the file
+         * `NAME.ros.token`, as for a port.
+         *
+         * @throws RefusedAddress with the reason
+         */
+        fun of(text: String): BridgeAddress {
+            if (NUMBER.matches(text)) throw RefusedAddress(
+                "$text is only a number, at which ARGO listened for ROS clients once. Now boards join the graph of a running " +
+                    "rosbridge_server: write its address, as \"localhost:$text\". Without ROS the live view shows them, argo_view=$text",
+            )
+            return try {
+                val address = RosAddress.of(if (text.startsWith("ros:")) text else "ros://$text")
+                BridgeAddress(address, findToken(address.mapping))
+            } catch (refused: NoSuchPortException) {
+                throw RefusedAddress(refused.message.orEmpty())
+            } catch (refused: MappingException) {
+                throw RefusedAddress(refused.message.orEmpty())
+            }
+        }
+    }
+}

@@ -1,0 +1,152 @@
+package argo.ros.joining
+
+import argo.links.BoardLink
+import argo.links.Wish
+import argo.links.errorOf
+import javino.PerceptsRequest
+import javino.PortException
+import javino.PortInterruptedException
+import javino.PortTimeoutException
+import javino.SendOptions
+import javino.wire.BoardAction
+import kotlinx.serialization.json.JsonPrimitive
+import java.util.concurrent.CompletionException
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit
+
+/**
+ * Has a board take part without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is
+ * sent once at most.
+ *
+ * @param port its port, for messages
+ * @param intervalMs the time from one request to the next
+ * @param timeoutMs the time that an answer may take
+ * @param listens whether it sends its percepts unasked
+ * @param open opens it
+ * @param tell takes a line for a person
+ * @param warn takes what of the board is not published, each text once
+ */
+internal class JoinedBoard(
+    override val name: String,
+    private val port: String,
+    private val topics: Topics,
+    private val intervalMs: Int,
+    private val timeoutMs: Int,
+    private val listens: Boolean,
+    private val open: () -> BoardLink,
+    private val tell: (String) -> Unit,
+    warn: (String) -> Unit,
+) : Participant, AutoCloseable {
+    private val closed = CountDownLatch(1)
+    private val publisher = PerceptPublisher("/$name", topics, warn)
+    private val thread = Thread(::run, "argo-ros-$name").apply { isDaemon = true }
+    private var status = ""
+
+    @Volatile
+    private var link: BoardLink? = null
+
+    @Volatile
+    private var known: List<BoardAction>? = null
+
+    override val actions: List<BoardAction>?
+        get() = (link?.actions ?: known)?.takeIf { it.isNotEmpty() }?.also { known = it }
+
+    /** Begins to ask it. Called once. */
+    fun start() = thread.start()
+
+    private val isClosed get() = closed.count == 0L
+
+    private fun run() {
+        while (!isClosed) {
+            try {
+                open().use(::ask)
+            } catch (_: PortInterruptedException) {
+                return
+            } catch (gone: PortException) {
+                off("${gone.message}")
+            } catch (unforeseen: Throwable) { // thrown, it would end the thread that asks the board
+                off("it failed: $unforeseen")
+            }
+            try {
+                closed.await(RETRY_MS, TimeUnit.MILLISECONDS)
+            } catch (_: InterruptedException) {
+                return
+            }
+        }
+    }
+
+    private fun off(why: String) {
+        link = null
+        report("off", "/$name: $why; it is opened again as soon as it is there")
+    }
+
+    private fun ask(opened: BoardLink) {
+        opened.wants(Wish(true, intervalMs, null))
+        link = opened
+        Thread({ writeCommands(opened) }, "argo-ros-$name-acting").apply { isDaemon = true }.start()
+        var due = System.nanoTime()
+        while (!isClosed) {
+            try {
+                val message = if (listens || opened.speaksUnasked) opened.listen(timeoutMs)
+                else opened.request({ PerceptsRequest.ALL }, timeoutMs, intervalMs)
+                report("on", "/$name: the board at port $port is there")
+                if (message != null) publisher.publish(message.text)
+            } catch (late: PortTimeoutException) {
+                report("timeout", "/$name: ${late.message}")
+            }
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // missed requests are not made up for
+            if (!listens && !opened.speaksUnasked) waitUntil(due)
+        }
+    }
+
+    private fun waitUntil(nanos: Long) {
+        try {
+            closed.await(nanos - System.nanoTime(), TimeUnit.NANOSECONDS)
+        } catch (_: InterruptedException) {
+            throw PortInterruptedException(port)
+        }
+    }
+
+    private fun writeCommands(opened: BoardLink) {
+        try {
+            opened.writeCommandsUntilClosed()
+        } catch (_: PortException) {
+            // the thread that senses finds it gone
+        } catch (unforeseen: Throwable) { // thrown, it would end the thread that sends commands
+            tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
+            opened.close()
+        }
+    }
+
+    private fun report(word: String, message: String) {
+        if (word == status) return
+        status = word
+        topics.publish("/$name/port", STRING, listOf(data(JsonPrimitive(word))))
+        tell(message)
+    }
+
+    override fun act(command: String, options: SendOptions, done: (Outcome) -> Unit) {
+        val opened = link ?: return done(Outcome("no_port", "the board at port $port is not there now"))
+        try {
+            opened.send(command, options).outcome.whenComplete { _, trouble -> done(outcomeOf(trouble)) }
+        } catch (unsendable: IllegalArgumentException) { // text that fits into no frame
+            done(Outcome("wrong_arguments", unsendable.message.orEmpty()))
+        }
+    }
+
+    override fun close() {
+        closed.countDown()
+        thread.interrupt()
+        link?.close()
+    }
+
+    private companion object {
+        const val RETRY_MS = 500L
+    }
+}
+
+/** Names the failure [trouble] of a command as an agent does; null: it was carried out. */
+internal fun outcomeOf(trouble: Throwable?): Outcome {
+    val cause = if (trouble is CompletionException) trouble.cause else trouble
+    return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")
+}

@@ -1,0 +1,229 @@
+package argo.ros.joining
+
+import argo.observing.Farewell
+import argo.platform.ThinnedLog
+import argo.platform.foreignText
+import argo.ros.bridge.Bridge
+import argo.ros.bridge.BridgeSocket
+import argo.ros.bridge.OperationListener
+import argo.ros.bridge.Outgoing
+import argo.ros.bridge.RosApi
+import argo.ros.bridge.operation
+import argo.ros.bridge.text
+import javino.LineClock
+import javino.PortException
+import kotlinx.serialization.json.JsonObject
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.Semaphore
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+import java.util.concurrent.atomic.AtomicInteger
+
+/**
+ * Keeps [participant] in the ROS graph behind a bridge: advertises what it has, again whenever the bridge or the graph has come back, and
+ * publishes the newest messages of its topics. A thread of its own does so, which nobody else waits for.
+ *
+ * The messages go out in rounds: the next one waits until the bridge has read the one before, as its answer to a ping shows.
+ *
+ * @param topics the participant's topics
+ * @param tell takes a line about the connection, for a person
+ * @param warn takes what the graph is not told, or does not take, each text once
+ */
+internal class Membership(
+    private val participant: Participant,
+    private val topics: Topics,
+    private val address: BridgeAddress,
+    private val tell: (String) -> Unit,
+    private val warn: (String) -> Unit,
+) : AutoCloseable {
+    private val clock = LineClock.system()
+    private val lines = ThinnedLog({ TimeUnit.NANOSECONDS.toMillis(clock.nanos()) }) { delayMs, action ->
+        clock.schedule(TimeUnit.MILLISECONDS.toNanos(delayMs), action)
+    }
+    private val place = "ros://${address.ros.socket.authority}"
+    private val news = Semaphore(0)
+    private val thread = Thread(::run, "argo-ros-${participant.name}").apply { isDaemon = true }
+    private val farewell = Farewell(LEAVING_MS) {
+        close()
+        thread.join(LEAVING_MS)
+    }
+    private var reported = "" // used by the thread only
+
+    @Volatile
+    private var isClosed = false
+
+    /** Begins to take part. Called once. */
+    fun start() {
+        topics.onNews = { news.release() }
+        thread.start()
+    }
+
+    private fun run() {
+        while (!isClosed) {
+            val restMs = try {
+                visit()
+            } catch (away: PortException) {
+                report("${away.message}; /${participant.name} is advertised as soon as it is there")
+                RETRY_MS
+            } catch (unforeseen: Throwable) { // thrown, it would end the thread
+                report("the graph at $place is left, and joined again: $unforeseen")
+                RETRY_MS
+            }
+            val endNanos = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(restMs)
+            while (!isClosed && endNanos - clock.nanos() > 0) awaitNews(endNanos - clock.nanos())
+        }
+        farewell.close()
+    }
+
+    /** Takes part until the connection ends or this is closed; returns the time in ms to wait before the next visit. */
+    private fun visit(): Long {
+        val connection = Connection()
+        connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.token)
+        report("ROS sees ${participant.name} as /${participant.name} at $place")
+        try {
+            connection.begin()
+            while (!isClosed && connection.end == null) {
+                connection.goOn()
+                awaitNews(TICK_NANOS)
+            }
+            connection.end?.let { report("$it; /${participant.name} is advertised again as soon as it is there") }
+        } finally {
+            connection.leave()
+        }
+        return connection.restMs
+    }
+
+    private fun awaitNews(nanos: Long) {
+        news.tryAcquire(nanos, TimeUnit.NANOSECONDS)
+        news.drainPermits()
+    }
+
+    private fun report(line: String) {
+        if (line == reported) return
+        reported = line
+        lines.report("state") { more -> tell(foreignText(line) + more) }
+    }
+
+    /** Leaves the graph. Does not wait. */
+    override fun close() {
+        isClosed = true
+        news.release()
+    }
+
+    private inner class Connection : OperationListener(warn) {
+        lateinit var bridge: Bridge
+        private val api = RosApi(clock, ::send)
+        private val offers = Offers(participant, ::answer, warn)
+        private val presence = Presence(api, warn) {
+            restMs = REJOINING_MS
+            gone("the graph at $place has lost its topics, as after a restart of roscore")
+        }
+        private val unsent = AtomicInteger()
+        private val advertised = HashSet<String>() // these three are used by the thread only
+        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS
+        private var roundNanos = clock.nanos() // the beginning of the last round
+
+        @Volatile
+        private var isRoundUnderWay = false
+
+        @Volatile
+        var end: String? = null
+
+        @Volatile
+        var restMs = RETRY_MS
+
+        fun begin() {
+            topics.renew()
+            api.ask("/rosapi/get_ros_version").whenComplete { answer, _ -> offers.announceAction(answer?.text("version") == "2") }
+        }
+
+        fun goOn() {
+            val now = clock.nanos()
+            if (offers.renew()) checkNanos = now + FIRST_CHECK_NANOS
+            if (checkNanos - now <= 0) {
+                checkNanos = now + CHECK_NANOS
+                presence.check(topics.types.filterKeys(advertised::contains) + offers.topics, offers.services)
+            }
+            if (!isRoundUnderWay) sendRound(now)
+            else if (now - roundNanos > ANSWER_NANOS) gone("the bridge at $place has not answered a ping for $ANSWER_S s")
+        }
+
+        private fun sendRound(now: Long) {
+            val round = topics.takeNews().flatMap(::operationsOf)
+            if (round.isEmpty() && now - roundNanos < IDLE_NANOS) return
+            isRoundUnderWay = true
+            roundNanos = now
+            if (round.isEmpty()) return bridge.ping()
+            val messages = round.map { Outgoing(it) }
+            messages.last().left.whenComplete { _, _ -> bridge.ping() } // behind them all
+            messages.forEach(bridge::queue)
+            bridge.flush()
+        }
+
+        private fun operationsOf(news: Topics.News): List<String> {
+            val isNew = advertised.add(news.name)
+            if (isNew) checkNanos = clock.nanos() + FIRST_CHECK_NANOS
+            val advertisement = operation("advertise", "topic" to news.name, "type" to news.type, "latch" to true)
+            return listOfNotNull(advertisement.takeIf { isNew }) +
+                news.messages.map { operation("publish", "topic" to news.name, "msg" to it, "latch" to true) }
+        }
+
+        private fun send(message: Outgoing) = bridge.send(message)
+
+        /** Sends an answer before the messages that wait; a bridge that asks and does not read is left. */
+        private fun answer(operation: String) {
+            if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
+            val message = Outgoing(operation, isUrgent = true)
+            message.left.whenComplete { _, _ -> unsent.decrementAndGet() }
+            send(message)
+        }
+
+        override fun hear(operation: JsonObject) = api.heard(operation, clock.nanos()) || offers.hear(operation)
+
+        override fun isAlive() = Unit
+
+        override fun answered() {
+            isRoundUnderWay = false
+            news.release()
+        }
+
+        override fun gone(reason: String) {
+            if (end == null) end = reason
+            news.release()
+        }
+
+        /** Takes the services back if the bridge is there, and closes the connection. */
+        fun leave() {
+            if (end == null) {
+                offers.takeAllBack()
+                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge does the others
+                bridge.send(last)
+                try {
+                    last.left.get(CLOSING_MS, TimeUnit.MILLISECONDS)
+                } catch (_: TimeoutException) {
+                    tell("the bridge at $place reads nothing, and goes on showing the services of /${participant.name}")
+                } catch (_: ExecutionException) {
+                    // it has gone itself
+                }
+            }
+            api.close()
+            bridge.close()
+        }
+    }
+
+    private companion object {
+        const val RETRY_MS = 1_000L
+
+        /** A bridge of ROS 1 keeps the publishers of a client for ten seconds, and gives them back to it, though a new graph has none. */
+        const val REJOINING_MS = 12_000L
+        const val LEAVING_MS = 2_000L
+        const val CLOSING_MS = 1_000L
+        const val MAX_UNSENT = 1_000
+        val TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(250)
+        val FIRST_CHECK_NANOS = TimeUnit.SECONDS.toNanos(3)
+        val CHECK_NANOS = TimeUnit.SECONDS.toNanos(5)
+        const val ANSWER_S = 20L
+        val ANSWER_NANOS = TimeUnit.SECONDS.toNanos(ANSWER_S)
+        val IDLE_NANOS = TimeUnit.SECONDS.toNanos(3)
+    }
+}

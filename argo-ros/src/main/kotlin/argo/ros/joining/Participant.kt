@@ -1,0 +1,72 @@
+package argo.ros.joining
+
+import argo.filters.matching.perceptsOf
+import argo.platform.foreignText
+import javino.SendOptions
+import javino.wire.BoardAction
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/** A board or an agent that takes part in a graph. Any thread may call; no function waits. */
+internal interface Participant {
+    /** The name below which its topics and services are, without the slash. */
+    val name: String
+
+    /** The actions that it has; null: they are not known. */
+    val actions: List<BoardAction>?
+
+    /** Sends [command] and calls [done] once with its outcome, on any thread. */
+    fun act(command: String, options: SendOptions, done: (Outcome) -> Unit)
+}
+
+/**
+ * The outcome of a command.
+ *
+ * @property error the atom of the failure, as `act_failed`; null: it was carried out
+ * @property message the reason of the failure, for a person
+ */
+internal data class Outcome(val error: String?, val message: String) {
+    /** This as the response of a service, which is also the result of an action. */
+    val response get() = JsonObject(
+        mapOf("success" to JsonPrimitive(error == null), "message" to JsonPrimitive(if (error == null) "" else inWords)),
+    )
+
+    val inWords get() = "$error: $message"
+
+    companion object {
+        val DONE = Outcome(null, "")
+
+        /** The error of a command that is not carried out. */
+        const val REFUSED = "act_refused"
+    }
+}
+
+/**
+ * Publishes a participant's percepts. For one thread at a time.
+ *
+ * @param base the name of the participant, and of the board's namespace if it has one: `/uno`
+ * @param warn takes what has no topic of its own, each text once
+ */
+internal class PerceptPublisher(private val base: String, private val topics: Topics, private val warn: (String) -> Unit) {
+    private var plain = emptySet<String>()
+
+    /** Publishes the board's message [text]: each percept on its topic, and the whole message on `percepts`. */
+    fun publish(text: String) = publish(perceptsOf(text))
+
+    /** As the other [publish], with the percepts one by one. */
+    fun publish(percepts: List<String>) {
+        val samples = percepts.mapNotNull { percept -> sampleOf(percept) ?: null.also { leftOut(percept) } }.groupBy { it.topic to it.type }
+        val now = samples.keys.filter { it.second == BOOL }.map { it.first }.toSet()
+        (plain - now).forEach { topics.publish("$base/$it", BOOL, listOf(ABSENT)) }
+        plain = now
+        samples.forEach { (key, its) -> topics.publish("$base/${key.first}", key.second, its.map { it.message }) }
+        topics.publish("$base/$ALL", STRING, listOf(data(JsonPrimitive(percepts.joinToString("") { "$it;" }))))
+    }
+
+    private fun leftOut(percept: String) =
+        warn("${foreignText(percept)} is no literal without variables, and is published on $base/$ALL only")
+
+    private companion object {
+        const val ALL = "percepts"
+    }
+}

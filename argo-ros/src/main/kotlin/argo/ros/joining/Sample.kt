@@ -1,0 +1,62 @@
+package argo.ros.joining
+
+import argo.filters.GroundTerm
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+
+/**
+ * A percept as a message.
+ *
+ * @property topic the last part of the topic's name: `dist/front`
+ * @property type a type of `std_msgs`
+ */
+internal data class Sample(val topic: String, val type: String, val message: JsonObject)
+
+/**
+ * Makes a message of the percept [text]; null: it is no literal without variables.
+ *
+ * Its functor and the atoms before its last argument are the topic's name, and the rest is the value: `dist(front,38)` is 38 on
+ * `dist/front`. A percept without arguments is `true`.
+ */
+internal fun sampleOf(text: String): Sample? {
+    val percept = GroundTerm.ofOrNull(text) as? GroundTerm.Structure ?: return null
+    val arguments = percept.arguments
+    val places = arguments.dropLast(1).takeWhile { it is GroundTerm.Structure && it.arguments.isEmpty() }
+    val name = listOf(percept.predicate.toString()) + places.map { "$it" }
+    val topic = name.joinToString("/", transform = ::graphName)
+    val values = arguments.drop(places.size)
+    val value = values.singleOrNull()
+    return when {
+        values.isEmpty() -> Sample(topic, BOOL, data(JsonPrimitive(true)))
+        value is GroundTerm.Number -> Sample(topic, NUMBER, data(JsonPrimitive(value.value)))
+        value is GroundTerm.Text -> Sample(topic, STRING, data(JsonPrimitive(value.text)))
+        "$value" == "true" || "$value" == "false" -> Sample(topic, BOOL, data(JsonPrimitive("$value" == "true")))
+        values.all { it is GroundTerm.Number } -> Sample(topic, NUMBERS, numbers(values.map { (it as GroundTerm.Number).value }))
+        else -> Sample(topic, STRING, data(JsonPrimitive(values.joinToString(","))))
+    }
+}
+
+internal val ABSENT: JsonObject = data(JsonPrimitive(false))
+
+internal const val BOOL = "std_msgs/Bool"
+internal const val NUMBER = "std_msgs/Float64"
+internal const val NUMBERS = "std_msgs/Float64MultiArray"
+internal const val STRING = "std_msgs/String"
+
+/** Makes a message of a type whose only field is `data`. */
+internal fun data(value: JsonElement) = JsonObject(mapOf("data" to value))
+
+private fun numbers(values: List<Double>) = JsonObject(
+    mapOf(
+        "layout" to JsonObject(mapOf("dim" to JsonArray(emptyList()), "data_offset" to JsonPrimitive(0))),
+        "data" to JsonArray(values.map { JsonPrimitive(it) }),
+    ),
+)
+
+/** Returns [text] as a part of a name on the graph, which has letters, digits and `_`, and begins with a letter. */
+internal fun graphName(text: String): String {
+    val name = text.removeSurrounding("'").map { if (it in 'a'..'z' || it in 'A'..'Z' || it in '0'..'9') it else '_' }.joinToString("")
+    return if (name.firstOrNull()?.isLetter() == true) name else "x$name"
+}

@@ -1,0 +1,55 @@
+package argo.ros.joining
+
+import kotlinx.serialization.json.JsonObject
+
+/**
+ * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read those before. So a slow
+ * bridge holds up nobody, and gets no old messages. Safe for use by several threads; no function waits.
+ *
+ * @param warn takes warnings for a person, each text once
+ */
+internal class Topics(private val warn: (String) -> Unit) {
+    private class Topic(val type: String) {
+        var newest: List<JsonObject> = emptyList()
+        var isWaiting = false
+    }
+
+    class News(val name: String, val type: String, val messages: List<JsonObject>)
+
+    private val topics = LinkedHashMap<String, Topic>() // guarded by this
+
+    /** Called by the publishing thread when messages wait. */
+    @Volatile
+    var onNews: () -> Unit = {}
+
+    /** The types of all topics, by their names. */
+    val types: Map<String, String> get() = synchronized(this) { topics.mapValues { it.value.type } }
+
+    /** Publishes [messages], which hold at one instant. A topic keeps the type of its first message, and there are [MAX_TOPICS] topics. */
+    fun publish(name: String, type: String, messages: List<JsonObject>) {
+        synchronized(this) {
+            val topic = topics[name] ?: Topic(type).takeIf { topics.size < MAX_TOPICS }?.also { topics[name] = it }
+                ?: return warn("there are $MAX_TOPICS topics; percepts that need more are not published")
+            if (topic.type != type) return warn("$name has the type ${topic.type}; a percept of the type $type is not published")
+            topic.newest = messages
+            topic.isWaiting = true
+        }
+        onNews()
+    }
+
+    /** Returns the messages that wait; they do not wait any more. */
+    fun takeNews(): List<News> = synchronized(this) {
+        topics.filterValues { it.isWaiting }.map { (name, topic) ->
+            topic.isWaiting = false
+            News(name, topic.type, topic.newest)
+        }
+    }
+
+    /** Has the newest messages of all topics wait, for a graph that does not have them. */
+    fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
+
+    companion object {
+        /** The largest number of topics: a board may make up names. */
+        const val MAX_TOPICS = 1_000
+    }
+}

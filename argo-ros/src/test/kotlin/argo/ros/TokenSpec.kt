@@ -1,0 +1,49 @@
+package argo.ros
+
+import argo.ros.mapping.MappingException
+import argo.ros.mapping.findToken
+import argo.ros.mapping.mappingOf
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
+import javino.LineClock
+import javino.NoSuchPortException
+import javino.PortFaultException
+import java.net.URI
+import kotlin.io.path.writeText
+
+private const val TOKEN = "quite-a-long-secret"
+
+/** An agent's link to a bridge that wants a token. */
+class TokenSpec : FunSpec({
+    test("a bridge that wants a token gets it, and none is a fault") {
+        TestBridge(token = TOKEN).use { bridge ->
+            val address = URI("ws://127.0.0.1:${bridge.number}/")
+            val mapping = mappingOf("percepts:\n  - /hit std_msgs/Bool", "robot.ros.yaml")
+
+            fun open(token: String?) = RosLink.open("robot", address, mapping, true, LineClock.system(), token)
+            open(TOKEN).use { it.isOpen shouldBe true }
+            shouldThrow<PortFaultException> { open(null) }
+            shouldThrow<PortFaultException> { open("another-long-secret") }.message.orEmpty() shouldNotContain "another-long-secret"
+        }
+    }
+
+    test("the token stands in a file beside the mapping, and in no name of a port") {
+        val directory = tempdir().toPath()
+        findToken("left", directory) shouldBe null
+        directory.resolve("left.ros.token").writeText("$TOKEN\n")
+        findToken("left", directory) shouldBe TOKEN
+        directory.resolve("left.ros.token").writeText("two words\n")
+        shouldThrow<MappingException> { findToken("left", directory) }.message.orEmpty().let {
+            it shouldContain "it holds no token"
+            it shouldNotContain "two words"
+        }
+        shouldThrow<NoSuchPortException> { RosAddress.of("ros://robot:9090?token=$TOKEN") }.message.orEmpty().let {
+            it shouldContain "robot.ros.token"
+            it shouldNotContain TOKEN
+        }
+    }
+})
