@@ -1,5 +1,7 @@
 package argo
 
+import argo.boards.AgentBoards
+import argo.boards.AgentPerception
 import argo.boundary.Boundary
 import argo.boundary.Live
 import argo.boundary.Perception
@@ -9,8 +11,7 @@ import argo.observing.ObservedAgent
 import argo.observing.Observers
 import argo.perception.DeletedPercepts
 import argo.perception.EnvironmentPercepts
-import argo.perception.PerceptEvents
-import argo.perception.PerceptIntentions
+import argo.perception.ReasoningQueues
 import argo.perception.bringForward
 import argo.perception.takeTurns
 import argo.platform.Platform
@@ -20,7 +21,6 @@ import argo.sensing.SensingPolicy
 import jason.architecture.AgArch
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
-import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
 import java.util.logging.Logger
@@ -50,13 +50,15 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     // called by the boundary, made once for all cycles
     private val perceiveLive = { perceiveBoards() }
-    private val criticalLive = { io.takeNewlyCritical() }
+    private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
-    private val sleepLive = { super.canSleep() && !io.hasNews() && !environment.isWaiting() && waker.maySleep() }
+    private val sleepLive = { super.canSleep() && !perception.hasNews() && !environment.isWaiting() && waker.maySleep() }
 
     /** The agent's boards. Available from [init] on. */
-    internal lateinit var io: AgentIo
+    internal lateinit var boards: AgentBoards
         private set
+    internal val perception by lazy { AgentPerception(boards) }
+    internal val commands by lazy { CommandRouter(boards) }
 
     internal lateinit var policy: SensingPolicy
         private set
@@ -81,16 +83,12 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
         val options = ArchOptions(ts.settings, log)
         policy = options.policy
-        io = AgentIo(agName, options, platform, waker, log, ::perceptEvents, ::perceptIntentions) { observing }
+        val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
+        boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
     }
-
-    private fun perceptEvents(isOwn: (Literal) -> Boolean) = PerceptEvents(::isQueueStanding, platform.nowMs, isOwn) { ts.c.events }
-
-    private fun perceptIntentions(isOwn: (Literal) -> Boolean) =
-        PerceptIntentions(platform.nowMs, isOwn) { if (isQueueStanding()) emptyList() else ts.c.runningIntentions }
 
     /**
      * Returns true if Jason takes no events: an atomic plan holds all back, and with `events=requeue` events without a plan come back for
@@ -100,16 +98,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
     internal fun perceiveThrough(filter: PerceptionFilter?) {
-        io.perceiveThrough(filter)
+        boards.perceiveThrough(filter)
         environment.switchTo(filter)
-        observing.filterChanged(filter)
+        observing.each { it.filterChanged(filter) }
     }
-
-    /**
-     * Returns the youngest percept belief that unifies with [percept] under [un], and its age in ms; null if there is none. Called by the
-     * agent's thread.
-     */
-    internal fun youngest(percept: Literal, un: Unifier): Pair<Literal, Long>? = io.youngest(ts.ag.bb, percept, un)
 
     /** Wakes the agent until [seen]: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
@@ -133,11 +125,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     private fun perceiveBoards(): Perception {
         val isEnvironmentNew = environment.update(super.perceive())
-        val waiting = if (io.perceivesSeveral) ts.c.events.size else null
-        val isBoardNew = io.update()
-        listOfNotNull(environment.dueInMs(), io.dueInMs()).minOrNull()?.let(waker::wakeIn)
+        val waiting = if (boards.areSeveral) ts.c.events.size else null
+        val isBoardNew = perception.update()
+        listOfNotNull(environment.dueInMs(), boards.dueInMs()).minOrNull()?.let(waker::wakeIn)
         if (!isEnvironmentNew && !isBoardNew) return NOTHING_NEW
-        return Perception((environment.percepts + io.beliefs()).toMutableList(), waiting, io.hasNamespaces)
+        return Perception((environment.percepts + perception.beliefs()).toMutableList(), waiting, boards.hasNamespaces)
     }
 
     /** Jason calls it when it has added the events of the new percepts. */
@@ -149,7 +141,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boundary.takeMail(mailLive)
     }
 
-    private fun boardOf(percept: Literal): String? = io.boardsOf(percept).firstOrNull()?.run { "$term" }
+    private fun boardOf(percept: Literal): String? = boards.of(percept).firstOrNull()?.run { "$term" }
 
     override fun sendMsg(message: Message) = boundary.send(message) { super.sendMsg(message) }
 
@@ -164,7 +156,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun reasoningCycleFinished() {
         boundary.cycleFinished()
-        observing.cycleFinished()
+        observing.each { it.cycleFinished() }
         waker.cycleEnds()
         if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()
         super.reasoningCycleFinished()
@@ -172,8 +164,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     /** Closes all ports and ends all threads. Never waits for a line. */
     override fun stop() {
-        observing.close()
-        if (::io.isInitialized) io.stop()
+        observing.each { it.close() }
+        if (::boards.isInitialized) boards.ports.stop()
         if (!eachIsStopped) super.stop()
     }
 

@@ -1,5 +1,6 @@
 package argo
 
+import argo.boards.AgentBoards
 import argo.boards.Board
 import argo.calls.ArgumentException
 import argo.calls.optionsIn
@@ -8,18 +9,18 @@ import jason.asSyntax.Term
 
 /**
  * Returns the board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
- * @throws ArgumentException if there are other options
+ * @throws ArgumentException if there are other options, or several ports
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
-    val port = portIn(optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]")) ?: return null
-    return call.arch.io.board(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.io))
+    val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)
+    if (ports.size > 1) throw ArgumentException("the options name ${ports.size} ports; there is one port(P) in a call")
+    val port = ports.singleOrNull() ?: return null
+    return call.arch.boards.named(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.boards))
 }
 
-private fun portIn(options: List<Term>): Term? = options.map { option ->
-    (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
-        ?: throw ArgumentException("$option is not an option; there is port(P)")
-}.lastOrNull()
+private fun portIn(option: Term): Term = (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
+    ?: throw ArgumentException("$option is not an option; there is port(P)")
 
-/** Explains why [port] names no board of [io]'s agent. */
-internal fun unknownBoard(port: Term, io: AgentIo): String =
-    "there is no board on port $port; the agent perceives ${io.perceivedBoards().joinToString { "${it.term}" }.ifEmpty { "none" }}"
+/** Explains why [port] names none of [boards]. */
+internal fun unknownBoard(port: Term, boards: AgentBoards): String =
+    "there is no board on port $port; the agent perceives ${boards.current.joinToString { "${it.term}" }.ifEmpty { "none" }}"

@@ -2,7 +2,6 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.commandTerm
-import argo.acting.commandText
 import argo.acting.requireCommand
 import argo.calls.ArgumentException
 import argo.calls.wrongArgument
@@ -30,9 +29,9 @@ internal class ObservedArch(
 ) : ObservedAgent {
     override val name: String = arch.agName
     override val policy get() = arch.policy.word
-    override val intervalMs get() = arch.io.intervalMs
-    override val skewMs get() = arch.io.skewMs()
-    override val isPerceiving get() = arch.io.isPerceiving
+    override val intervalMs get() = arch.boards.intervalMs
+    override val skewMs get() = arch.perception.skewMs()
+    override val isPerceiving get() = arch.boards.isPerceiving
     override val beliefs: BeliefBase get() = arch.ts.ag.bb
     override val circumstance: Circumstance get() = arch.ts.c
     override val reasoning: TransitionSystem get() = arch.ts
@@ -41,12 +40,12 @@ internal class ObservedArch(
     override fun nanos() = platform.clock.nanos()
 
     override fun ports(): List<ObservedPort> {
-        val inUse = arch.io.portInUse()?.terms.orEmpty()
-        val boards = arch.io.perceivedBoards()
-        return arch.io.states.all().map { (port, status) ->
-            val board = boards.find { it.term == port || port in it.port.terms }
+        val boards = arch.boards
+        val inUse = boards.ports.current?.terms.orEmpty()
+        return boards.states.all().map { (port, status) ->
+            val board = boards.current.find { it.term == port || port in it.port.terms }
             ObservedPort(
-                "$port", status.word, port in inUse, arch.io.isStale(port),
+                "$port", status.word, port in inUse, arch.perception.isStale(port),
                 board != null, board?.namespace, board?.intervalMs, board?.filter?.name,
             )
         }
@@ -54,13 +53,13 @@ internal class ObservedArch(
 
     override fun filterNames() = filterNames(arch.ts.ag)
     override fun filter(name: String) = filterOf(arch.ts.ag, name)
-    override fun explain(percept: String) = arch.io.explain(percept)
-    override fun criticalRules() = arch.io.criticalRules()
+    override fun explain(percept: String) = arch.perception.explain(percept)
+    override fun criticalRules() = arch.perception.criticalRules()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = later(done) { arch.perceiveThrough(filter) }
-    override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.io.perceive(open) }
+    override fun perceive(open: Boolean, done: () -> Unit) = later(done) { arch.boards.perceive(open) }
 
     override val actions: List<BoardAction>?
-        get() = arch.io.perceivedBoards().mapNotNull { it.actions }.takeIf { it.isNotEmpty() }?.flatten()?.distinct()
+        get() = arch.boards.current.mapNotNull { it.actions }.takeIf { it.isNotEmpty() }?.flatten()?.distinct()
 
     override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) {
         val term = try {
@@ -70,13 +69,7 @@ internal class ObservedArch(
         }
         later({}) {
             try {
-                when (val route = Routing(arch.io).routeOf(term, null, null)) {
-                    is Routing.Route.To -> {
-                        val sent = arch.io.send(route.port, commandText(term, route.port.link.isLine), options.toCommandOptions())
-                        arch.io.hold(sent, route.port, null, done)
-                    }
-                    is Routing.Route.Nowhere -> done(route.failure)
-                }
+                arch.commands.send(term, options.toCommandOptions()) { done }?.let(done)
             } catch (wrong: ArgumentException) {
                 done(wrongArgument(wrong.message.orEmpty()))
             }

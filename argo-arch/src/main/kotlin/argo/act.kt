@@ -1,7 +1,6 @@
 package argo
 
 import argo.acting.CommandOptions
-import argo.acting.commandText
 import argo.acting.requireCommand
 
 /**
@@ -37,14 +36,10 @@ open class act : BoardInternalAction("argo.act", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val io = call.arch.io
+        val router = call.arch.commands
         val command = call.args[0].also(::requireCommand)
         val options = call.args.getOrNull(1)?.let(CommandOptions::of) ?: CommandOptions()
-        val port = when (val route = Routing(io).routeOf(command, options.port, moduleOf(call.ts))) {
-            is Routing.Route.To -> route.port
-            is Routing.Route.Nowhere -> throw route.failure.of(call.text)
-        }
-        val sent = io.send(port, commandText(command, port.link.isLine), options)
-        io.hold(sent, port, perceptBehind(call.ts), call.suspendIntention())
+        val failure = router.send(command, options, moduleOf(call.ts), { perceptBehind(call.ts) }, call::suspendIntention)
+        if (failure != null) throw failure.of(call.text)
     }
 }

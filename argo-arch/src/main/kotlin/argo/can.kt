@@ -2,13 +2,7 @@ package argo
 
 import argo.acting.isPlainName
 import argo.boards.Board
-import argo.boundary.InternalCall
 import argo.calls.Failure
-import argo.calls.isStepOf
-import argo.calls.wrongArgument
-import jason.asSemantics.DefaultInternalAction
-import jason.asSemantics.TransitionSystem
-import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Atom
 import jason.asSyntax.Literal
@@ -30,34 +24,21 @@ import javino.wire.BoardAction.ANY
  * plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class can : DefaultInternalAction() {
-    override fun getMinArgs() = 1
-
-    override fun getMaxArgs() = 1
-
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-        ts.boundary.call(InternalCall("argo.can", args, un)) { answer(ts, un, args) }
-
-    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
-        checkArguments(args)
-        val action = args[0] as? Literal
-        if (action == null || action.isList) throw wrongArgument("an action is a literal such as speed(V), not ${args[0]}").of(call(args))
-        val io = (archOf(ts) ?: throw notArgo(ts).of(call(args))).io
+open class can : BoardQuery("argo.can", 1) {
+    override fun answer(call: Call): Any {
+        val action = call.args.single()
+        if (action !is Literal || action.isList) throw call.wrong("an action is a literal such as speed(V), not $action")
         val namespace = action.ns.takeUnless { it.isVar || it == Literal.DefaultNS }
-        val boards = io.perceivedBoards().filter { namespace == null || it.namespace == namespace.functor }
-        if (boards.all { it.actions == null }) {
-            return if (isStepOf<can>(ts, un)) throw noVocabulary(boards, namespace).of(call(args)) else false
-        }
+        val boards = call.arch.boards.current.filter { namespace == null || it.namespace == namespace.functor }
         return when {
+            boards.all { it.actions == null } -> call.unanswered { noVocabulary(boards, namespace) }
             action.isVar -> boards.flatMap { literalsOf(it, namespace) }.distinctBy { it.predicateIndicator }
-                .mapNotNull { known -> un.clone().takeIf { it.unifies(action, known) } }.iterator()
+                .mapNotNull { known -> call.un.clone().takeIf { it.unifies(action, known) } }.iterator()
             action.ns.isVar -> boards.filter { it.knows(action) }.mapNotNull { it.namespace }.distinct()
-                .mapNotNull { known -> un.clone().takeIf { it.unifies(action.ns, ASSyntax.createAtom(known)) } }.iterator()
+                .mapNotNull { known -> call.un.clone().takeIf { it.unifies(action.ns, ASSyntax.createAtom(known)) } }.iterator()
             else -> boards.any { it.knows(action) }
         }
     }
-
-    private fun call(args: Array<Term>) = "argo.can(${args.joinToString(",")})"
 
     private fun noVocabulary(boards: List<Board>, namespace: Atom?): Failure {
         val ports = boards.joinToString(" and ") { it.port.link.port }

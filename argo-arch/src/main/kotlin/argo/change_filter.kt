@@ -34,7 +34,7 @@ open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
             else -> find(call, name)
         }
         val board = boardIn(call)
-        if (board != null) return call.arch.io.perceiveThrough(filter, board)
+        if (board != null) return call.arch.boards.perceiveThrough(filter, board)
         val archs = architectures(call.ts)
         archOf(call.ts)?.let { return it.perceiveThrough(filter) }
         val environmentFilter = archs.filterIsInstance<EnvironmentFilter>().firstOrNull() ?: EnvironmentFilter.insertInto(call.ts)

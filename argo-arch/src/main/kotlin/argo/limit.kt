@@ -15,6 +15,6 @@ open class limit : BoardInternalAction("argo.limit", 1..2) {
         val interval = wholeNumber(call.args[0])?.takeIf { it >= 0 }
             ?: throw ArgumentException("the sensing interval is a whole number of ms from 0 to ${Int.MAX_VALUE}, not ${call.args[0]}")
         val board = boardIn(call)
-        if (board == null) call.arch.io.senseEvery(interval) else call.arch.io.senseEvery(interval, board)
+        call.arch.boards.senseEvery(interval, board)
     }
 }

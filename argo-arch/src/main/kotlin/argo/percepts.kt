@@ -16,6 +16,6 @@ open class percepts : BoardInternalAction("argo.percepts", 1..1) {
             "block", "close" -> false
             else -> throw ArgumentException("perception is set to open, block or close, not ${call.args[0]}")
         }
-        call.arch.io.perceive(open)
+        call.arch.boards.perceive(open)
     }
 }

@@ -27,12 +27,12 @@ open class port : BoardInternalAction("argo.port", 1..2) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val io = call.arch.io
+        val ports = call.arch.boards.ports
         val name = portName(call.args[0])
         val options = call.args.getOrNull(1)?.let(PortOptions::of)
         val outcome = call.suspendIntention()
-        if (name == "none") io.closePorts { outcome(null) }
-        else io.choosePort(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
+        if (name == "none") ports.closeAll { outcome(null) }
+        else ports.choose(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
     }
 }
 

@@ -25,10 +25,13 @@ open class ports : BoardInternalAction("argo.ports", 1..1) {
     override val suspends get() = true
 
     override fun run(call: Call) {
-        val io = call.arch.io
-        val wanted = elements(call.args[0]).map(::wantedPort).distinctBy { "${it.term}" }
+        val ports = call.arch.boards.ports
+        val wanted = elements(call.args[0]).map(::wantedPort).distinct()
+        wanted.groupBy { "${it.term}" }.values.find { it.size > 1 }?.let {
+            throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")
+        }
         val outcome = call.suspendIntention()
-        io.choosePorts(wanted, outcome)
+        ports.chooseAll(wanted, outcome)
     }
 }
 

@@ -1,15 +1,8 @@
 package argo
 
-import argo.boundary.InternalCall
 import argo.calls.Failure
-import argo.calls.isStepOf
-import argo.calls.wrongArgument
-import jason.asSemantics.DefaultInternalAction
-import jason.asSemantics.TransitionSystem
-import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.NumberTerm
-import jason.asSyntax.Term
 
 /**
  * The internal action `argo.skew(Ms)`: unifies Ms with the time in ms between the oldest and the newest of the boards' readings that the
@@ -20,22 +13,13 @@ import jason.asSyntax.Term
  * `error(not_perceived)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")
-open class skew : DefaultInternalAction() {
-    override fun getMinArgs() = 1
-
-    override fun getMaxArgs() = 1
-
-    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any =
-        ts.boundary.call(InternalCall("argo.skew", args, un)) { answer(ts, un, args) }
-
-    private fun answer(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
-        checkArguments(args)
-        val call = "argo.skew(${args[0]})"
-        if (!args[0].isVar && args[0] !is NumberTerm) throw wrongArgument("a skew is a number of milliseconds, not ${args[0]}").of(call)
-        val arch = archOf(ts) ?: throw notArgo(ts).of(call)
-        val skewMs = arch.io.skewMs() ?: return if (isStepOf<skew>(ts, un)) throw notPerceived().of(call) else false
-        return un.unifies(args[0], ASSyntax.createNumber(skewMs.toDouble()))
+open class skew : BoardQuery("argo.skew", 1) {
+    override fun answer(call: Call): Any {
+        val skew = call.args.single()
+        if (!skew.isVar && skew !is NumberTerm) throw call.wrong("a skew is a number of milliseconds, not $skew")
+        val skewMs = call.arch.perception.skewMs() ?: return call.unanswered {
+            Failure("not_perceived", "no readings of a board are believed now")
+        }
+        return call.un.unifies(skew, ASSyntax.createNumber(skewMs.toDouble()))
     }
-
-    private fun notPerceived() = Failure("not_perceived", "no readings of a board are believed now")
 }

@@ -1,8 +1,12 @@
 package benchmarks
 
+import jason.asSemantics.Intention
+import jason.asSyntax.ASSyntax
 import jason.infra.local.RunLocalMAS
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
+import javino.sim.SimulatedBoard
+import javino.sim.SimulatedBoards
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
@@ -29,16 +33,15 @@ class Agents : AutoCloseable {
         services.startAgent(services.createAgent(name, source.toString(), null, listOfNotNull(arch), null, settings, null))
     }
 
-    /** Gives agent [name] the goal. */
     fun achieve(name: String, goal: String) {
-        mas.getAg(name).ts.c.addAchvGoal(jason.asSyntax.ASSyntax.parseLiteral(goal), jason.asSemantics.Intention.EmptyInt)
+        mas.getAg(name).ts.c.addAchvGoal(ASSyntax.parseLiteral(goal), Intention.EmptyInt)
         mas.getAg(name).wake()
     }
 
     /** Ends the system; returns when its agents have ended. */
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
-        awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }
+        if (!awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }) System.err.println("agents still run after $LIMIT_S s: ${mas.ags.keys}")
         directory.toFile().deleteRecursively()
     }
 
@@ -46,6 +49,23 @@ class Agents : AutoCloseable {
         const val LIMIT_S = 60
     }
 }
+
+/** Runs [measure] with a new Jason while [boards] are plugged in, each as `sim:NAME`. */
+internal fun <T> withAgents(boards: Map<String, SimulatedBoard>, measure: (Agents) -> T): T = withBoards(boards) { Agents().use(measure) }
+
+/** Runs [measure] while [boards] are plugged in, each as `sim:NAME`. */
+internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> T): T {
+    boards.forEach(SimulatedBoards::plugIn)
+    try {
+        return measure()
+    } finally {
+        boards.keys.forEach(SimulatedBoards::unplug)
+    }
+}
+
+/** Returns the program of an agent that senses the board at [port] each [intervalMs], followed by its other [plans]. */
+internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "") =
+    "!start.\n+!start <- argo.port(\"$port\", [baud($baud)]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 
 /** Waits until [condition] holds, at most [seconds] s; returns true if it does. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {

@@ -11,11 +11,12 @@ import java.util.concurrent.TimeUnit
  */
 internal fun figuresApart(vararg arguments: String, options: List<String> = emptyList()): List<Double> {
     val process = programApart(*arguments, options = options)
-    val figures = process.inputStream.bufferedReader().readLines().lastOrNull()?.split(' ')?.mapNotNull(String::toDoubleOrNull).orEmpty()
-    check(process.waitFor(ENDING_S, TimeUnit.SECONDS) && process.exitValue() == 0 && figures.isNotEmpty()) {
-        "${arguments.joinToString(" ")} ended with ${figures.size} figures${if (process.isAlive) ", and runs on" else ""}"
+    val last = process.inputStream.bufferedReader().readLines().lastOrNull().orEmpty()
+    val figures = last.split(' ').map(String::toDoubleOrNull)
+    check(process.waitFor(ENDING_S, TimeUnit.SECONDS) && process.exitValue() == 0 && null !in figures) {
+        "${arguments.joinToString(" ")} ended with \"$last\"${if (process.isAlive) ", and runs on" else ""}"
     }
-    return figures
+    return figures.filterNotNull()
 }
 
 /** Starts this program with [arguments] in a Java machine of its own; its errors are shown with those of this one. */

@@ -1,55 +1,43 @@
 package benchmarks
 
 import javino.Protocol
-import javino.sim.SimulatedBoards
 import java.util.concurrent.atomic.AtomicLong
 
-/** A thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed. */
-internal class Crowd {
-    /** The answers a second that all agents got together, and the largest resident memory of the process, in MB. */
-    class Result(val rate: Double, val residentMb: Double)
+/** The name of the program that [crowd] is. */
+internal const val CROWD = "crowd"
 
-    /** Measures in a Java machine of its own that may have [HEAP_MB] MB of heap. */
-    fun measure(): Result {
-        val figures = figuresApart(NAME, options = listOf("-Xmx${HEAP_MB}m"))
-        return Result(figures[0], figures[1])
-    }
+/** The number of agents of the [crowd]. */
+internal const val CROWD_AGENTS = 1000
 
-    /** The program in that machine: prints the two figures. */
-    fun run() {
-        val answers = AtomicLong()
-        val witness = object : SensorBoard.Witness {
-            override fun answered(n: Int, endNanos: Long, bytes: Int) {
-                answers.incrementAndGet()
-            }
-        }
-        for (i in 1..AGENTS) SimulatedBoards.plugIn("crowd$i", SensorBoard(Protocol.AUTO, ::percepts, witness))
-        Agents().use { agents ->
-            for (i in 1..AGENTS) agents.start(
-                "crowd$i",
-                "!start.\n+!start <- argo.port(\"sim:crowd$i\", [baud($BAUD)]); argo.limit(100).\n+!look <- argo.percepts(open).\n",
-            )
-            for (i in 1..AGENTS) agents.achieve("crowd$i", "look")
-            Thread.sleep(WARM_UP_MS)
-            val before = answers.get()
-            val start = System.nanoTime()
-            Thread.sleep(MEASURED_MS)
-            val rate = (answers.get() - before) * 1e9 / (System.nanoTime() - start)
-            println("$rate ${residentMb("VmHWM")}")
-        }
-    }
+/** The heap that the Java machine of the [crowd] may have, in MB. */
+internal const val CROWD_HEAP_MB = 400
 
-    companion object {
-        const val NAME = "crowd"
-        const val AGENTS = 1000
-        const val HEAP_MB = 400
-
-        /** At this rate the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
-        const val BAUD = 20_000_000
-        private val BESIDES = SensorBoard.robot(0).substringAfter(';')
-
-        private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
-        private const val WARM_UP_MS = 20_000L
-        private const val MEASURED_MS = 10_000L
+/**
+ * Measures a thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed: returns the
+ * answers a second that all agents got together, and the largest resident memory of the process, in MB.
+ */
+internal fun crowd(): List<Double> {
+    val answers = AtomicLong()
+    val names = (1..CROWD_AGENTS).map { "crowd$it" }
+    val board = { SensorBoard(Protocol.AUTO, ::percepts, { _, _, _ -> answers.incrementAndGet() }) }
+    return withAgents(names.associateWith { board() }) { agents ->
+        for (name in names) agents.start(
+            name, "!start.\n+!start <- argo.port(\"sim:$name\", [baud($BAUD)]); argo.limit(100).\n+!look <- argo.percepts(open).\n",
+        )
+        for (name in names) agents.achieve(name, "look")
+        Thread.sleep(WARM_UP_MS)
+        val before = answers.get()
+        val start = System.nanoTime()
+        Thread.sleep(MEASURED_MS)
+        listOf((answers.get() - before) * 1e9 / (System.nanoTime() - start), residentMb("VmHWM"))
     }
 }
+
+private val BESIDES = SensorBoard.robot(0).substringAfter(';')
+
+private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
+
+/** At this rate the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
+private const val BAUD = 20_000_000
+private const val WARM_UP_MS = 20_000L
+private const val MEASURED_MS = 10_000L

@@ -21,7 +21,7 @@ import kotlin.time.TimeSource
  */
 internal fun explored(only: String? = null): Boolean {
     println("machine: ${machine()}")
-    println("%-14s %6s %6s %6s  %s".format("agent", "s", "runs", "events", "rule that is broken"))
+    println(figures("%-14s %6s %6s %6s  %s", "agent", "s", "runs", "events", "rule that is broken"))
     val folder = createTempDirectory("argo-planted")
     val agents = PLANTED.filter { only == null || it.name == only }
     val found = agents.count { planted -> report(planted, search(planted, folder)) }
@@ -46,7 +46,8 @@ private fun search(planted: Planted, folder: Path): Timed {
 private fun report(planted: Planted, search: Timed): Boolean {
     val found = search.outcome as? Found
     val seconds = search.took.toDouble(DurationUnit.SECONDS)
-    println("%-14s %6.1f %6d %6s  %s".format(planted, seconds, search.outcome.runs, found?.events?.size ?: "-", found?.rule ?: "not found"))
+    val (events, rule) = if (found == null) "-" to "not found" else found.events.size to found.rule
+    println(figures("%-14s %6.1f %6d %6s  %s", planted, seconds, search.outcome.runs, events, rule))
     return found != null && search.took <= LIMIT && found.events.size <= MOST_EVENTS
 }
 

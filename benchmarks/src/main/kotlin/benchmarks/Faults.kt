@@ -2,7 +2,6 @@ package benchmarks
 
 import javino.virtual.FaultyExchanges
 import javino.virtual.RandomFaults
-import java.util.Locale
 
 private const val EXCHANGES = 1_000_000
 private val RATES = listOf(1e-5, 1e-4, 1e-3)
@@ -14,9 +13,8 @@ private val RATES = listOf(1e-5, 1e-4, 1e-3)
  */
 internal fun faults(): Boolean {
     println("version 2, 115,200 baud, $EXCHANGES exchanges at each rate: half of them commands, half requests with 500 ms for the answer")
-    println(
-        "%-12s %12s %8s %8s %12s %12s %16s".format("wrong bits", "confirmed", "twice", "wrong", "answered", "dropped", "wrongly believed"),
-    )
+    val heads = listOf("wrong bits", "confirmed", "twice", "wrong", "answered", "dropped", "wrongly believed")
+    println(figures("%-12s %12s %8s %8s %12s %12s %16s", *heads.toTypedArray()))
     return RATES.map(::faultsAt).all { it }
 }
 
@@ -24,9 +22,9 @@ private fun faultsAt(rate: Double): Boolean {
     val outcomes = FaultyExchanges(EXCHANGES, RandomFaults(rate, seed = 2026), RandomFaults(rate, seed = 7))
     val half = EXCHANGES / 2.0
     println(
-        "%-12s %10.4f %% %8d %8d %10.4f %% %12d %16d".format(
-            Locale.ROOT, "1 in %,d".format(Locale.ROOT, Math.round(1 / rate)), 100 * outcomes.confirmations / half, outcomes.twice,
-            outcomes.wrong.size, 100 * outcomes.answered / half, outcomes.corruptFrames, outcomes.corruptBelieved.size,
+        figures(
+            "%-12s %10.4f %% %8d %8d %10.4f %% %12d %16d", figures("1 in %,d", Math.round(1 / rate)), 100 * outcomes.confirmations / half,
+            outcomes.twice, outcomes.wrong.size, 100 * outcomes.answered / half, outcomes.corruptFrames, outcomes.corruptBelieved.size,
         ),
     )
     outcomes.wrong.take(SHOWN).forEach { println("  $it") }

@@ -14,17 +14,12 @@ import kotlin.concurrent.thread
  * pseudo-terminal with `socat` and jSerialComm, at 50 Hz.
  */
 internal enum class LatencyCourse(val title: String) {
-    /** An agent with ARGO. */
     ARGO("an agent with ARGO") {
         override fun run(port: String, measure: () -> LongArray) = agent(
-            "argo.Arch",
-            "!start.\n+!start <- argo.port(\"$port\", [baud($BAUD)]); argo.limit($INTERVAL_MS); argo.percepts(open).\n" +
-                "+ping(N) <- argo.act(pong(N)).\n",
-            measure,
+            "argo.Arch", sensing(port, BAUD, INTERVAL_MS, "+ping(N) <- argo.act(pong(N)).\n"), measure,
         )
     },
 
-    /** An agent that reads, decides and writes on one thread. */
     ONE_THREAD("an agent on one thread") {
         override fun run(port: String, measure: () -> LongArray): LongArray {
             SingleThread.port = port
@@ -51,7 +46,7 @@ internal enum class LatencyCourse(val title: String) {
 
     companion object {
         const val BAUD = 115_200
-        const val INTERVAL_MS = 20L
+        const val INTERVAL_MS = 20
         const val LIMIT_MS = 10_000
 
         private fun agent(arch: String, program: String, measure: () -> LongArray): LongArray = Agents().use { agents ->
@@ -67,7 +62,7 @@ internal enum class LatencyCourse(val title: String) {
                 val before = pings
                 computer.write(Frame.of(PerceptsRequest.ALL))
                 while (pings == before) decoder.accept(buffer, 0, computer.read(buffer, 0, buffer.size, LIMIT_MS), System.nanoTime())
-                Thread.sleep(INTERVAL_MS) // as the agents do between requests
+                Thread.sleep(INTERVAL_MS.toLong()) // as the agents do between requests
             }
         }
 

@@ -1,39 +1,58 @@
 package benchmarks
 
-import benchmarks.boards.BoardHost
-import benchmarks.boards.BoardsCourse
-import benchmarks.boards.ManyBoards
-import benchmarks.boards.REACTIONS
+import benchmarks.boards.BOARDS_COURSE
+import benchmarks.boards.BOARD_HOST
+import benchmarks.boards.MANY_BOARDS
 import benchmarks.boards.boards
+import benchmarks.boards.boardsCourse
 import benchmarks.boards.hostBoards
+import benchmarks.boards.manyBoards
 import benchmarks.boards.stopThree
 import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
 import kotlin.system.exitProcess
 
+/**
+ * The benchmarks. Each prints its figures; it takes the file for all its results, which only some write, and further arguments. It returns
+ * false if its figures break their bounds.
+ */
+private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = mapOf(
+    "latency" to { _, _ -> latency() },
+    "stops" to { file, _ -> stops(file) },
+    "boards" to { file, _ -> boards(file) },
+    "filters" to { file, _ -> filters(file) },
+    "realtime" to { file, _ -> realtime(file) },
+    "bounds" to { _, _ -> bounds() },
+    "faults" to { _, _ -> faults() },
+    "soak" to { _, _ -> soak() },
+    "tls" to { _, _ -> tls() },
+    "ros" to { _, _ -> ros() },
+    "explore" to { _, more -> explored(more.firstOrNull()) },
+    "record" to { _, _ -> recorded() },
+    "boards-reactions" to { file, _ -> stopThree(file) },
+)
+
+/** The programs of [figuresApart]: each takes arguments, and returns its figures. */
+private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
+    LATENCY_COURSE to { latencyCourse(it.single()) },
+    CROWD to { crowd() },
+    REPLAY to ::paces,
+    BOARDS_COURSE to { (boards, percepts) -> boardsCourse(boards.toInt(), percepts.toInt()) },
+    MANY_BOARDS to { manyBoards() },
+)
+
 /** Runs the benchmark that the first argument names and prints its figures; some take a file for all their results. */
 fun main(args: Array<String>) {
-    when (args.firstOrNull()) {
-        "latency" -> latency()
-        "filters" -> filters(File(args.getOrElse(1) { "filters.json" }))
-        "realtime" -> realtime(File(args.getOrElse(1) { "realtime.json" }))
-        "stops" -> if (!stops(File(args.getOrElse(1) { "stops.txt" }))) exitProcess(1)
-        "bounds" -> if (!bounds()) exitProcess(1)
-        "faults" -> if (!faults()) exitProcess(1)
-        "boards" -> if (!boards(File(args.getOrElse(1) { "boards.txt" }))) exitProcess(1)
-        "tls" -> tls()
-        "ros" -> if (!ros()) exitProcess(1)
-        "explore" -> if (!explored(args.getOrNull(2))) exitProcess(1)
-        "soak" -> if (!soak()) exitProcess(1)
-        "record" -> if (!recorded()) exitProcess(1)
-        REPLAY -> replayRecordings(args.drop(1))
-        Crowd.NAME -> Crowd().run()
-        BoardsCourse.NAME -> BoardsCourse(args[1].toInt(), args[2].toInt()).run()
-        REACTIONS -> stopThree(File(args.getOrElse(1) { "boards.txt" }))
-        ManyBoards.NAME -> ManyBoards().run()
-        BoardHost.NAME -> hostBoards(args.drop(1))
-        LATENCY_COURSE -> latencyCourse(args[1])
+    val name = args.firstOrNull().orEmpty()
+    val rest = args.drop(1)
+    when (name) {
+        in BENCHMARKS -> {
+            val result = BENCHMARKS.getValue(name)(File(rest.firstOrNull() ?: "$name.txt"), rest.drop(1))
+            if (result == false) exitProcess(1)
+        }
+        in APART -> println(APART.getValue(name)(rest).joinToString(" "))
+        BOARD_HOST -> hostBoards(rest)
         else -> {
             System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record")
             exitProcess(2)

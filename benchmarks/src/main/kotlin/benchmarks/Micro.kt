@@ -7,21 +7,17 @@ import org.openjdk.jmh.runner.Runner
 import org.openjdk.jmh.runner.options.OptionsBuilder
 import org.openjdk.jmh.runner.options.VerboseMode
 import java.io.File
-import java.util.Locale
 
 /** Runs the JMH benchmarks of filters and prints them as a table; the whole results are written to [json]. */
-fun filters(json: File) {
+internal fun filters(json: File) {
     val options = OptionsBuilder().include("FilterBenchmark|CycleBenchmark").addProfiler(GCProfiler::class.java)
         .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()
     System.err.println("measuring what filters cost; takes about two minutes")
     val results = Runner(options).run().associateBy(::name)
     println("filters, ${machine()}:")
     results.forEach { (name, result) ->
-        println(
-            "%-32s %12.1f %s %10.1f B".format(
-                Locale.ROOT, name, result.primaryResult.score, result.primaryResult.scoreUnit, allocated(result),
-            ),
-        )
+        val time = result.primaryResult
+        println(figures("%-32s %12.1f %s %10.1f B", name, time.score, time.scoreUnit, allocated(result)))
     }
     printRatios(results.mapValues { it.value.primaryResult.score })
     println("all results: $json")
@@ -38,7 +34,7 @@ private fun allocated(result: RunResult): Double =
 
 private fun printRatios(score: Map<String, Double>) {
     fun ratio(words: String, of: String, to: String) =
-        println("%-72s %8.2f".format(Locale.ROOT, words, score.getValue(of) / score.getValue(to)))
+        println(figures("%-72s %8.2f", words, score.getValue(of) / score.getValue(to)))
     ratio("Jason's parser, times a percept dropped by an argument rule", "readWithJasonsParser", "dropByArgument")
     ratio("Jason's parser, times a kept percept read", "readWithJasonsParser", "readKept")
     ratio("filtering after parsing, times filtering before it", "dropAfterJasonsParser", "dropByArgument")

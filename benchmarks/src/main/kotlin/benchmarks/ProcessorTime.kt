@@ -18,9 +18,7 @@ import kotlin.concurrent.thread
 internal fun processorShare(speaks: Protocol): Double = PseudoTerminals.open().use { line ->
     val board = thread(isDaemon = true, name = "board") { runBoard("${line.board()}", speaks) }
     Agents().use { agents ->
-        agents.start(
-            "senses", "!start.\n+!start <- argo.port(\"${line.computer()}\", [baud(115200)]); argo.limit(20); argo.percepts(open).\n",
-        )
+        agents.start("senses", sensing("${line.computer()}", baud = 115_200, intervalMs = 20))
         Thread.sleep(WARM_UP_MS)
         val before = processorNanos(board)
         val start = System.nanoTime()

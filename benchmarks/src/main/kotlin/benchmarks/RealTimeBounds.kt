@@ -6,7 +6,6 @@ import javino.virtual.BoundsCase
 import javino.virtual.BoundsRun
 import javino.virtual.Closest
 import javino.virtual.checkBounds
-import java.util.Locale
 import kotlin.random.Random
 
 private const val EXCHANGES = 1_000_000
@@ -34,8 +33,8 @@ internal fun bounds(): Boolean {
 
 private val EXAMPLE = BoardTimes(loop = 5_000_000, action = 1_000_000, sensors = 6_000_000, ruleSensors = 2_000_000, isSteady = false)
 
-private fun row(what: Bounded, found: Closest) = "  %-64s %6.1f %% %10.3f of %.3f ms".format(
-    Locale.ROOT, what.words, 100 * found.share, found.measured / NANOS_PER_MS, found.bound / NANOS_PER_MS,
+private fun row(what: Bounded, found: Closest) = figures(
+    "  %-64s %6.1f %% %10.3f of %.3f ms", what.words, 100 * found.share, found.measured / NANOS_PER_MS, found.bound / NANOS_PER_MS,
 )
 
 private const val NANOS_PER_MS = 1e6

@@ -2,7 +2,6 @@ package benchmarks
 
 import argo.recording.replay.Recording
 import argo.recording.replay.Replay
-import javino.sim.SimulatedBoards
 import javino.sim.Sketch
 import java.lang.management.ManagementFactory
 import java.nio.file.Files
@@ -10,7 +9,7 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.createTempDirectory
 
-/** The first argument of a program of its own that replays recordings. */
+/** The name of the program that [paces] is. */
 internal const val REPLAY = "replay-recordings"
 
 /**
@@ -28,16 +27,16 @@ internal fun recorded(): Boolean {
     println("without a recording: $without")
     println("with a recording:    $with")
     val cost = with.messageNs / without.messageNs - 1
-    println("it costs %.1f %% of the agent's time for a message, median of $DRIVES drives, at most $MOST_COST".format(cost * 100))
-    println("besides, the thread that writes it takes %.0f µs for a message".format(with.writingNs / 1e3))
+    println(figures("it costs %.1f %% of the agent's time for a message, median of $DRIVES drives, at most $MOST_COST", cost * 100))
+    println(figures("besides, the thread that writes it takes %.0f µs for a message", with.writingNs / 1e3))
     val minute = folder.resolve("minute.mcap")
     val messages = drive(minute, MINUTE_S).messages / MINUTE_S.toDouble()
     val megabytes = Files.size(minute) / 1e6 / (LOADING_S + MINUTE_S) * 60
-    println("%.2f MB a minute at %.0f messages of its board a second, at most $MOST_MEGABYTES".format(megabytes, messages))
-    val warm = figuresApart(REPLAY, *files.map { "$it" }.toTypedArray()).joinToString { "%.0f".format(it) }
+    println(figures("%.2f MB a minute at %.0f messages of its board a second, at most $MOST_MEGABYTES", megabytes, messages))
+    val warm = figuresApart(REPLAY, *files.map { "$it" }.toTypedArray()).joinToString { figures("%.0f", it) }
     println("drives of ${LOADING_S + DRIVE_S} s, in turn in one Java, replayed at so many times real time: $warm")
     val pace = paceApart(minute)
-    println("a drive of a minute, with the start of Java: replayed at %.0f times real time, at least $LEAST_PACE".format(pace))
+    println(figures("a drive of a minute, with the start of Java: replayed at %.0f times real time, at least $LEAST_PACE", pace))
     folder.toFile().deleteRecursively()
     return cost * 100 <= MOST_COST && megabytes <= MOST_MEGABYTES && pace >= LEAST_PACE
 }
@@ -54,8 +53,8 @@ private fun paceApart(file: Path): Double {
     return (times.last() - times.first()).toDouble() / elapsedNs
 }
 
-/** Replays [files] in turn, and prints how many times faster than real time each was. */
-internal fun replayRecordings(files: List<String>) = println(files.joinToString(" ") { "${pace(Path.of(it))}" })
+/** Replays [files] in turn, and returns how many times faster than real time each was. */
+internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of(it)) }
 
 private fun pace(file: Path): Double {
     val begin = System.nanoTime()
@@ -88,22 +87,17 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
     val board = Changing()
     var before = 0
     var writing = 0L
-    SimulatedBoards.plugIn(BOARD, board)
-    try {
-        Agents().use { agents ->
-            val options = if (file == null) emptyMap() else mapOf("argo_record" to "$file")
-            agents.start("driver", program(intervalMs), TimedArch::class.java.name, options)
-            Thread.sleep(LOADING_S * 1_000L)
-            before = board.messages
-            writing = -writingNs()
-            TimedArch.times = times
-            Thread.sleep(seconds * 1_000L)
-            writing += writingNs()
-        }
-    } finally {
-        SimulatedBoards.unplug(BOARD)
-        TimedArch.times = null
+    withAgents(mapOf(BOARD to board)) { agents ->
+        val options = if (file == null) emptyMap() else mapOf("argo_record" to "$file")
+        agents.start("driver", program(intervalMs), TimedArch::class.java.name, options)
+        Thread.sleep(LOADING_S * 1_000L)
+        before = board.messages
+        writing = -writingNs()
+        TimedArch.times = times
+        Thread.sleep(seconds * 1_000L)
+        writing += writingNs()
     }
+    TimedArch.times = null
     return Drive(times, board.messages - before, writing)
 }
 
@@ -128,17 +122,15 @@ private class Cycles(drives: List<Drive>) {
     /** The median over the drives. */
     val writingNs = drives.map { it.writingNs.toDouble() / it.messages }.sorted()[drives.size / 2]
 
-    override fun toString() = "%.0f µs for a message, in %.1f cycles; a cycle has a median of %.0f µs and a mean of %.0f µs, of %d"
-        .format(messageNs / 1e3, cyclesOfMessage, sorted[sorted.size / 2] / 1e3, sorted.average() / 1e3, sorted.size)
+    override fun toString() = figures(
+        "%.0f µs for a message, in %.1f cycles; a cycle has a median of %.0f µs and a mean of %.0f µs, of %d",
+        messageNs / 1e3, cyclesOfMessage, sorted[sorted.size / 2] / 1e3, sorted.average() / 1e3, sorted.size,
+    )
 }
 
-private fun program(intervalMs: Int) =
-    """
-    !start.
-    +!start <- argo.port("sim:$BOARD", [baud(115200)]); argo.limit($intervalMs); argo.percepts(open).
-    +dist(f,Cm) : Cm < 60 <- argo.act(stop).
-    +dist(f,Cm) <- argo.act(forward).
-    """.trimIndent()
+private fun program(intervalMs: Int) = sensing(
+    "sim:$BOARD", baud = 115_200, intervalMs, "+dist(f,Cm) : Cm < 60 <- argo.act(stop).\n+dist(f,Cm) <- argo.act(forward).",
+)
 
 private const val BOARD = "bench-record"
 private const val WRITER = "argo-recording-" // followed by the name of its file

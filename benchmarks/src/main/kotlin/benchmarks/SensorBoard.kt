@@ -13,21 +13,16 @@ import javino.sim.SimulatedBoard
  *
  * @param speaks the version of the protocol that it reads, or both
  * @param percepts returns its answer to the nth request, n counted from 1
+ * @param answered called by the board's thread with n, the time of [System.nanoTime] at which the last byte of the answer leaves the line,
+ * and the bytes of request and answer
+ * @param acted called by the board's thread with each action that is not the repetition of the last one
  */
 class SensorBoard(
     private val speaks: Protocol,
     private val percepts: (Int) -> String,
-    private val witness: Witness = object : Witness { },
+    private val answered: (n: Int, endNanos: Long, bytes: Int) -> Unit = { _, _, _ -> },
+    private val acted: (action: String) -> Unit = {},
 ) : SimulatedBoard {
-    /** Called by the board's thread; times are those of [System.nanoTime]. */
-    interface Witness {
-        /** The last byte of the answer to request [n] leaves the line at [endNanos]; both together are [bytes] bytes. */
-        fun answered(n: Int, endNanos: Long, bytes: Int) = Unit
-
-        /** An action came that is not the repetition of the last one. */
-        fun acted(action: String) = Unit
-    }
-
     /** Runs until [line] is gone. */
     override fun run(line: Transport) = BoardLoop(line, Program(line), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
 
@@ -37,10 +32,10 @@ class SensorBoard(
         override fun percepts(request: String) = percepts(++answers)
 
         override fun answered(requestBytes: Int, answerBytes: Int) =
-            witness.answered(answers, System.nanoTime() + answerBytes * line.line().byteNanos(), requestBytes + answerBytes)
+            answered(answers, System.nanoTime() + answerBytes * line.line().byteNanos(), requestBytes + answerBytes)
 
         override fun carryOut(command: String): BoardProgram.Outcome {
-            witness.acted(command)
+            acted(command)
             return BoardProgram.Outcome.DONE
         }
     }

@@ -55,7 +55,7 @@ class SingleThread : AgArch() {
     }
 
     companion object {
-        private val INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(LatencyCourse.INTERVAL_MS)
+        private val INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(LatencyCourse.INTERVAL_MS.toLong())
 
         /** The port that the next agent opens. */
         @Volatile

@@ -1,7 +1,6 @@
 package benchmarks
 
 import javino.Protocol
-import javino.sim.SimulatedBoards
 import java.util.BitSet
 
 /**
@@ -36,31 +35,27 @@ class Soak(private val agents: Int, private val seconds: Int) {
 
     /** Runs it, on this thread and those of the agents. */
     fun run(): Result {
-        ran.heard = { agent, n, done -> boards[agent - 1].told(n, done) }
-        boards.forEachIndexed { i, account ->
-            SimulatedBoards.plugIn("soak${i + 1}", SensorBoard(Protocol.AUTO, { "tick($it);" + SensorBoard.robot(it) }, account))
+        acts.heard = { n, _, (_, agent, what) -> boards["$agent".toInt() - 1].told(n, "$what") }
+        val plugged = boards.mapIndexed { i, account ->
+            "soak${i + 1}" to
+                SensorBoard(Protocol.AUTO, { "tick($it);" + SensorBoard.robot(it) }, { _, _, _ -> account.answered() }, account::acted)
         }
-        try {
-            Agents().use { mas ->
-                for (i in 1..agents) mas.start("soak$i", program(i))
-                Thread.sleep(minOf(60, seconds / 3) * 1000L)
-                awaitAtMost(LIMIT_S) { boards.all { it.confirmed >= WARM_UP_ACTIONS } }
-                val heap = steadyHeap()
-                val threads = Thread.activeCount()
-                Thread.sleep((seconds - minOf(60, seconds / 3)) * 1000L)
-                val heapLate = steadyHeap()
-                val threadsLate = Thread.activeCount()
-                for (i in 1..agents) mas.achieve("soak$i", "end")
-                awaitAtMost(LIMIT_S) { boards.all { it.isSettled() } }
-                return Result(
-                    heap, heapLate, threads, threadsLate,
-                    boards.sumOf { it.answers }, boards.sumOf { it.confirmed }, boards.sumOf { it.failed },
-                    boards.sumOf { it.carriedOut }, boards.sumOf { it.twice }, boards.sumOf { it.lost() },
-                )
-            }
-        } finally {
-            for (i in 1..agents) SimulatedBoards.unplug("soak$i")
-            ran.heard = { _, _, _ -> }
+        return withAgents(plugged.toMap()) { mas ->
+            for (i in 1..agents) mas.start("soak$i", program(i))
+            Thread.sleep(minOf(60, seconds / 3) * 1000L)
+            awaitAtMost(LIMIT_S) { boards.all { it.confirmed >= WARM_UP_ACTIONS } }
+            val heap = steadyHeap()
+            val threads = Thread.activeCount()
+            Thread.sleep((seconds - minOf(60, seconds / 3)) * 1000L)
+            val heapLate = steadyHeap()
+            val threadsLate = Thread.activeCount()
+            for (i in 1..agents) mas.achieve("soak$i", "end")
+            awaitAtMost(LIMIT_S) { boards.all { it.isSettled() } }
+            Result(
+                heap, heapLate, threads, threadsLate,
+                boards.sumOf { it.answers }, boards.sumOf { it.confirmed }, boards.sumOf { it.failed },
+                boards.sumOf { it.carriedOut }, boards.sumOf { it.twice }, boards.sumOf { it.lost() },
+            )
         }
     }
 
@@ -70,17 +65,15 @@ class Soak(private val agents: Int, private val seconds: Int) {
         usedHeap()
     }
 
-    private fun program(i: Int) = """
-        !start.
-        +!start  <- argo.port("sim:soak$i", [baud($BAUD)]); argo.limit(20); argo.percepts(open).
+    private fun program(i: Int) = sensing("sim:soak$i", BAUD, intervalMs = 20) + """
         +tick(N) <- !act(N).
-        +!act(N) <- benchmarks.ran($i, N, begun); argo.act(did(N)); benchmarks.ran($i, N, done).
-        -!act(N) <- benchmarks.ran($i, N, failed).
+        +!act(N) <- benchmarks.acts(N, $i, begun); argo.act(did(N)); benchmarks.acts(N, $i, done).
+        -!act(N) <- benchmarks.acts(N, $i, failed).
         +!end    <- argo.percepts(block).
     """
 
     /** The actions that one agent ordered and that its board carried out. Safe on any thread. */
-    private class Account : SensorBoard.Witness {
+    private class Account {
         private val ordered = BitSet()
         private val acted = BitSet()
         private val known = BitSet()
@@ -98,12 +91,12 @@ class Soak(private val agents: Int, private val seconds: Int) {
         val confirmed: Long @Synchronized get() = done.cardinality().toLong()
 
         @Synchronized
-        override fun answered(n: Int, endNanos: Long, bytes: Int) {
+        fun answered() {
             answers++
         }
 
         @Synchronized
-        override fun acted(action: String) {
+        fun acted(action: String) {
             val n = action.substringAfter("did(").substringBefore(')').toInt()
             if (acted[n]) twice++
             acted.set(n)
@@ -147,7 +140,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
 }
 
 /** Runs a hundred agents for ten minutes and prints the figures; returns true if there is no fault. */
-fun soak(): Boolean {
+internal fun soak(): Boolean {
     val result = Soak(agents = 100, seconds = 600).run()
     println("100 agents at 50 Hz for 600 s: $result")
     result.faults.forEach(System.err::println)

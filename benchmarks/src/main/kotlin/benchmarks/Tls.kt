@@ -49,10 +49,10 @@ private fun measure(port: String) {
     val lines = List(CONNECTIONS) { open(port).also { exchange(it, 150) } }
     val heap = (usedHeap() - before) / CONNECTIONS / 1024
     lines.forEach(Transport::close)
-    println("$port: opening and one byte there and back ${figures(openings)}, 150 bytes ${figures(exchanges)}, heap $heap KB")
+    println("$port: opening and one byte there and back ${words(openings)}, 150 bytes ${words(exchanges)}, heap $heap KB")
 }
 
-private fun figures(nanos: LongArray) = Distribution(nanos).let { "median %.2f ms, p99 %.2f ms".format(it.ms(0.5), it.ms(0.99)) }
+private fun words(nanos: LongArray) = Distribution(nanos).let { figures("median %.2f ms, p99 %.2f ms", it.ms(0.5), it.ms(0.99)) }
 
 private fun awaitEcho(port: String) {
     val end = System.nanoTime() + PATIENCE_MS * 1_000_000L

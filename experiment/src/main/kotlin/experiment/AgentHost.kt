@@ -2,56 +2,15 @@ package experiment
 
 import jason.architecture.AgArch
 import jason.asSyntax.ASSyntax
-import jason.asSyntax.ASSyntax.createAtom
-import jason.asSyntax.ASSyntax.createList
 import jason.asSyntax.ASSyntax.createLiteral
-import jason.asSyntax.ASSyntax.createNumber
 import jason.asSyntax.ASSyntax.createString
+import jason.asSyntax.ASSyntax.parseTerm
 import jason.asSyntax.Literal
 import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalRuntimeServices
 import jason.infra.local.RunLocalMAS
 import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
-
-/** The initial beliefs of an agent of the experiment: [port] with its options, the rest as in [Trial]. */
-internal data class Orders(
-    val port: String,
-    val baud: Int,
-    val timeoutMs: Int,
-    val protocol: String?,
-    val limit: Int,
-    val interval: Int,
-    val filter: String,
-    val sensing: String,
-) {
-    /** The agent's initial beliefs. */
-    fun beliefs(): List<Literal> {
-        val options = listOfNotNull(
-            createLiteral("baud", createNumber(baud.toDouble())),
-            createLiteral("timeout", createNumber(timeoutMs.toDouble())),
-            protocol?.let { createLiteral("protocol", ASSyntax.parseTerm(it)) },
-        )
-        return listOf(
-            createLiteral("board", createString(port), createList(options)),
-            createLiteral("value", createNumber(limit.toDouble())),
-            createLiteral("interval", createNumber(interval.toDouble())),
-            createLiteral("view", createAtom(filter)),
-        )
-    }
-}
-
-/** Returns the orders of an agent for [trial], whose robot is on [port]. */
-internal fun orders(trial: Trial, port: String) = Orders(
-    port = port,
-    baud = trial.baud,
-    timeoutMs = answerLimitMs(trial),
-    protocol = trial.condition.protocol,
-    limit = trial.limit,
-    interval = trial.interval,
-    filter = trial.view.filter(trial.condition, trial.limit),
-    sensing = trial.condition.sensing,
-)
 
 /**
  * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. A program has only one, since Jason
@@ -72,21 +31,30 @@ internal class AgentHost : RunLocalMAS() {
         start()
     }
 
-    /** Creates an agent [name] with [orders], puts [witnesses] in front of its architectures, and starts it. */
-    fun begin(name: String, orders: Orders, witnesses: List<AgArch>): LocalAgArch {
-        val settings = AgentSettings().apply { addOption("argo_sensing", orders.sensing) }
-        val given = services.createAgent(name, source, null, listOf("argo.Arch"), null, settings, null)
-        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent $name" }
-        orders.beliefs().forEach { agent.ts.ag.addBel(it) }
+    /** Creates the agent of [trial], whose robot is on [port], puts [witnesses] in front of its architectures, and starts it. */
+    fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch {
+        val settings = AgentSettings().apply { addOption("argo_sensing", trial.condition.sensing) }
+        val given = services.createAgent(trial.id, source, null, listOf("argo.Arch"), null, settings, null)
+        val agent = checkNotNull(getAg(given)) { "Jason could not create the agent ${trial.id}" }
+        beliefs(trial, port).forEach { agent.ts.ag.addBel(it) }
         witnesses.forEach(agent::insertAgArch)
         services.startAgent(given)
         return agent
     }
 
-    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS]. */
+    private fun beliefs(trial: Trial, port: String): List<Literal> {
+        val protocol = trial.condition.protocol?.let { "protocol($it)" }
+        val options = listOfNotNull("baud(${trial.baud})", "timeout(${answerLimitMs(trial)})", protocol)
+        val filter = trial.view.filter(trial.condition, trial.limit)
+        val others = listOf("value(${trial.limit})", "interval(${trial.interval})", "view($filter)")
+        return others.map(ASSyntax::parseLiteral) + createLiteral("board", createString(port), parseTerm("$options"))
+    }
+
+    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS], with a warning in the log. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
+        if (agent.thread.isAlive) LOG.log(System.Logger.Level.WARNING, "the agent ${agent.agName} still runs after $END_LIMIT_MS ms")
         delAg(agent.agName)
     }
 
@@ -95,5 +63,6 @@ internal class AgentHost : RunLocalMAS() {
 
     private companion object {
         const val END_LIMIT_MS = 2_000L
+        val LOG: System.Logger = System.getLogger("experiment")
     }
 }

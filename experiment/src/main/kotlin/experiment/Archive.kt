@@ -1,5 +1,6 @@
 package experiment
 
+import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
@@ -12,6 +13,17 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
 import kotlin.io.path.writeText
+
+/**
+ * The settings of all runs of an experiment. A continued experiment must have the same.
+ *
+ * @property seed the seed of the order of the runs and of the noise of the sensors
+ * @property slowdown the factor by which the agents reason more slowly than this computer
+ * @property computer the calibration behind [slowdown], in words
+ * @property port the port of a real robot, null for simulated ones
+ */
+@Serializable
+internal data class Settings(val plan: Plan, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
 
 /** An experiment cannot be continued; [message] gives the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)

@@ -24,7 +24,6 @@ import java.time.Instant
 import java.util.concurrent.Callable
 import kotlin.random.Random
 
-/** `experiment`: all runs of the collision experiment, and the report on them. */
 @Command(
     name = "experiment",
     description = [
@@ -246,6 +245,6 @@ internal class Experiment(private val archive: Archive, private val settings: Se
 
     private fun laboratory(punctuality: Punctuality): Laboratory =
         settings.port?.let { port ->
-            RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") })
+            RealLaboratory(AgentHost(), port, Attendant(System.`in`.bufferedReader(), given) { println("\n$it") }::ready)
         } ?: SimulatedLaboratory(AgentHost(), punctuality, settings)
 }

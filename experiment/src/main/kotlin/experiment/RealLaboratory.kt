@@ -2,24 +2,19 @@ package experiment
 
 import javino.LineClock
 import samples.collision.Course
+import samples.collision.Witness
 import java.io.BufferedReader
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** Puts a real robot back before each run; returns false if the experiment is aborted. */
-internal fun interface Assistant {
-    /** Has the robot put at the start for [trial]. */
-    fun ready(trial: Trial): Boolean
-}
-
 /**
- * Asks a person, whose answer is a line of [keyboard]; the end of its lines aborts the experiment. For one thread.
+ * Asks a person to put a real robot back. The answer is a line of [keyboard]; the end of its lines aborts the experiment. For one thread.
  *
  * @param tell receives the instruction for the person
  */
-internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) : Assistant {
+internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
     private val answers = LinkedBlockingQueue<Boolean>() // false: there are no more
     private val reader = lazy {
         thread(name = "keyboard", isDaemon = true) { // a read of the keyboard cannot be interrupted
@@ -28,7 +23,8 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
         }
     }
 
-    override fun ready(trial: Trial): Boolean {
+    /** Has the robot put at the start for [trial]; returns false if the experiment is aborted. */
+    fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
         while (!given.isUp) if (answers.poll(LOOK_MS, TimeUnit.MILLISECONDS) ?: continue) return true else given.giveUp()
@@ -44,57 +40,57 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
  * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times are those of a [Sighting], to
  * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. The laboratory
  * ends a run with `stop` if the agent does not.
+ *
+ * @param ready has the robot put at the start for a run; returns false if the experiment is aborted
  */
 internal class RealLaboratory(
     private val host: AgentHost,
     private val port: String,
-    private val assistant: Assistant,
+    private val ready: (Trial) -> Boolean,
     private val clock: LineClock = LineClock.system(),
 ) : Laboratory {
     private val pause = CountDownLatch(1)
 
     override fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result? {
-        if (!assistant.ready(trial)) return null
+        if (!ready(trial)) return null
         val begin = clock.nanos()
         val sighting = Sighting(trial.limit)
-        val observer = sighting.observer(record, begin, clock)
-        val agent = host.begin(trial.id, orders(trial, port), listOf(observer))
+        val witness = sighting.witness(record, begin, clock)
+        val agent = host.begin(trial, port, listOf(witness))
         try {
             while (!given.await(LOOK_MS)) {
                 val now = clock.nanos()
-                val outcome = outcome(observer, now - begin) ?: continue
-                halt(observer)
+                val outcome = outcome(witness.beliefs, now - begin) ?: continue
+                halt(witness)
                 pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings are of the robot at rest
-                val reason = if (outcome != Outcome.FAILED) null else observer.trouble
-                    ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says ${observer.believedFront}"
+                val (front, _, trouble) = witness.beliefs
+                val reason = if (outcome != Outcome.FAILED) null else trouble
+                    ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says $front"
                 return Entry.Result(
-                    outcome, observer.believedFront ?: 0.0, msSince(sighting.crossed, now) ?: 0.0, msSince(sighting.perceived, now),
-                    commands = 0, frames = 0, lateMs = 0.0, reason,
+                    outcome, front ?: 0.0, msSince(sighting.crossed, now) ?: 0.0, msSince(sighting.perceived, now), reason = reason,
                 )
             }
-            halt(observer)
+            halt(witness)
             pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command has to go out
+            if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {
             host.end(agent)
         }
     }
 
-    private fun outcome(observer: Observer, nanos: Long): Outcome? {
-        val front = observer.believedFront
-        return when {
-            observer.hasStopped -> Outcome.STOPPED
-            front != null && front <= WALL_CM -> Outcome.COLLIDED
-            observer.trouble != null || nanos > TimeUnit.SECONDS.toNanos(MAX_S) -> Outcome.FAILED
-            else -> null
-        }
+    private fun outcome(beliefs: Witness.Beliefs, nanos: Long): Outcome? = when {
+        beliefs.isStopped -> Outcome.STOPPED
+        beliefs.distance.let { it != null && it <= WALL_CM } -> Outcome.COLLIDED
+        beliefs.trouble != null || nanos > TimeUnit.SECONDS.toNanos(MAX_S) -> Outcome.FAILED
+        else -> null
     }
 
     /**
      * Stops the robot, since a board's motors keep their last command; not if the agent is in trouble, and so has no board for a command.
      */
-    private fun halt(observer: Observer) {
-        if (!observer.hasStopped && observer.trouble == null) observer.haltRobot()
+    private fun halt(witness: Witness) {
+        if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()
     }
 
     companion object {

@@ -44,18 +44,18 @@ internal sealed interface Entry {
          * The time from crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see
          * [Sighting.crossed].
          */
-        val sinceLimitMs: Double,
+        val sinceLimitMs: Double = 0.0,
         /**
          * The time from the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped
          * the robot before. Null: the agent believed none.
          */
-        val sincePerceivingMs: Double?,
-        /** The number of commands that took effect. */
-        val commands: Int,
+        val sincePerceivingMs: Double? = null,
+        /** The number of commands that took effect; 0 for a real robot, as the next two. */
+        val commands: Int = 0,
         /** The number of the board's answers. */
-        val frames: Int,
+        val frames: Int = 0,
         /** The largest lateness of this machine in the run, in ms. */
-        val lateMs: Double,
+        val lateMs: Double = 0.0,
         /** The reason why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
         val reason: String? = null,
     ) : Entry
@@ -64,11 +64,9 @@ internal sealed interface Entry {
 /** The end of a run. */
 @Serializable
 internal enum class Outcome {
-    /** The robot was stopped. */
     @SerialName("stopped")
     STOPPED,
 
-    /** It ran into the wall. */
     @SerialName("collided")
     COLLIDED,
 

@@ -1,6 +1,7 @@
 package experiment
 
 import javino.LineClock
+import samples.collision.Witness
 
 /**
  * Notes when an agent perceives that its robot is at most [limit] cm from the wall. The agent's thread writes, any thread reads. Instants
@@ -33,8 +34,8 @@ internal class Sighting(private val limit: Int) {
         perceived = now
     }
 
-    /** Returns an observer that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
-    fun observer(record: RecordWriter, begin: Long, clock: LineClock) = Observer { front, events, intentions ->
+    /** Returns a witness that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
+    fun witness(record: RecordWriter, begin: Long, clock: LineClock) = Witness { front, events, intentions ->
         val now = clock.nanos()
         see(front, now)
         record.write(Entry.Belief(now - begin, front, events, intentions))

@@ -9,6 +9,7 @@ import samples.board.Sketch
 import samples.collision.Course
 import samples.collision.Robot
 import samples.collision.Sensors
+import samples.collision.Witness
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
@@ -27,7 +28,6 @@ internal class GivenUp {
     /** True if the experiment is aborted. */
     val isUp: Boolean get() = latch.count == 0L
 
-    /** Aborts the experiment. */
     fun giveUp() = latch.countDown()
 
     /** Waits [millis] ms at most; returns true if the experiment is aborted. */
@@ -47,20 +47,15 @@ internal class SimulatedLaboratory(
         val sketch = RecordedSketch(robot, record, begin, clock)
         SimulatedBoards.plugIn(trial.id, board(trial, sketch))
         val sighting = Sighting(trial.limit)
-        val observer = sighting.observer(record, begin, clock)
-        val orders = orders(trial, "${SimulatedBoards.SCHEME}:${trial.id}")
-        val agent = host.begin(trial.id, orders, listOf(observer, SlowComputer(settings.slowdown)))
+        val witness = sighting.witness(record, begin, clock)
+        val agent = host.begin(trial, "${SimulatedBoards.SCHEME}:${trial.id}", listOf(witness, SlowComputer(settings.slowdown)))
         try {
             while (!given.await(LOOK_MS)) {
                 val now = clock.nanos()
-                val measured = measured(robot.course, trial.limit, sighting.perceived, now)?.takeIf { isOver(trial, it, observer) }
-                val reason = if (measured != null) null else observer.trouble ?: overdue(robot.course, now - begin) ?: continue
-                val outcome = if (observer.trouble == null && robot.course.departure == null) Outcome.IDLE else Outcome.FAILED
-                val end = measured ?: Measured(outcome, robot.course.distanceAt(now), 0.0, null)
-                return Entry.Result(
-                    end.outcome, end.distance, end.sinceLimitMs, end.sincePerceivingMs,
-                    sketch.commands.get(), sketch.frames.get(), punctuality.worstSinceMs(begin), reason,
-                )
+                val beliefs = witness.beliefs
+                val end = measured(robot.course, trial.limit, sighting.perceived, now)?.takeIf { isOver(trial, it, beliefs) }
+                    ?: unmeasured(robot.course, now, beliefs.trouble ?: overdue(robot.course, now - begin) ?: continue, beliefs)
+                return end.copy(commands = sketch.commands.get(), frames = sketch.frames.get(), lateMs = punctuality.worstSinceMs(begin))
             }
             return null
         } finally {
@@ -73,8 +68,12 @@ internal class SimulatedLaboratory(
      * Returns true if the run is over. A robot that its board has stopped drives on if a command of its agent was on the way; the agent
      * then stops it.
      */
-    private fun isOver(trial: Trial, measured: Measured, observer: Observer) = measured.outcome == Outcome.COLLIDED ||
-        measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || observer.hasStopped)
+    private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
+        measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
+
+    private fun unmeasured(course: Course, now: Long, reason: String, beliefs: Witness.Beliefs) = Entry.Result(
+        if (beliefs.trouble == null && course.departure == null) Outcome.IDLE else Outcome.FAILED, course.distanceAt(now), reason = reason,
+    )
 
     private fun overdue(course: Course, nanos: Long): String? = when {
         nanos <= TimeUnit.SECONDS.toNanos(MAX_S) -> null
@@ -95,20 +94,18 @@ internal class SimulatedLaboratory(
     }
 }
 
-/** A run that is over, [distance] cm from the wall; the times are those of [Entry.Result]. */
-internal data class Measured(val outcome: Outcome, val distance: Double, val sinceLimitMs: Double, val sincePerceivingMs: Double?)
-
 /**
  * Measures a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived] (null: it has not); null
  * while the robot drives or stands at the start.
  */
-internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Measured? {
+internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
         Course.State.STOPPED -> Outcome.STOPPED to checkNotNull(course.halt)
         Course.State.COLLIDED -> Outcome.COLLIDED to checkNotNull(course.reached(0.0, now))
         else -> return null
     }
-    return Measured(outcome, course.distanceAt(now), msSince(course.reached(limit.toDouble(), now), end) ?: 0.0, msSince(perceived, end))
+    val sinceLimitMs = msSince(course.reached(limit.toDouble(), now), end) ?: 0.0
+    return Entry.Result(outcome, course.distanceAt(now), sinceLimitMs, msSince(perceived, end))
 }
 
 /** Returns the time from [start] to [end] in ms, null if there is no [start]. */

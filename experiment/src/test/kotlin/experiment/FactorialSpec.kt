@@ -63,7 +63,7 @@ class FactorialSpec : FunSpec({
         val (low, high) = analysis.effects(Source.A, 0.95)
         low.value shouldBe (-20.0 plusOrMinus 1e-9)
         high.value shouldBe (20.0 plusOrMinus 1e-9)
-        high.high - high.value shouldBe (2.306 * sqrt(2.0 / 16) plusOrMinus 1e-4)
+        high.interval.high - high.value shouldBe (2.306 * sqrt(2.0 / 16) plusOrMinus 1e-4)
         high.isSignificant shouldBe true
         analysis.effects(Source.ABC, 0.95).any { it.isSignificant } shouldBe false
         analysis.mean(0.95).high shouldBe (40 + 2.306 * sqrt(2.0 / 16) plusOrMinus 1e-4)
@@ -94,7 +94,7 @@ class FactorialSpec : FunSpec({
         listOf(Source.A to 1, Source.B to 3, Source.C to 5).forEach { (source, column) ->
             analysis.effects(source, 0.90).take(2).forEachIndexed { level, effect ->
                 effect.value shouldBe (estimates[column + level] plusOrMinus 1e-9)
-                effect.high - effect.value shouldBe (T_90_54 * deviations[column + level] plusOrMinus 1e-3)
+                effect.interval.high - effect.value shouldBe (T_90_54 * deviations[column + level] plusOrMinus 1e-3)
             }
         }
     }

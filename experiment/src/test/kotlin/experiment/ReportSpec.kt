@@ -95,13 +95,29 @@ class ReportSpec : FunSpec({
     test("both times have a table, and only the one from perceiving the wall stands beside the published shares") {
         val runs = Plan.FULL.trials(Condition.DEFAULTS).map { Finished(it, stopped(sinceLimitMs = 500.0, sincePerceivingMs = 300.0)) }
         val page = writeReport(tempdir().toPath(), settings, runs, MADE).readText()
-        fun table(caption: String) = page.substringAfter(caption).substringBefore("</table>")
+        fun table(caption: String, of: String = page) = of.substringAfter(caption).substringBefore("</table>")
         table("Time from crossing the limit of the runs that stopped") shouldContain "<td class=\"n\">500.0<"
         table("Time from perceiving the wall of the runs that stopped") shouldContain "<td class=\"n\">300.0<"
-        Response.entries.filter { "published" in table("Allocation of variation of the ${it.title}") } shouldBe
+        val all = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED), MADE).readText()
+        Response.entries.filter { "published</th>" in table("Allocation of variation of the ${it.title}", all) } shouldBe
             listOf(Response.PERCEIVED_TIME, Response.LEAST_PERCEIVED_TIME)
         page shouldContain "which add up to 100.06 %"
         page shouldContain "500 ms after the limit and 300 ms after the agent perceived the wall (medians)"
+    }
+
+    test("a table has no condition whose shares would be those of a table before") {
+        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        fun heads(response: Response) = page.substringAfter("Allocation of variation of the ${response.title}").substringBefore("</thead>")
+        heads(Response.PERCEIVED_TIME) shouldContain "(b)"
+        heads(Response.LEAST_PERCEIVED_TIME) shouldContain "(a)"
+        heads(Response.LEAST_PERCEIVED_TIME) shouldNotContain "(b)"
+        page shouldContain "Conditions without such a robot are left out"
+        writeReport(tempdir().toPath(), settings, made(Condition.DEFAULTS), MADE).readText() shouldNotContain "least time from perceiving"
+    }
+
+    test("the time of a request and its answer is that of each condition without a filter") {
+        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.VERSION_2).reversed(), MADE).readText()
+        page shouldContain "A request and its answer of twelve percepts take (a) 168 ms, (c) 37 ms."
     }
 
     test("a machine that was busy is told at the top, and its runs are marked") {
@@ -113,6 +129,8 @@ class ReportSpec : FunSpec({
         top shouldContain "The machine was busy."
         top shouldContain "In 1 of 162 runs"
         top shouldContain "d-none-40-20-1 (40 ms)"
+        top shouldNotContain "other lines" // there is no such table
+        page shouldContain "<td class=\"n\">27 of 27, 1 late</td>"
         directory.resolve("figures/times.svg").readText() shouldContain "stopped, busy machine"
         writeReport(directory, settings, runs.map { late(it, 4.0) }, MADE).readText() shouldNotContain "The machine was busy."
         directory.resolve("figures/times.svg").readText() shouldNotContain "busy machine"

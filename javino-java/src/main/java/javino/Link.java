@@ -66,7 +66,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Opens a port.
+     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits for that.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
      * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
@@ -385,7 +385,13 @@ public final class Link implements AutoCloseable {
         end("port " + port() + " is gone: it was closed");
     }
 
+    /** Announces {@link #close}: from now on an {@link #open} of the port waits until it is closed, for a while. Does not wait. */
+    public void leave() {
+        claim.leave();
+    }
+
     private void end(String why) {
+        claim.leave();
         writer.end(why); // wakes threads that wait for the line
         commands.failAll(why);
         ending.lock(); // a second caller returns when the port is really free

@@ -3,6 +3,8 @@ package javino;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 
 /**
  * The owners of ports: one table for the program, as the devices of a machine are, by {@linkplain Transports#canonicalName canonical name}.
@@ -10,12 +12,17 @@ import java.util.concurrent.ConcurrentHashMap;
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
 
+    /** The longest wait for an owner that is about to give a port back: a driver may take seconds to close one. */
+    private static final int PATIENCE_MILLIS = 5_000;
+
     private PortOwners() {}
 
     /** One owner's hold on a port. */
     static final class Claim {
         private final String canonicalName;
         private final String owner;
+        private final CountDownLatch released = new CountDownLatch(1);
+        private volatile boolean isLeaving;
 
         private Claim(String canonicalName, String owner) {
             this.canonicalName = canonicalName;
@@ -27,9 +34,19 @@ final class PortOwners {
             return canonicalName;
         }
 
+        /** Notes that the port is about to be given back: the next owner waits for it. Idempotent. */
+        void leave() {
+            isLeaving = true;
+        }
+
         /** Gives the port back. Idempotent. */
         void release() {
             CLAIMS.remove(canonicalName, this);
+            released.countDown();
+        }
+
+        private boolean isReleasedBefore(long endNanos) throws InterruptedException {
+            return isLeaving && released.await(endNanos - System.nanoTime(), TimeUnit.NANOSECONDS);
         }
     }
 
@@ -38,14 +55,23 @@ final class PortOwners {
         return new Claim(line, "nobody");
     }
 
-    /** Claims a port for {@code owner}. */
-    static Claim claim(String port, String owner) throws PortBusyException {
+    /** Claims a port for {@code owner}; waits for an owner that is about to give it back. */
+    static Claim claim(String port, String owner) throws PortException {
         Claim claim = new Claim(Transports.canonicalName(port), owner);
-        Claim other = CLAIMS.putIfAbsent(claim.canonicalName, claim);
-        if (other != null) {
-            throw new PortBusyException(port, other.owner);
+        long endNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE_MILLIS);
+        try {
+            while (true) {
+                Claim other = CLAIMS.putIfAbsent(claim.canonicalName, claim);
+                if (other == null) {
+                    return claim;
+                }
+                if (!other.isReleasedBefore(endNanos)) {
+                    throw new PortBusyException(port, other.owner);
+                }
+            }
+        } catch (InterruptedException e) {
+            throw PortInterruptedException.remarking(port);
         }
-        return claim;
     }
 
     static Optional<String> ownerOf(String port) {

@@ -5,14 +5,13 @@ import argo.tools.command.refusingInWords
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
-import samples.carrier.ThreeBoardsCommand
 import samples.collision.CollisionCommand
-import samples.delegation.DelegationCommand
 import samples.fleet.FleetCommand
 import samples.lamp.BlinkCommand
-import samples.lamp.TwoBoardsCommand
+import samples.project.MasRun
+import samples.project.SampleProject
 import samples.turtle.TurtleCommand
-import samples.typedfilters.TypedFiltersCommand
+import java.util.concurrent.Callable
 import kotlin.system.exitProcess
 
 /**
@@ -28,22 +27,46 @@ fun main(args: Array<String>) {
 internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     val rest = args.drop(1).toTypedArray()
     return when (args.firstOrNull()) {
-        "demo" -> commandLine(CollisionCommand(), "demo") to rest
-        else -> commandLine(Samples(), "sample") to args
+        "demo" -> CommandLine(CollisionCommand()).named("demo") to rest
+        else -> samples().named("sample") to args
     }
 }
 
-private fun commandLine(command: Any, name: String) =
-    CommandLine(command).setCommandName("${System.getProperty("argo.command") ?: "./argo"} $name").refusingInWords("sample")
+private fun CommandLine.named(name: String) =
+    setCommandName("${System.getProperty("argo.command") ?: "./argo"} $name").refusingInWords("sample")
 
-@Command(
-    name = "samples",
-    description = ["Jason agents that drive boards through ARGO."],
-    subcommands = [
-        CollisionCommand::class, BlinkCommand::class, DelegationCommand::class, TwoBoardsCommand::class, ThreeBoardsCommand::class,
-        TurtleCommand::class, TypedFiltersCommand::class, FleetCommand::class,
-    ],
-)
+private fun samples() = CommandLine(Samples()).addSubcommand(CollisionCommand()).addSubcommand(BlinkCommand())
+    .addProject(
+        "delegation",
+        "An ARGO agent that only senses and acts, and two common Jason agents that reason on what it tells them.",
+        "The robot is the simulated one of the sample collision.",
+    )
+    .addProject("two-boards", "One agent that works with two boards in turn, by changing its port at run time. The boards are simulated.")
+    .addProject("three-boards", "A robot of three boards, wheels, sensors and an arm, fetches a can. The boards are simulated.")
+    .addSubcommand(TurtleCommand())
+    .addProject(
+        "typed-filters",
+        "An agent looks at the world through filters that are written in Kotlin, and asks why it misses what it misses.",
+        "The robot is the simulated one of the sample collision.",
+    )
+    .addSubcommand(FleetCommand())
+
+private fun CommandLine.addProject(name: String, vararg description: String): CommandLine {
+    val sample = CommandLine(ProjectCommand(name))
+    sample.commandSpec.usageMessage().description(*description)
+    return addSubcommand(name, sample)
+}
+
+/** A sample without options: the Jason project [name], until its agents end it. */
+@Command
+private class ProjectCommand(private val name: String) : Callable<Int> {
+    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    private var help = false
+
+    override fun call(): Int = MasRun(SampleProject(name)).toItsEnd()
+}
+
+@Command(name = "samples", description = ["Jason agents that drive boards through ARGO."])
 private class Samples : Runnable {
     @CommandLine.Spec
     private lateinit var spec: CommandLine.Model.CommandSpec

@@ -34,6 +34,7 @@ internal class BoardRules(
 
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
+    private val numbered = HashMap<Int, CriticalRule>() // each rule of this session by its number, also those that have been removed
     private val refused = HashSet<CriticalRule>()
     private var wishes: List<CriticalRule> = emptyList()
     private var room = 0
@@ -49,6 +50,7 @@ internal class BoardRules(
     fun began(room: Int) = changing {
         this.room = room
         held.clear()
+        numbered.clear()
         refused.clear()
         unsent.clear()
         if (hasSent && room > 0) unsent += Message(BoardRule.removal(ALL))
@@ -61,8 +63,11 @@ internal class BoardRules(
     /** Returns true if the board watches [rule]. */
     fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
 
-    /** Returns the rule that the board knows by [number]; null: there is none. */
-    fun ruleOf(number: Int): CriticalRule? = lock.withLock { held.values.find { it.number == number }?.rule }
+    /** Returns the rule that the board knows by [number], or has known by it in this session; null: there is none. */
+    fun ruleOf(number: Int): CriticalRule? = lock.withLock { numbered[number] }
+
+    /** Returns true if the agent wants [rule] to be watched, and the board may watch it. */
+    fun isHeld(rule: CriticalRule): Boolean = lock.withLock { rule in held }
 
     /** Makes a [change] under the lock, and sends the messages that it queues. */
     private fun changing(change: () -> Unit) {
@@ -105,12 +110,13 @@ internal class BoardRules(
     private fun set(rule: CriticalRule, boardRule: BoardRule) {
         val new = Held(freeNumber(), rule)
         held[rule] = new
+        numbered[new.number] = rule
         unsent += Message(boardRule.setting(new.number), new)
     }
 
     /** Returns the number that was not used for longest, so that a report under way is not taken for one of another rule. */
     private fun freeNumber(): Int {
-        do lastNumber = lastNumber % MAX_NUMBER + 1 while (ruleOf(lastNumber) != null)
+        do lastNumber = lastNumber % MAX_NUMBER + 1 while (held.values.any { it.number == lastNumber })
         return lastNumber
     }
 

@@ -19,3 +19,9 @@ internal fun interface Transmission {
      */
     fun follow(left: () -> Unit, outcome: (Failure?) -> Unit)
 }
+
+/** Returns a command that has ended: with [failure], or null. */
+internal fun ended(failure: Failure?) = Transmission { left, outcome ->
+    left()
+    outcome(failure)
+}

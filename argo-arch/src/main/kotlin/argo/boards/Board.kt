@@ -13,7 +13,7 @@ import argo.observing.WatchedRule
 import argo.perception.BeliefReader
 import argo.perception.BoardPercepts
 import argo.perception.HandOver
-import argo.perception.LastSeen
+import argo.perception.PerceivedBoard
 import argo.perception.PerceptLimit
 import argo.perception.Snapshot
 import argo.platform.nowMs
@@ -39,7 +39,7 @@ import kotlin.concurrent.withLock
  * @param port the line to it
  * @param former a board from which it takes its filter and interval until it gets others
  */
-internal class Board(val term: Term, port: OpenPort, private val agent: Perceiver, former: Board? = null) {
+internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
     /** A filter of its own; null inside it lets everything through. */
     private class OwnFilter(val filter: PerceptionFilter?)
 
@@ -55,7 +55,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     private val believed = AtomicReference(BelievedPercepts.NONE)
 
     /** The percepts of it that the agent believes. Any thread may read. */
-    val sensed: List<Literal> get() = believed.get().percepts
+    override val sensed: List<Literal> get() = believed.get().percepts
 
     /** The time at which the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
     val sensedNanos: Long? get() = believed.get().nanos
@@ -79,15 +79,12 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** The commands for which its snapshots wait. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
-    private val lastSeen = LastSeen { sensed }
     private val choosing = ReentrantLock() // held while the filter is asked for and taken
-    private val nowMs = agent.platform.nowMs
-    private val stale = StaleBeliefs(nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
-    private val reflexes: Reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
+    private val stale = StaleBeliefs(agent.platform.nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
+    private val reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
     private val percepts = BoardPercepts(
-        agent.platform.clock.newLock(false), ::isOn, handOver, reflexes,
-        { agent.observers().messageFiltered(it) }, BeliefReader(space) { agent.log.warning(it) }, agent.log,
-        PerceptLimit(agent.maxPercepts, agent.rateLimitedWarning()), lastSeen, nowMs,
+        this, BeliefReader(space) { agent.log.warning(it) }, PerceptLimit(agent.maxPercepts, agent.rateLimitedWarning()),
+        handOver, reflexes, agent.log, agent.platform.clock,
     )
 
     /** The actions that it has registered, the newest of each name; null: they are not known. Any thread. */
@@ -104,8 +101,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
     /** The request to it if it speaks version 2 of the protocol. Any thread. */
     val request: String get() = percepts.request
 
-    /** Returns true if it is perceived through [port]. Any thread. */
-    private fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
+    override fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
+
+    override fun filtered(snapshot: Snapshot) = agent.observers.each { it.messageFiltered(snapshot) }
 
     /** Prepares for being perceived through [port]. Any thread, before it is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
@@ -159,7 +157,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
      * none.
      */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
-        lastSeen.youngest(beliefs, percept, un, nowNanos)
+        percepts.lastSeen.youngest(beliefs, percept, un, nowNanos)
 
     /**
      * Takes a message: see [BoardPercepts.received]. Called by the sensing thread of [port].
@@ -169,22 +167,19 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         answer.came(message.receivedNanos)
         val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)
         answer.read(nextNanos)
-        agent.answered(this)
+        agent.ready.answered(this)
         if (!isWanted) return
         stale.renew()
         if (isForLater()) return
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /**
-     * Returns true if the agent would only wait for the answers of other boards, the last of which wakes it.
-     */
-    private fun isForLater() = handOver.isReady() && !hasNews() && agent.isForLater(this)
+    /** Returns true if the agent would only wait for the answers of other boards, the last of which wakes it. */
+    private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
-    /** Takes a percept that the board has reported: see [BoardPercepts.reported]. Any thread. */
-    fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
-        if (percepts.reported(port, rule, outcome, percept, receivedNanos)) agent.wake { !handOver.isReady() }
-    }
+    /** Takes a percept that the board has reported: see [BoardPercepts.reported], also for the result. Any thread. */
+    fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean =
+        percepts.reported(port, rule, outcome, percept, receivedNanos).also { if (it) agent.wake { !handOver.isReady() } }
 
     /** Makes a snapshot of the held-back percepts that are due. */
     fun putDue() = percepts.putDue()
@@ -230,7 +225,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: Perceive
         agent.send(port, command, CommandOptions(urgent = true)).follow({ }, outcome)
 
     private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
-        agent.observers().reflexEnded(rule, watcher, failure)
+        agent.observers.reflexEnded(rule, watcher, failure)
         agent.wake { !reflexes.hasNews() }
     }
 }

@@ -4,8 +4,10 @@ import argo.acting.BoardRules
 import argo.acting.CommandSender
 import argo.connecting.OpenPort
 import argo.connecting.PortStatus
+import argo.filters.CriticalRule
 import argo.links.BoardMessage
 import argo.links.Wish
+import argo.platform.foreignText
 import argo.sensing.Instants
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
@@ -17,10 +19,12 @@ import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
 /** The users of one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
-internal class BoardLine(private val port: OpenPort, private val agent: Perceiver, private val closed: () -> Unit) :
+internal class BoardLine(private val port: OpenPort, private val agent: AgentBoards, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
-    val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.lost(port, it) }
+    val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
     val sensing = Sensing(port, agent.owner, this, agent.platform)
+
+    private val warning = agent.rateLimitedWarning()
 
     /** The critical rules that the board watches. */
     val rules = BoardRules(
@@ -31,7 +35,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs
 
     override fun nextStart(startNanos: Long) =
-        if (agent.perceivesSeveral) Instants.after(startNanos, TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        if (agent.areSeveral) Instants.after(startNanos, TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         else super.nextStart(startNanos)
 
     override fun isSensed(port: OpenPort) = agent.boardOn(port) != null
@@ -50,18 +54,27 @@ internal class BoardLine(private val port: OpenPort, private val agent: Perceive
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) {
         agent.boardOn(port)?.answer?.stayedOut()
-        agent.report(port, PortStatus.TIMEOUT, trouble.message)
+        agent.ports.report(port, PortStatus.TIMEOUT, trouble.message)
     }
 
-    override fun answeredAgain(port: OpenPort) = agent.report(port, PortStatus.ON)
+    override fun answeredAgain(port: OpenPort) = agent.ports.report(port, PortStatus.ON)
 
-    override fun lost(port: OpenPort, trouble: PortException) = agent.lost(port, trouble)
+    override fun lost(port: OpenPort, trouble: PortException) = agent.ports.lost(port, trouble)
 
     override fun sessionBegan(room: Int) = rules.began(room)
 
     override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
-        val critical = rules.ruleOf(rule) ?: return
-        agent.boardOn(port)?.reported(port, critical, outcome, percept, receivedNanos)
+        val critical = rules.ruleOf(rule)
+        val isTaken = critical != null && rules.isHeld(critical) &&
+            agent.boardOn(port)?.reported(port, critical, outcome, percept, receivedNanos) == true
+        if (!isTaken) tellLeftOut(critical, outcome, percept)
+    }
+
+    /** Tells of a report that the board had sent before it knew that the agent does not want it any more. */
+    private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) = warning.report("$rule") {
+        val reflex = if (outcome == ReflexOutcome.CARRIED_OUT) ". It has carried the reflex out" else ""
+        "the board on port ${port.link.port} reports ${foreignText(percept)} by the critical rule on ${rule ?: "unknown percepts"}, " +
+            "which is watched no more, so the report is left out$reflex"
     }
 
     /** Reads the agent's wishes to the board anew; they may have changed. Any thread. */

@@ -4,7 +4,9 @@ import argo.observing.CommandFailure
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
+import jason.asSyntax.Term
 
 /**
  * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here, once in a cycle, and does not
@@ -64,6 +66,18 @@ interface Boundary {
  * @property hasNamespaces whether a percept of it has, or has had, a namespace of its own
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
+
+/**
+ * A call of an internal action.
+ *
+ * @property name the action as the agent writes it, such as `argo.act`
+ * @property args its arguments, as Jason prepares them
+ * @property un the unifier by which the call may bind the variables in [args]
+ * @property suspend suspends the intention as a successful call does; null: the call suspends none
+ */
+class InternalCall(val name: String, val args: Array<Term>, val un: Unifier, val suspend: (() -> Unit)? = null) {
+    override fun toString() = "$name(${args.joinToString(",")})"
+}
 
 /** Hands all inputs on at once. */
 internal object Live : Boundary {

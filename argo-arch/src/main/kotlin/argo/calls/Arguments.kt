@@ -28,9 +28,11 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
     val wrong = ArrayList<String>()
+    val given = HashSet<String>()
     var isUnknown = false
     val options = optionsIn(list, example).fold(start) { options, option ->
         val changed = try {
+            if (option is Literal && !given.add(option.functor)) throw ArgumentException("$option is a second ${option.functor}")
             options.with(option).also { if (it == null) wrong += "$option is not an option" }
         } catch (unusable: ArgumentException) {
             wrong += unusable.message.orEmpty()

@@ -15,7 +15,8 @@ import kotlin.concurrent.withLock
  * @param owner the agent's name, part of the threads' names
  * @param platform finds devices and schedules the looks
  * @param reopen opens a port whose device is present, and removes it from these
- * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause
+ * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause, and the ports that are
+ *     given up
  */
 internal class LostPorts(
     private val owner: String,
@@ -43,8 +44,11 @@ internal class LostPorts(
         lock.withLock { lost.removeAll { it.term == term && it.port !== port } }
     }
 
-    /** Forgets the ports that were lost first until at most [max] remain. */
-    fun keep(max: Int) = lock.withLock { while (lost.size > maxOf(0, max)) lost.removeAt(0) }
+    /** Gives up the ports that were lost first until at most [max] remain. */
+    fun keep(max: Int) {
+        val givenUp = lock.withLock { lost.take(maxOf(0, lost.size - maxOf(0, max))).also { lost -= it.toSet() } }
+        givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
+    }
 
     /** Forgets all of them; what is being closed still is. */
     fun clear() = lock.withLock { lost.clear() }

@@ -23,7 +23,7 @@ import kotlin.concurrent.withLock
  * @param user uses the ports
  * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
  * @param platform opens the ports, and times the search for lost ones
- * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause
+ * @param warn takes reports that are no state of a port, such as the reason why one cannot be opened although its device has returned
  */
 internal class Ports(
     private val owner: String,
@@ -80,7 +80,11 @@ internal class Ports(
         tryToUse(WantedPort(term, name, options)) { port -> inUse = listOf(PortInUse(term, port)) }
 
     private fun tryToChooseAll(asked: List<WantedPort>): Failure? {
-        val wanted = asked.distinctBy { one -> runCatching { Transports.canonicalName(one.name) }.getOrDefault(one.name) }
+        val devices = asked.groupBy { one -> runCatching { Transports.canonicalName(one.name) }.getOrDefault(one.name) }.values
+        devices.filter { it.size > 1 }.forEach { same ->
+            warn("the ports ${same.joinToString(" and ") { "${it.term}" }} are one device, which is used as ${same.first().term}")
+        }
+        val wanted = devices.map { it.first() }
         val opened = HashMap<WantedPort, OpenPort>() // guarded by choosing
         val failures = ConcurrentHashMap<WantedPort, Failure>()
         platform.forEachAtOnce(wanted, { "argo-$owner-opening-${it.name}" }) { one ->
@@ -260,15 +264,20 @@ internal class Ports(
                 open.values.toList().also { open.clear() }
             }
         }
+        ports.forEach { it.link.leave() }
         ports.forEach(OpenPort::close)
         lost.closeAll()
     }
 
-    /** Closes all ports for good; a port that is being opened now is closed at once. May be called twice. */
+    /**
+     * Closes all ports for good; a port that is being opened now is closed at once. Another agent that asks for one of them waits until it is
+     * closed. May be called twice.
+     */
     fun stop() {
         lock.withLock {
             if (stopped) return
             stopped = true
+            open.values.forEach { it.link.leave() } // another agent may ask for them at once
             openings.interrupt()
             opener.clear()
             opener.execute(::closeNow)

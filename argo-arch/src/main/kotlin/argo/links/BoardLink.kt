@@ -96,6 +96,9 @@ interface BoardLink : AutoCloseable {
     /** Sets the listener for the board's own reports; only boards that can hold rules send any. */
     fun onBoardEvents(listener: BoardListener) = Unit
 
+    /** Announces [close]: whoever opens the port meanwhile waits until it is free. Does not wait. */
+    fun leave() = Unit
+
     /** Closes the link. Idempotent. */
     override fun close()
 }

@@ -42,6 +42,8 @@ class JavinoLink(private val link: Link) : BoardLink {
 
     override fun onBoardEvents(listener: BoardListener) = link.onBoardEvents(listener)
 
+    override fun leave() = link.leave()
+
     override fun close() = link.close()
 }
 

@@ -1,7 +1,6 @@
 package argo.observing
 
 import argo.filters.CriticalRule
-import argo.filters.PerceptionFilter
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Level
@@ -17,10 +16,6 @@ import java.util.logging.Logger
 internal class Observers(val observers: List<AgentObserver>, private val log: Logger, private val nanos: () -> Long) {
     private val guarded = observers.map(::Guarded)
     private val commands = AtomicLong()
-
-    fun messageFiltered(message: PerceivedMessage) = each { it.messageFiltered(message) }
-
-    fun messagePerceived(message: PerceivedMessage) = each { it.messagePerceived(message) }
 
     /** Reports that [text] is to be sent on [port]. Returns the command, for [commandEnded]; null: nobody observes. */
     fun commandIssued(port: String, text: String): IssuedCommand? {
@@ -39,17 +34,8 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         each { it.reflexEnded(reflex) }
     }
 
-    fun portChanged(port: String, status: String, reason: String?) = each { it.portChanged(port, status, reason) }
-
-    fun filterChanged(filter: PerceptionFilter?) = each { it.filterChanged(filter) }
-
-    fun boardFilterChanged(port: String, filter: PerceptionFilter?) = each { it.boardFilterChanged(port, filter) }
-
-    fun cycleFinished() = each { it.cycleFinished() }
-
-    fun close() = each { it.close() }
-
-    private inline fun each(event: (AgentObserver) -> Unit) {
+    /** Reports [event] to each observer. */
+    inline fun each(event: (AgentObserver) -> Unit) {
         for (observer in guarded) {
             try {
                 event(observer.observer)
@@ -62,7 +48,7 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         }
     }
 
-    private class Guarded(val observer: AgentObserver) {
+    internal class Guarded(val observer: AgentObserver) {
         val hasFailed = AtomicBoolean()
     }
 }

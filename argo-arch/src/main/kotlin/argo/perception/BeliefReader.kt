@@ -6,6 +6,7 @@ import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.piecesOf
 import argo.filters.matching.whyUnreadable
+import argo.platform.foreignText
 import argo.sensing.StaleBeliefs
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
@@ -50,9 +51,9 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
         if (namespace != null && this is Reading.Belief) Reading.Belief(literal.cloneNS(namespace) as Literal) else this
 
     private fun report(percept: String, why: String) {
-        if (reported.size > MAX_REPORTED || !reported.add(printable(percept))) return
+        if (reported.size > MAX_REPORTED || !reported.add(foreignText(percept))) return
         if (reported.size > MAX_REPORTED) warn("further percepts that cannot be read are not reported")
-        else warn("percept ${printable(percept)} is left out: $why")
+        else warn("percept ${foreignText(percept)} is left out: $why")
     }
 
     private companion object {
@@ -91,7 +92,7 @@ private fun parse(percept: String): Reading = try {
     }
 } catch (refused: PerceptSyntaxException) {
     val detail = whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
-    Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${printable(detail)}")
+    Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 
 /** Returns true if [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
@@ -108,10 +109,4 @@ private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))
     return literal
-}
-
-/** Makes [text] fit for a log line: control characters as `\xHH`, at most 200 characters. */
-internal fun printable(text: String): String = buildString {
-    for (c in text.take(200)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
-    if (text.length > 200) append("… (${text.length} characters)")
 }

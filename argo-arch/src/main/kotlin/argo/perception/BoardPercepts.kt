@@ -9,45 +9,53 @@ import argo.filters.jason.MessageSession
 import argo.filters.matching.Explanation
 import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
+import javino.LineClock
 import javino.PerceptsRequest
 import javino.wire.ReflexOutcome
-import java.util.concurrent.locks.Lock
 import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
+/** A board as its percepts need it. Any thread may call. */
+internal interface PerceivedBoard {
+    /** The percepts of it that the agent believes. */
+    val sensed: List<Literal>
+
+    /** Returns true if the agent perceives it through [port] now. */
+    fun isOn(port: OpenPort): Boolean
+
+    /** Takes each [snapshot] as it is left for the agent. */
+    fun filtered(snapshot: Snapshot)
+}
+
 /**
- * Turns each message of the board into a [Snapshot] for its agent, and leaves it for the hand-over.
+ * Turns each message of a [board] into a [Snapshot] for its agent, and leaves it for the hand-over.
  *
  * Two threads make snapshots: the sensing thread from each message, and the agent's from held-back percepts. Both make and leave them under
  * one lock, so that no older snapshot follows a newer one. Safe for use by several threads.
  *
- * @param lock held while a snapshot is made and left
- * @param isWanted whether the agent perceives the board on this port now
+ * @param reader reads the beliefs, of which [limit] selects
  * @param handOver takes the snapshots
- * @param reflexes takes the critical rules that each message meets; a command is submitted under [lock], so none follows [forget]
- * @param observer takes each snapshot
+ * @param reflexes takes the critical rules that each message meets; a command is submitted under the lock, so none follows [forget]
  * @param log takes, at level FINE, the reason why a percept is dropped
- * @param limit the limit on the percepts of one message
- * @param lastSeen takes the percepts of each message
- * @param nowMs a clock in ms that never goes back
  */
 internal class BoardPercepts(
-    private val lock: Lock,
-    private val isWanted: (OpenPort) -> Boolean,
+    private val board: PerceivedBoard,
+    private val reader: BeliefReader,
+    limit: PerceptLimit,
     private val handOver: HandOver,
     private val reflexes: Reflexes,
-    private val observer: (Snapshot) -> Unit,
-    private val reader: BeliefReader,
     private val log: Logger,
-    limit: PerceptLimit,
-    private val lastSeen: LastSeen,
-    private val nowMs: () -> Long,
+    private val clock: LineClock,
 ) {
+    private val lock = clock.newLock(false)
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest one, without reports
     private var newest: Snapshot? = null
+
+    /** The times at which the board's percepts were seen last. */
+    val lastSeen = LastSeen { board.sensed }
 
     /** The critical rules of the active filter. */
     @Volatile
@@ -87,7 +95,7 @@ internal class BoardPercepts(
     ): Boolean {
         val texts = perceptsOf(message)
         return lock.withLock {
-            isWanted(port).also {
+            board.isOn(port).also {
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
@@ -107,7 +115,7 @@ internal class BoardPercepts(
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean {
         val text = perceptsOf(percept).firstOrNull()
         return lock.withLock {
-            isWanted(port).also {
+            board.isOn(port).also {
                 if (it) {
                     reflexes.reported(rule, outcome)
                     if (text != null) place(port, rule, text, receivedNanos)
@@ -162,6 +170,8 @@ internal class BoardPercepts(
     /** Explains why the active filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation = lock.withLock { session.explain(percept, nowMs()) }
 
+    private fun nowMs() = clock.nanos() / 1_000_000
+
     private fun perceive(
         port: OpenPort?,
         texts: List<String>,
@@ -170,7 +180,7 @@ internal class BoardPercepts(
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
-        explainTo(log, texts)
+        logDropped(texts)
         val perception = session.perceive(texts, nowMs())
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
         leave(port, perception, receivedNanos, seenNanos)
@@ -186,11 +196,11 @@ internal class BoardPercepts(
             seenNanos,
         )
         newest = snapshot
-        observer(snapshot)
+        board.filtered(snapshot)
         handOver.put(snapshot)
     }
 
-    private fun explainTo(log: Logger, texts: List<String>) {
+    private fun logDropped(texts: List<String>) {
         if (!log.isLoggable(Level.FINE) || session.filter == null) return
         texts.map { session.explain(it, nowMs()) }.filter { it.outcome != Explanation.Outcome.KEPT }.forEach { log.fine("$it") }
     }

@@ -1,6 +1,7 @@
 package argo.perception
 
-import argo.acting.CommandLedger
+import argo.filters.CriticalRule
+import jason.asSyntax.Literal
 import java.util.concurrent.ConcurrentLinkedQueue
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.ReentrantLock
@@ -35,78 +36,76 @@ internal interface HandOver {
 }
 
 /**
- * Keeps the newest snapshot only and hands it over when
- * 1. the percept events of the one before have been taken from Jason's event queue,
- * 2. every command that was issued before the hand-over of the one before has gone out, failed or timed out, and
- * 3. the intentions that percept events have begun are worked off.
- *
- * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the
- * agent; without (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that
- * loops on `argo.act`.
+ * Keeps the newest snapshot only and hands it over when the [backlog] of the one before is done.
  *
  * A snapshot with a critical percept that the one before did not have is handed over at once, and a newer one replaces it only if it meets
- * the same critical rules. A board that is critical all the time must not make events pile up, so this ends when [MANY_EVENTS] wait; then
- * each critical rule may do it once until all three conditions hold again.
+ * the same critical rules, so there are never more than there are rules. A board that is critical all the time must not make events pile
+ * up, so this ends when [MANY_EVENTS] wait; then each critical rule may do it once until the backlog is done again.
  */
-internal class FreshHandOver(
-    private val commands: CommandLedger,
-    private val events: PerceptEvents,
-    private val intentions: PerceptIntentions = PerceptIntentions(),
-) : HandOver {
-    private val lock = ReentrantLock() // one for both, or an older snapshot of the one could be taken after a newer one of the other
-    private val critical = CriticalSnapshots()
+internal class FreshHandOver(private val backlog: Backlog) : HandOver {
+    private val lock = ReentrantLock()
+    private val critical = ArrayDeque<Snapshot>() // those with new critical percepts, in their order
+    private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
+    private val earlyRules = HashSet<CriticalRule>() // those that have let a snapshot pass early since one was taken in its turn
 
     @Volatile
     private var newest: Snapshot? = null
 
-    @Volatile
-    private var commandsToAwait = 0L
-
     override fun put(snapshot: Snapshot) = lock.withLock {
         val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
-        newest = if (critical.put(snapshot)) newer else newer ?: snapshot
+        if (snapshot.critical.any { it.percept !in known }) {
+            val met = rules(snapshot)
+            critical.removeAll { met.containsAll(rules(it)) }
+            critical.addLast(snapshot)
+            newest = newer
+        } else {
+            newest = newer ?: snapshot
+        }
     }
 
-    override fun isReady(): Boolean = isReady(::isTakenIn)
+    override fun isReady(): Boolean = isReady { backlog.isDone() }
 
-    private inline fun isReady(isTakenIn: () -> Boolean): Boolean {
-        val urgent = critical.first()
-        return if (urgent == null) newest != null && isTakenIn() else mayBeEarly(urgent) || isTakenIn()
+    private inline fun isReady(isDone: () -> Boolean): Boolean {
+        val urgent = firstCritical()
+        return if (urgent == null) newest != null && isDone() else mayBeEarly(urgent) || isDone()
     }
 
-    override fun isUrgent(): Boolean = critical.first() != null && isReady()
+    override fun isUrgent(): Boolean = firstCritical() != null && isReady()
 
-    override fun dueInMs(): Long? = if (newest == null) null else commands.dueInMs(commandsToAwait)
+    override fun dueInMs(): Long? = if (newest == null) null else backlog.dueInMs()
 
-    /** Returns true if the agent has taken in the snapshot before. */
-    private fun isTakenIn() = areEventsAndCommandsDone() && !intentions.wait()
+    private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
 
-    private fun areEventsAndCommandsDone() = commands.allDoneUpTo(commandsToAwait) && !events.wait()
-
-    private fun mayBeEarly(snapshot: Snapshot) = events.waiting() < MANY_EVENTS || critical.mayBeEarly(snapshot)
+    private fun mayBeEarly(snapshot: Snapshot) =
+        backlog.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
 
     override fun take(): Snapshot? {
-        events.takenIn()
-        if (newest == null && critical.first() == null) return null
-        val areOthersDone = areEventsAndCommandsDone()
-        if (areOthersDone) intentions.await()
-        val isTakenIn = areOthersDone && !intentions.wait()
-        if (!isReady { isTakenIn }) return null
-        val snapshot = lock.withLock { critical.take(isTakenIn) ?: takeInTurn(isTakenIn) } ?: return null
-        commandsToAwait = commands.lastIssued()
-        events.handedOver()
-        intentions.handedOver()
-        return snapshot
+        backlog.takenIn()
+        if (newest == null && firstCritical() == null) return null
+        val isInTurn = backlog.isDone(isAwaited = true)
+        if (!isReady { isInTurn }) return null
+        return lock.withLock { next(isInTurn) }?.also { backlog.begin() }
     }
 
-    private fun takeInTurn(isTakenIn: Boolean): Snapshot? = if (isTakenIn) takeNewest()?.also(critical::tookOther) else null
+    private fun next(isInTurn: Boolean): Snapshot? {
+        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeNewest() else null) ?: return null
+        if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
+        known = next.critical.mapTo(HashSet()) { it.percept }
+        return next
+    }
 
     private fun takeNewest(): Snapshot? = newest.also { newest = null }
 
-    override fun drain() = lock.withLock { critical.drain() + listOfNotNull(takeNewest()) }.sortedBy { it.receivedNanos }
+    private fun rules(snapshot: Snapshot) = snapshot.critical.mapTo(HashSet()) { it.rule }
+
+    override fun drain() = lock.withLock {
+        (critical + listOfNotNull(takeNewest())).sortedBy { it.receivedNanos }.also { critical.clear() }
+    }
 
     override fun clear() = lock.withLock {
         critical.clear()
+        earlyRules.clear()
+        known = emptySet()
         newest = null
     }
 

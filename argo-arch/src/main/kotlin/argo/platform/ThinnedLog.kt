@@ -65,8 +65,10 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 }
 
-/** Makes a foreign text fit for a line of a log: not longer than 200 characters, and without control characters. */
-fun foreignText(text: String): String =
-    text.take(MAX_FOREIGN).map { if (it.isISOControl()) '?' else it }.joinToString("") + if (text.length > MAX_FOREIGN) "…" else ""
+/** Makes a foreign text fit for a line of a log: control characters as `\xHH`, and at most 200 characters of it. */
+fun foreignText(text: String): String = buildString {
+    for (c in text.take(MAX_FOREIGN)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
+    if (text.length > MAX_FOREIGN) append("… (${text.length} characters)")
+}
 
 private const val MAX_FOREIGN = 200

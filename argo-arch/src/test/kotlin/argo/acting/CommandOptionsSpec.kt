@@ -36,6 +36,7 @@ class CommandOptionsSpec : FunSpec({
             "[Urgent]" to "is not an option",
             "[3]" to "3 is not an option",
             "[\"urgent\"]" to "is not an option",
+            "[timeout(1),port(a),timeout(2)]" to "timeout(2) is a second timeout",
             "urgent" to "a list of options",
             "Options" to "a list of options such as [timeout(200), latest], not Options",
             "[urgent|Rest]" to "a list of options",

@@ -43,8 +43,8 @@ private val QUICKLY = eventuallyConfig {
     interval = 2.milliseconds // one step of the ports' time for each
 }
 
-/** The ports of an agent bob. */
-private class PortsBench : AutoCloseable {
+/** The ports of an agent. */
+private class PortsBench(private val owner: String = "bob") : AutoCloseable {
     val told = ConcurrentLinkedQueue<String>()
     val time = TestTime()
     val closers = ConcurrentLinkedQueue<String>()
@@ -90,11 +90,11 @@ private class PortsBench : AutoCloseable {
     }
     private val watches = ConcurrentHashMap<OpenPort, Sensing>()
     private val user = object : PortUser {
-        override fun use(port: OpenPort) = Sensing(port, "bob", listener, time).also { watches[port] = it }
+        override fun use(port: OpenPort) = Sensing(port, owner, listener, time).also { watches[port] = it }
         override fun opened(port: OpenPort) = watches.getValue(port).start()
         override fun portInUseChanged() = Unit
     }
-    val ports: Ports = Ports("bob", states, user, paced = true, platform) { told += it }
+    val ports: Ports = Ports(owner, states, user, paced = true, platform) { told += it }
 
     fun beliefs() = states.beliefs().map { "$it" }.toSet()
 
@@ -117,7 +117,7 @@ private class PortsBench : AutoCloseable {
 
     override fun close() {
         ports.stop()
-        val left = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-bob-") }
+        val left = Thread.getAllStackTraces().keys.filter { it.name.startsWith("argo-$owner-") }
         left.onEach { it.join(LIMIT.inWholeMilliseconds) }.filter { it.isAlive }.shouldBeEmpty()
     }
 }
@@ -367,6 +367,43 @@ class PortsSpec : FunSpec({
                 mayClose.countDown()
             }
             outcome.get(20, TimeUnit.SECONDS) shouldBe null
+        }
+    }
+
+    test("an ended agent's port that is still being closed is opened by another agent, once it is free") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            PortsBench("alice").use { alice -> alice.choose("sim:robot")?.error shouldBe "port_busy" }
+            val mayClose = CountDownLatch(1)
+            beforeClosing = mayClose::await
+            ports.stop()
+            PortsBench("carol").use { carol ->
+                val outcome = CompletableFuture<Failure?>()
+                carol.ports.choose(ASSyntax.createString("sim:robot"), "sim:robot", null, outcome::complete)
+                mayClose.countDown()
+                outcome.get(20, TimeUnit.SECONDS) shouldBe null
+            }
+        }
+    }
+
+    test("of two names of one device in a list the first is used, which the log tells") {
+        bench("robot") { _ ->
+            val ports = listOf("sim:robot", "fussy:robot").map { WantedPort(ASSyntax.createString(it), it, null) }
+            CompletableFuture<Failure?>().also { this.ports.chooseAll(ports, it::complete) }.get(20, TimeUnit.SECONDS) shouldBe null
+            beliefs() shouldBe setOf("port(\"sim:robot\",on)")
+            told.single { "one device" in it } shouldContain "\"sim:robot\" and \"fussy:robot\" are one device"
+        }
+    }
+
+    test("lost ports that are too many are given up, which the log tells") {
+        bench("robot") { _ ->
+            choose("sim:robot") shouldBe null
+            val lost = LostPorts("bob", time, { }, told::add)
+            val ports = listOf("a", "b", "c").map { LostPort(checkNotNull(this.ports.current), ASSyntax.createAtom(it), it, 0) }
+            lost.add(ports)
+            lost.keep(1)
+            ports.map { it in lost } shouldBe listOf(false, false, true)
+            told.filter { "no more" in it }.map { it.substringBefore(" is") } shouldBe listOf("port a", "port b")
         }
     }
 

@@ -1,5 +1,6 @@
 package argo.perception
 
+import argo.platform.foreignText
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
@@ -102,4 +103,4 @@ class BeliefReaderSpec : FunSpec({
     }
 })
 
-private fun withClueOf(text: String, test: () -> Unit) = io.kotest.assertions.withClue({ printable(text) }, test)
+private fun withClueOf(text: String, test: () -> Unit) = io.kotest.assertions.withClue({ foreignText(text) }, test)

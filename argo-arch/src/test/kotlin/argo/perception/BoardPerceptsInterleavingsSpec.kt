@@ -16,7 +16,6 @@ import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
-import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 
 /** An agent that perceives the board on [port] in the test's own time. */
@@ -30,11 +29,11 @@ private class Perceiving(private val port: OpenPort, log: Logger) {
     @Volatile
     var reflexes = 0
     private val warning = RateLimitedWarning({ 0 }) { error(it) }
-    private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents({ false }, { 0 }) { emptyList() })
+    private val handOver = FreshHandOver(Backlog(CommandLedger { null }, nowMs = { 0 }))
     val board = BoardPercepts(
-        ReentrantLock(), { wants }, handOver, Reflexes({ _, _, _ -> reflexes++ }, { _, _ -> false }, { _, _, _ -> }, warning), { },
-        BeliefReader { error(it) }, log, PerceptLimit(1000, warning), LastSeen { emptyList() }, { nowMs },
-    )
+        WantedBoard { wants }, BeliefReader { error(it) }, PerceptLimit(1000, warning), handOver,
+        Reflexes({ _, _, _ -> reflexes++ }, { _, _ -> false }, { _, _, _ -> }, warning), log,
+    ) { nowMs * 1_000_000 }
     private var perceived = ""
 
     /** Hands over [message], as the sensing thread does. */

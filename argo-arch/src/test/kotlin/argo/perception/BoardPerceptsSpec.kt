@@ -19,12 +19,19 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
 import javino.Link
 import javino.LinkSettings
 import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
-import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
+
+/** A board that the agent perceives as long as it [wants] to. */
+internal class WantedBoard(private val wants: () -> Boolean) : PerceivedBoard {
+    override val sensed = emptyList<Literal>()
+    override fun isOn(port: OpenPort) = wants()
+    override fun filtered(snapshot: Snapshot) = Unit
+}
 
 /** The percepts of a board that an agent perceives, as long as it [wants] to. */
 private class PerceptsBench(port: OpenPort) {
@@ -32,17 +39,16 @@ private class PerceptsBench(port: OpenPort) {
     var wants = true
     private val warning = RateLimitedWarning({ nowMs }) { error(it) }
     private val sent = ArrayList<String>()
-    private val handOver = FreshHandOver(CommandLedger { null }, PerceptEvents { emptyList() })
+    private val handOver = FreshHandOver(Backlog(CommandLedger { null }))
     private val port = port
     var isBoards = false
-    private val lastSeen = LastSeen { emptyList() }
     private val unreadable = ArrayList<String>()
     val beliefs: List<String> get() = reflexBeliefs.beliefs().map { "$it" }
     private val reflexBeliefs = Reflexes({ _, command, _ -> sent += command }, { _, _ -> isBoards }, { _, _, _ -> }, warning)
     val board = BoardPercepts(
-        ReentrantLock(), { wants }, handOver, reflexBeliefs, { },
-        BeliefReader { unreadable += it }, Logger.getLogger("test"), PerceptLimit(1000, warning), lastSeen, { nowMs },
-    )
+        WantedBoard { wants }, BeliefReader { unreadable += it }, PerceptLimit(1000, warning), handOver, reflexBeliefs,
+        Logger.getLogger("test"),
+    ) { nowMs * 1_000_000 }
 
     fun hears(message: String, askedMs: Long = nowMs, olderMs: Map<String, Long> = emptyMap()) =
         board.received(port, message, askedMs, nowMs, olderMs)
@@ -52,7 +58,7 @@ private class PerceptsBench(port: OpenPort) {
         board.reported(port, rule, outcome, percept, nowMs)
 
     /** Returns the time at which a percept was seen last. */
-    fun seenMs(percept: String) = lastSeen.lastSeenNanos(ASSyntax.parseLiteral(percept))
+    fun seenMs(percept: String) = board.lastSeen.lastSeenNanos(ASSyntax.parseLiteral(percept))
 
     /** Returns the warnings about percepts since the last call. */
     fun refused(): List<String> = unreadable.toList().also { unreadable.clear() }

@@ -19,7 +19,6 @@ import jason.asSyntax.Plan
 private object Robot
 
 class HandOverSpec : FunSpec({
-    val noEvents = PerceptEvents { emptyList() }
     fun percept(trigger: String) = Event(ASSyntax.parseTrigger(trigger), Intention.EmptyInt)
     fun intention(trigger: String) = Intention().apply {
         push(IntendedMeans(Option(Plan(null, ASSyntax.parseTrigger(trigger), null, null), Unifier()), ASSyntax.parseTrigger(trigger)))
@@ -28,7 +27,7 @@ class HandOverSpec : FunSpec({
 
     context("fresh") {
         test("gives the newest snapshot, once") {
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
             handOver.take() shouldBe null
             handOver.put(snapshot(1))
             handOver.put(snapshot(2))
@@ -39,7 +38,7 @@ class HandOverSpec : FunSpec({
 
         test("waits while percept events of the one before are in the queue") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
@@ -54,7 +53,7 @@ class HandOverSpec : FunSpec({
 
         test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
@@ -72,7 +71,7 @@ class HandOverSpec : FunSpec({
                 override val size get() = events.size
                 override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
             }
-            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
@@ -83,7 +82,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("a snapshot of an older message does not take the place of a newer one") {
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
             handOver.put(snapshot(2))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 2
@@ -91,7 +90,7 @@ class HandOverSpec : FunSpec({
 
         test("other events than those of percepts are nothing to wait for") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents { queue })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
@@ -103,7 +102,7 @@ class HandOverSpec : FunSpec({
             val queue = ArrayDeque<Event>()
             var stands = true
             var nowMs = 0L
-            val handOver = FreshHandOver(CommandLedger { Robot }, PerceptEvents({ stands }, { nowMs }) { queue })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues({ stands }) { queue }, { nowMs }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += percept("+dist(f,1)[source(percept)]")
@@ -119,7 +118,7 @@ class HandOverSpec : FunSpec({
 
         test("waits until the intentions that percepts have begun have finished or wait, and for no others") {
             val running = ArrayDeque(listOf(intention("+!drive"), intention("+dist(f,1)[source(percept)]")))
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ 0 }) { running })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { running }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe false
             handOver.take() shouldBe null
@@ -128,7 +127,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("does not wait for an intention that has finished and has not been removed yet") {
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ 0 }) { listOf(Intention()) })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { listOf(Intention()) }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe true
             handOver.take()?.receivedNanos shouldBe 1
@@ -137,10 +136,10 @@ class HandOverSpec : FunSpec({
         test("does not wait for an intention that runs on") {
             var nowMs = 0L
             val running = listOf(intention("+dist(f,1)[source(percept)]"))
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents, PerceptIntentions({ nowMs }) { running })
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { running }), { nowMs }))
             handOver.put(snapshot(1))
             handOver.take() shouldBe null
-            nowMs = PerceptIntentions.LONG_MS
+            nowMs = Backlog.LONG_MS
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
             handOver.take()?.receivedNanos shouldBe 2
@@ -148,7 +147,7 @@ class HandOverSpec : FunSpec({
 
         test("waits for the commands issued before the last hand-over and for no others") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(ledger, noEvents)
+            val handOver = FreshHandOver(Backlog(ledger))
             val first = ledger.issue(Robot)
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
@@ -167,7 +166,7 @@ class HandOverSpec : FunSpec({
             val other = Any()
             var inUse: Any? = other
             val ledger = CommandLedger { inUse }
-            val handOver = FreshHandOver(ledger, noEvents)
+            val handOver = FreshHandOver(Backlog(ledger))
             ledger.issue(other)
             handOver.put(snapshot(1))
             handOver.take()
@@ -191,7 +190,7 @@ class HandOverSpec : FunSpec({
 
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(ledger, noEvents)
+            val handOver = FreshHandOver(Backlog(ledger))
             var taken = 0
             var onItsWay = ledger.issue(Robot)
             repeat(100) { n ->
@@ -205,7 +204,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("what is cleared is never taken") {
-            val handOver = FreshHandOver(CommandLedger { Robot }, noEvents)
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
             handOver.put(snapshot(1))
             handOver.clear()
             handOver.take() shouldBe null

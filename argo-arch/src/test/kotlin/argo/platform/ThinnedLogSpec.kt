@@ -61,8 +61,8 @@ class ThinnedLogSpec : FunSpec({
     }
 
     test("text of others is short and has no control characters") {
-        foreignText("a\u001b[31m\nb") shouldBe "a?[31m?b"
-        foreignText("x".repeat(2_000)).length shouldBe 201
+        foreignText("a\u001b[31m\nb") shouldBe "a\\x1B[31m\\x0Ab"
+        foreignText("x".repeat(2_000)) shouldBe "x".repeat(200) + "… (2000 characters)"
         foreignText("https://evil.example") shouldContain "https://evil.example"
     }
 })

@@ -48,17 +48,17 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     }
 
     companion object {
-        /** The name of the program in that process. */
-        const val NAME = "board-host"
-
         /** Starts boards on the [devices], each with so many [percepts], all of which change with each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
-            BoardHost(programApart(NAME, "$percepts", *devices.map { "$it" }.toTypedArray()))
+            BoardHost(programApart(BOARD_HOST, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
         /** Starts so many [boards] on TCP ports of this machine. */
-        fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(NAME, "$percepts", *Array(boards) { NETWORK }))
+        fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(BOARD_HOST, "$percepts", *Array(boards) { NETWORK }))
     }
 }
+
+/** The name of the program that [hostBoards] is. */
+internal const val BOARD_HOST = "board-host"
 
 private const val NETWORK = "tcp"
 private const val BAUD = 115_200
@@ -75,7 +75,7 @@ internal fun hostBoards(arguments: List<String>) {
     }
 }
 
-private abstract class HostedBoard(private val percepts: Int) : SensorBoard.Witness {
+private abstract class HostedBoard(private val percepts: Int) {
     private val answers = AtomicLong()
     private val lines = AtomicInteger()
 
@@ -84,14 +84,10 @@ private abstract class HostedBoard(private val percepts: Int) : SensorBoard.Witn
     val answered: Long get() = answers.get()
     val open: Int get() = lines.get()
 
-    override fun answered(n: Int, endNanos: Long, bytes: Int) {
-        answers.incrementAndGet()
-    }
-
     protected fun serve(line: Transport) {
         lines.incrementAndGet()
         try {
-            line.use { SensorBoard(Protocol.AUTO, ::message, this).run(it) }
+            line.use { SensorBoard(Protocol.AUTO, ::message, { _, _, _ -> answers.incrementAndGet() }).run(it) }
         } catch (_: PortGoneException) {
             // the agent has closed it
         } finally {

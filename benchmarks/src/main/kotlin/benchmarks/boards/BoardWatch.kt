@@ -4,6 +4,7 @@ import argo.observing.AgentObserver
 import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
+import benchmarks.awaitAtMost
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
@@ -43,6 +44,11 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     /** Returns the number of snapshots of each board that the agent has perceived, by its port. */
     fun perceived(): Map<String, Long> = perceivedOf.mapValues { (_, count) -> count.get() }
 
+    /** Waits until the agent has perceived all boards, at most [seconds] s. */
+    fun awaitAll(seconds: Int) = check(awaitAtMost(seconds) { perceivedOf.size == boards }) {
+        "only ${perceivedOf.size} of $boards boards are perceived"
+    }
+
     /** Returns the skews since the last call, in ns. */
     fun takeSkews(): LongArray = synchronized(skews) { skews.toLongArray().also { skews.clear() } }
 
@@ -61,6 +67,10 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
         fun open(name: String, boards: Int): BoardWatch = BoardWatch(boards).also { watches[name] = it }
     }
 }
+
+/** Returns the least growth of a count from [before] to [after]. */
+internal fun leastMore(before: Map<String, Long>, after: Map<String, Long>): Long =
+    after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 
 /** `[argo_watched=8]` watches an agent of eight boards: see [BoardWatch]. */
 class BoardWatchProvider : AgentObserverProvider {

@@ -1,10 +1,10 @@
 package benchmarks.boards
 
+import benchmarks.figures
 import benchmarks.machine
 import benchmarks.stops.Bench
 import benchmarks.stops.StopCourse
 import java.io.File
-import java.util.Locale
 
 private const val STOPS = 60
 private const val SEED = 1L
@@ -21,45 +21,10 @@ fun boards(timelines: File): Boolean {
     }
     println("one agent, several boards, ${machine()}")
     senseSeveral()
-    senseMany()
+    println(sensedMany())
     stopThree(timelines)
     return true
 }
-
-private fun senseSeveral() {
-    println("pseudo-terminals, all percepts change, 50 Hz, 20 s after 40 s; boards in another process")
-    var one = Double.NaN
-    for (course in listOf(BoardsCourse(1, 12), BoardsCourse(8, 3), BoardsCourse(8, 12))) {
-        val result = course.measure()
-        if (course.boards == 1) one = result.processor
-        println(
-            (
-                "%-28s sensed at %.1f %% of the rate or more, perceived at %.1f %%; " +
-                    "skew: median %.2f ms, 99th percentile %.2f ms, longest %.1f ms"
-                ).format(Locale.ROOT, "$course:", result.leastSensed * 100, result.leastPerceived * 100, *result.skewMs.toTypedArray()),
-        )
-        println(
-            "%-28s %.1f %% of a processor, %.1f times that of the first: %s".format(
-                Locale.ROOT, "", result.processor * 100, result.processor / one,
-                result.processorOf.entries.joinToString { (group, share) -> "%s %.1f %%".format(Locale.ROOT, group.title, share * 100) },
-            ),
-        )
-    }
-}
-
-private fun senseMany() = with(ManyBoards().measure()) {
-    println(
-        ("${ManyBoards.BOARDS} boards over TCP at 5 Hz: sensed at %.1f %% of the rate or more; %d of %d answers lost; " +
-            "heap %.0f MB, %.0f KB a board; process %.0f MB; %d threads, %.1f a board; all perceived after %.0f ms; " +
-            "closed after %.0f ms").format(
-            Locale.ROOT, leastSensed * 100, lost, messages, heapMb, heapMb * 1024 / ManyBoards.BOARDS, residentMb, threads,
-            threads.toDouble() / ManyBoards.BOARDS, openingMs, closingMs,
-        ),
-    )
-}
-
-/** The name of the program that measures only the reactions. */
-internal const val REACTIONS = "boards-reactions"
 
 /**
  * Measures how soon an agent on three boards reacts, and prints the figures; writes the timelines of the worst reactions to [timelines].
@@ -88,5 +53,5 @@ private fun show(what: String, reactions: Map<Int, Reactions>, alone: Map<Int, R
 }
 
 private fun cell(reactions: Reactions, alone: Reactions) = with(reactions.distribution) {
-    "%.1f, longest %.1f (%+.0f %%)".format(Locale.ROOT, ms(0.5), ms(1.0), (ms(0.5) / alone.distribution.ms(0.5) - 1) * 100)
+    figures("%.1f, longest %.1f (%+.0f %%)", ms(0.5), ms(1.0), (ms(0.5) / alone.distribution.ms(0.5) - 1) * 100)
 }

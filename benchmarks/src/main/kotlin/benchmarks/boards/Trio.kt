@@ -27,7 +27,6 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
     private val healthy = bauds.toMutableList()
 
-    /** The agent. */
     private val agent: TestAgent = agentOf(program()) {
         name = "robot"
         cycleTime = 100.microseconds

@@ -40,7 +40,9 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
 
         override fun onMessage(client: WebSocket, message: String) = hear(client, message)
 
-        override fun onError(client: WebSocket?, trouble: Exception) = Unit
+        override fun onError(client: WebSocket?, trouble: Exception) {
+            if (client == null) System.err.println("the bridge fails: $trouble")
+        }
 
         override fun onStart() = started.countDown()
     }.apply {
@@ -55,10 +57,8 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
         timer.scheduleAtFixedRate(::count, 0, TimeUnit.SECONDS.toNanos(1) / hz, TimeUnit.NANOSECONDS)
     }
 
-    /** The TCP port that it listens at. */
     val number: Int get() = server.port
 
-    /** The number of clients. */
     val clients: Int get() = server.connections.size
 
     private fun hear(client: WebSocket, message: String) {

@@ -4,6 +4,7 @@ import benchmarks.Agents
 import benchmarks.Distribution
 import benchmarks.acts
 import benchmarks.awaitAtMost
+import benchmarks.figures
 import benchmarks.machine
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ConcurrentLinkedQueue
@@ -37,7 +38,7 @@ private fun program(number: Int) = """
 private fun ages(hz: Int, seconds: Int): String {
     val published = ConcurrentHashMap<Int, Long>()
     val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // the time, and the age then
-    acts.heard = { number, now ->
+    acts.heard = { number, now, _ ->
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)
     }
@@ -50,7 +51,9 @@ private fun ages(hz: Int, seconds: Int): String {
     val all = Distribution(ages.map { (_, age) -> age }.toLongArray())
     val end = ages.lastOrNull()?.first ?: return "nothing came"
     val last = Distribution(ages.filter { (now, _) -> end - now < TimeUnit.SECONDS.toNanos(1) }.map { (_, age) -> age }.toLongArray())
-    return "median %.0f, longest %.0f ms of %d; in the last second at most %.0f ms".format(all.ms(0.5), all.ms(1.0), all.size, last.ms(1.0))
+    return figures(
+        "median %.0f, longest %.0f ms of %d; in the last second at most %.0f ms", all.ms(0.5), all.ms(1.0), all.size, last.ms(1.0),
+    )
 }
 
 private class Restarts {
@@ -60,7 +63,7 @@ private class Restarts {
     fun run(): Boolean {
         val times = ArrayList<Long>()
         var threads = 0
-        acts.heard = { _, _ -> }
+        acts.heard = { _, _, _ -> }
         var bridge = CountingBridge(0, 0, RATE) { next = it + 1 }
         var isGood = true
         Agents().use { agents ->
@@ -84,7 +87,7 @@ private class Restarts {
         bridge.close()
         val twice = done.size - done.distinct().size
         val again = Distribution(times.toLongArray())
-        println("bridge restarted $RESTARTS times: acts again after %.0f ms, %.0f at most".format(again.ms(0.5), again.ms(1.0)))
+        println(figures("bridge restarted $RESTARTS times: acts again after %.0f ms, %.0f at most", again.ms(0.5), again.ms(1.0)))
         println("commands: ${done.size}, of these twice: $twice; threads of ports at most as before, and one connection: $isGood")
         return isGood && twice == 0
     }

@@ -11,10 +11,8 @@ internal object Bench {
     private val home: Path = generateSequence(Bench::class.java.protectionDomain.codeSource.location.toURI().toPath()) { it.parent }
         .firstOrNull { it.resolve("javino-arduino").isDirectory() } ?: Path.of("")
 
-    /** The simulator. */
     val simulator: Path = home.resolve("javino-arduino/build/simulator")
 
-    /** The folder of the published agent. */
     val agents: Path = home.resolve("experiment/agent")
 
     /** Returns the compiled sketch, which need not exist. */

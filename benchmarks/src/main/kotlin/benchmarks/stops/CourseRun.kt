@@ -7,7 +7,6 @@ import argo.testkit.agentOf
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     private val uno = UnoOnLine(course)
 
-    /** The events on the line and on the board. */
     val timeline get() = uno.timeline
 
     /** The number of commands that the agent has sent in version 1. */
@@ -17,10 +16,8 @@ internal class CourseRun(private val course: StopCourse, program: String) : Auto
     val robot: WatchedRobot
         get() = checkNotNull(uno.robotOrNull) { "the agent has not opened its port\n${agent.log.joinToString("\n")}" }
 
-    /** The bytes on the line so far. */
     val traffic: Traffic get() = uno.traffic
 
-    /** The agent. */
     val agent: TestAgent = agentOf(program) {
         name = "robot"
         cycleTime = course.cycleTime

@@ -7,6 +7,7 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import javino.Transport
 import java.util.concurrent.TimeUnit
+import kotlin.concurrent.withLock
 
 /**
  * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions: the board
@@ -47,81 +48,57 @@ internal class SteppedLine(
 
     override fun line() = settings
 
-    private fun advance() {
-        lock.lock()
-        try {
-            if (isClosed) return
-            if (!hangs) uno.runTo(clock.nanos())
-            if (isArrivalNew) changed.signalAll()
-            isArrivalNew = false
-            clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
-        } finally {
-            lock.unlock()
-        }
+    private fun advance(): Unit = lock.withLock {
+        if (isClosed) return@withLock
+        if (!hangs) uno.runTo(clock.nanos())
+        if (isArrivalNew) changed.signalAll()
+        isArrivalNew = false
+        clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
     }
 
     /** Stops running the board, which then takes no bytes; from now on [flood] comes over the line again and again; null: no bytes come. */
-    fun hang(flood: ByteArray?) {
-        lock.lock()
-        try {
-            hangs = true
-            if (flood != null) repeatBytes(flood, 0)
-        } finally {
-            lock.unlock()
-        }
+    fun hang(flood: ByteArray?) = lock.withLock {
+        hangs = true
+        if (flood != null) repeatBytes(flood, 0)
     }
 
-    private fun repeatBytes(bytes: ByteArray, next: Int) {
-        lock.lock()
-        try {
-            if (isClosed) return
-            val at = clock.nanos() + settings.byteNanos()
-            arriving += Arrival(bytes[next], at)
-            timeline.addByte("board", at)
-            changed.signalAll()
-            clock.schedule(settings.byteNanos()) { repeatBytes(bytes, (next + 1) % bytes.size) }
-        } finally {
-            lock.unlock()
-        }
+    private fun repeatBytes(bytes: ByteArray, next: Int): Unit = lock.withLock {
+        if (isClosed) return@withLock
+        val at = clock.nanos() + settings.byteNanos()
+        arriving += Arrival(bytes[next], at)
+        timeline.addByte("board", at)
+        changed.signalAll()
+        clock.schedule(settings.byteNanos()) { repeatBytes(bytes, (next + 1) % bytes.size) }
     }
 
-    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int {
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int = lock.withLock {
         val deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis.toLong())
-        lock.lock()
-        try {
-            while (true) {
-                requireOpen()
-                val now = clock.nanos()
-                val count = take(b, off, len, now)
-                if (count > 0 || now >= deadline) return count
-                await(minOf(deadline, arriving.firstOrNull()?.atNanos ?: deadline) - now)
-            }
-        } finally {
-            lock.unlock()
+        var count = take(b, off, len)
+        while (count == 0 && clock.nanos() < deadline) {
+            await(minOf(deadline, arriving.firstOrNull()?.atNanos ?: deadline) - clock.nanos())
+            count = take(b, off, len)
         }
+        count
     }
 
-    private fun take(b: ByteArray, off: Int, len: Int, now: Long): Int {
+    private fun take(b: ByteArray, off: Int, len: Int): Int {
+        requireOpen()
+        val now = clock.nanos()
         var count = 0
         while (count < len && arriving.isNotEmpty() && arriving.first().atNanos <= now) b[off + count++] = arriving.removeFirst().byte
         traffic += Traffic(0, count)
         return count
     }
 
-    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = lock.withLock {
         val deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis.toLong())
-        lock.lock()
-        try {
+        requireOpen()
+        while (freeAt - clock.nanos() + len * settings.byteNanos() > DRIVER_BYTES * settings.byteNanos()) {
+            if (clock.nanos() >= deadline) throw PortTimeoutException(name, "port $name took 0 of $len bytes within $timeoutMillis ms")
+            await(minOf(deadline - clock.nanos(), settings.byteNanos()))
             requireOpen()
-            while (freeAt - clock.nanos() + len * settings.byteNanos() > DRIVER_BYTES * settings.byteNanos()) {
-                if (clock.nanos() >= deadline) throw PortTimeoutException(name, "port $name took 0 of $len bytes within $timeoutMillis ms")
-                await(minOf(deadline - clock.nanos(), settings.byteNanos()))
-                requireOpen()
-            }
-            send(b.copyOfRange(off, off + len))
-        } finally {
-            lock.unlock()
         }
+        send(b.copyOfRange(off, off + len))
     }
 
     private fun send(bytes: ByteArray) {
@@ -153,14 +130,9 @@ internal class SteppedLine(
         }
     }
 
-    override fun close() {
-        lock.lock()
-        try {
-            isClosed = true
-            changed.signalAll()
-        } finally {
-            lock.unlock()
-        }
+    override fun close() = lock.withLock {
+        isClosed = true
+        changed.signalAll()
     }
 
     private companion object {

@@ -42,7 +42,6 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         read()
     }
 
-    /** Presses the reset button. */
     fun reset() = command("reset")
 
     private fun command(text: String) {

@@ -1,15 +1,15 @@
 package benchmarks.stops
 
 import benchmarks.Distribution
+import benchmarks.figures
 import java.io.File
-import java.util.Locale
 import kotlin.time.Duration.Companion.microseconds
 
 private const val STOPS = 40
 private const val SEED = 1L
 
-private val HEAD = "%-62s %8s %8s %8s %8s   %-14s %9s %5s %7s".format(
-    "", "median", "99 %", "worst", "for good", "the line alone", "commands", "lost", "starts",
+private val HEAD = figures(
+    "%-62s %8s %8s %8s %8s   %-14s %9s %5s %7s", "", "median", "99 %", "worst", "for good", "the line alone", "commands", "lost", "starts",
 )
 
 private val COURSES = buildList {
@@ -47,13 +47,14 @@ fun stops(timelines: File): Boolean {
 }
 
 private fun row(course: StopCourse, stops: Stops, line: LineFigures) = with(stops.distribution) {
-    "%-62s %8.1f %8.1f %8.1f %8.1f   %5.0f to %4.0f  %9d %5s %7d".format(
-        Locale.ROOT, "$course", ms(0.5), ms(0.99), ms(1.0), Distribution(stops.rests.toLongArray()).ms(1.0), line.shortestMs,
-        line.longestMs, stops.commands, if (course.version == 1) "${stops.sent - stops.commands}" else "", stops.starts,
+    figures(
+        "%-62s %8.1f %8.1f %8.1f %8.1f   %5.0f to %4.0f  %9d %5s %7d", course, ms(0.5), ms(0.99), ms(1.0),
+        Distribution(stops.rests.toLongArray()).ms(1.0), line.shortestMs, line.longestMs, stops.commands,
+        if (course.version == 1) "${stops.sent - stops.commands}" else "", stops.starts,
     )
 }
 
-private fun row(course: StopCourse, line: LineFigures) = "%-62s %8.1f   %d and %d bytes a snapshot, %d and %d a command".format(
-    Locale.ROOT, "$course", line.snapshotsPerSecond, line.snapshot.toBoard, line.snapshot.toComputer, line.command.toBoard,
-    line.command.toComputer,
+private fun row(course: StopCourse, line: LineFigures) = figures(
+    "%-62s %8.1f   %d and %d bytes a snapshot, %d and %d a command", course, line.snapshotsPerSecond, line.snapshot.toBoard,
+    line.snapshot.toComputer, line.command.toBoard, line.command.toComputer,
 )

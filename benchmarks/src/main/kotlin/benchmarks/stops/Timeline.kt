@@ -1,6 +1,6 @@
 package benchmarks.stops
 
-import java.util.Locale
+import benchmarks.figures
 
 /** The events on a line and on its board, as a text for people. Bytes that follow each other without a gap are one entry. */
 internal class Timeline(private val byteNanos: Long) {
@@ -31,8 +31,8 @@ internal class Timeline(private val byteNanos: Long) {
     fun since(nanos: Long): String = entries.sortedBy { it.fromNanos }.joinToString("") { entry ->
         val from = (entry.fromNanos - nanos) / NANOS_PER_MS
         val to = (entry.toNanos - nanos) / NANOS_PER_MS
-        if (entry.bytes == 0) "%10.2f            %s\n".format(Locale.ROOT, from, entry.what)
-        else "%10.2f %10.2f %s, %d bytes\n".format(Locale.ROOT, from, to, entry.what, entry.bytes)
+        if (entry.bytes == 0) figures("%10.2f            %s\n", from, entry.what)
+        else figures("%10.2f %10.2f %s, %d bytes\n", from, to, entry.what, entry.bytes)
     }
 
     private companion object {

@@ -9,12 +9,7 @@ import kotlin.math.sqrt
  * factor is A.
  */
 internal enum class Source(val factors: Set<Int>) {
-    A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2));
-
-    companion object {
-        /** The number of factors. */
-        const val SIZE = 3
-    }
+    A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2)),
 }
 
 /**
@@ -22,12 +17,11 @@ internal enum class Source(val factors: Set<Int>) {
  * and the lower effects.
  *
  * @property levels the level of each of the source's factors, from 0, in the order of the factors
- * @property low the lower end of the confidence interval
- * @property high its upper end
+ * @property interval its confidence interval
  */
-internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val low: Double, val high: Double) {
+internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     /** True if the interval leaves out 0. */
-    val isSignificant: Boolean get() = low > 0 || high < 0
+    val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
 }
 
 /**
@@ -66,7 +60,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun squares(sum: Double): Double = if (sum > count * rounding * rounding) sum else 0.0
 
-    /** The mean of all responses. */
     val mean: Double = cells.sumOf { at(it).sum() } / count
 
     /** The variation of the responses around [mean]: the total sum of squares. */
@@ -96,28 +89,23 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     fun squares(source: Source): Double =
         effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
-    /** Returns the degrees of freedom of [source]. */
     fun freedom(source: Source): Int = source.factors.fold(1) { n, f -> n * (sizes[f] - 1) }
 
     /** Returns the share of [source] in the variation, from 0 to 1; 0 if nothing varies. */
     fun share(source: Source): Double = if (total > 0) squares(source) / total else 0.0
 
-    /** The share of the error. */
     val errorShare: Double get() = if (total > 0) error / total else 0.0
 
     /** Returns the effects of [source] with their intervals at [confidence], such as 0.95. */
     fun effects(source: Source, confidence: Double): List<Effect> {
-        val margin = margin(source, confidence)
-        return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, value - margin, value + margin) }
+        val margin = margin(freedom(source), confidence)
+        return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, Interval(value - margin, value + margin)) }
     }
 
     /** Returns the interval of [mean] at [confidence]. */
     fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
 
-    /** Returns half the width of the confidence interval of an effect of [source]. */
-    private fun margin(source: Source, confidence: Double): Double = margin(freedom(source), confidence)
-
-    /** Returns the same for a sum of [freedom] contrasts of equal variance. */
+    /** Returns half the width of the confidence interval of a sum of [freedom] contrasts of equal variance. */
     private fun margin(freedom: Int, confidence: Double): Double {
         if (errorFreedom == 0) return Double.POSITIVE_INFINITY
         val deviation = sqrt(error / errorFreedom * freedom / count)

@@ -34,9 +34,10 @@ internal class Allocation(private val response: Response, private val columns: M
         minOf(all?.widest()?.let(::percent)?.decimals ?: UNSURE_DECIMALS, MOST_DECIMALS)
     }
 
-    /** Returns the heading of the tables. */
     fun heading(): String = "<h3>${response.title.replaceFirstChar(Char::uppercase)}</h3>\n<p>In percent. A robot that ran into the wall " +
-        "enters ${escaped(response.collisions)}. The last row is the variance that is divided up." +
+        "enters ${escaped(response.collisions)}. " +
+        (if (response == Response.LEAST_PERCEIVED_TIME) "Conditions without such a robot are left out: their shares are those of the " +
+            "${Response.PERCEIVED_TIME.title}. " else "") + "The last row is the variance that is divided up." +
         (if (response.isPublished) " The published shares are those of the paper's Table 2, which add up to " +
             "${rounded(Published.sumPercent, 2)} %." else "") + "</p>\n"
 
@@ -94,7 +95,7 @@ internal class Allocation(private val response: Response, private val columns: M
 internal fun effects(number: String, condition: Condition, analysis: Factorial, plan: Plan): String {
     val effects = listOf(Source.A, Source.B, Source.C).flatMap { analysis.effects(it, CONFIDENCE) }
     val mean = analysis.mean(CONFIDENCE)
-    val scale = TimeScale.of(effects.flatMap { listOf(it.value, it.low, it.high) } + analysis.mean)
+    val scale = TimeScale.of(effects.flatMap { listOf(it.value, it.interval.low, it.interval.high) } + analysis.mean)
     val table = table(
         "$number. Effects on the time from perceiving the wall in condition (${condition.letter}).",
         listOf("factor", "level", "effect, ${scale.unit}", "95 % interval, ${scale.unit}", "differs from 0"),
@@ -104,14 +105,11 @@ internal fun effects(number: String, condition: Condition, analysis: Factorial, 
         "${scale.text(analysis.mean, scale.decimals(mean))} ${scale.unit}</summary>\n$table</details>"
 }
 
-private fun row(effect: Effect, plan: Plan, scale: TimeScale): List<String> {
-    val interval = Interval(effect.low, effect.high)
-    return listOf(
-        words(effect.source), level(effect, plan), scale.text(effect.value, scale.decimals(interval)),
-        if (effect.low.isInfinite()) "unknown: one replication" else scale.text(interval),
-        if (effect.isSignificant) "yes" else "no",
-    )
-}
+private fun row(effect: Effect, plan: Plan, scale: TimeScale): List<String> = listOf(
+    words(effect.source), level(effect, plan), scale.text(effect.value, scale.decimals(effect.interval)),
+    if (effect.interval.low.isInfinite()) "unknown: one replication" else scale.text(effect.interval),
+    if (effect.isSignificant) "yes" else "no",
+)
 
 private fun level(effect: Effect, plan: Plan): String = effect.levels.single().let {
     when (effect.source) {

@@ -101,7 +101,7 @@ private fun frontSide(runs: List<Finished>): Claim? {
 private fun shortest(runs: List<Finished>, plan: Plan): Claim? {
     val claim = "At a limit of 40 cm and an interval of 50 ms neither filter avoids the wall (Figure 8 of the paper)."
     if (40 !in plan.limits || 50 !in plan.intervals) {
-        return Claim(claim, Finding.UNTESTED, "These runs have no such limit or interval.", "The full plan has them, and does not find it.")
+        return Claim(claim, Finding.UNTESTED, "These runs have no such limit or interval.", "The full plan has them.")
     }
     val cell = runs.filter { it.trial.limit == 40 && it.trial.interval == 50 && it.trial.view != View.NONE }.ifEmpty { return null }
     val hit = cell.size - cell.stopped()
@@ -127,8 +127,8 @@ private fun allocation(analysis: Factorial?): Claim? {
             "${Published.percent.getValue(Source.C)} % (Table 2 of the paper).",
         if (share > 4 * others && share > 50) Finding.YES else if (share > others) Finding.PARTLY else Finding.NO,
         "${one(share)} %; the next largest share is ${one(others)} %.",
-        "Whether a robot stops at all is decided by the filter. The shares of the limit and of L×F depend on how collisions enter: see " +
-            "the tables. The published shares add up to ${rounded(Published.sumPercent, 2)} %, so one of them at least is not exact.",
+        "The filter decides above all whether a robot stops at all. The shares of the limit and of L×F depend on how collisions enter: " +
+            "see the tables. The published shares add up to ${rounded(Published.sumPercent, 2)} %, so one of them at least is not exact.",
     )
 }
 

@@ -1,12 +1,27 @@
 package experiment.report
 
+import experiment.Campaign
+import experiment.Condition
 import experiment.Finished
 import experiment.RealLaboratory
 import experiment.Settings
+import experiment.Trial
+import experiment.View
 import experiment.exchangeNanos
+import experiment.maxLateMs
 import samples.collision.Course
 import samples.collision.Sensors
+import java.time.Instant
 import java.time.temporal.ChronoUnit
+
+/**
+ * The origin of a report.
+ *
+ * @property build the version and the commit of ARGO, in words
+ * @property at the time at which the report was made
+ * @property machine the machine of the runs, in words
+ */
+internal class Provenance(val build: String, val at: Instant, val machine: String)
 
 /**
  * Describes the method of the experiment with [settings], as items of a list in HTML.
@@ -34,7 +49,7 @@ private fun simulated(settings: Settings, runs: List<Finished>): List<Pair<Strin
     "Sensors" to "distance, light and temperature on four sides. All ${Sensors.PER_SET} readings change in each frame; a distance " +
         "reading is the next whole centimetre or up to ${Sensors.DISTANCE_NOISE} cm more.",
     "Line" to "9600 baud, each byte takes its ten bit times in each direction." +
-        runs.take(1).joinToString { " A request and its answer of twelve percepts take ${exchangeNanos(it.trial) / 1_000_000} ms." },
+        if (runs.isEmpty()) "" else " A request and its answer of twelve percepts take ${ofConditions(runs, ::exchangeMs)}.",
     "Board" to "(a) and (b): version 1 of Javino, one message at a time; of several that arrive while it answers it handles the last " +
         "one. (c): version 2 as the library in <code>javino-arduino</code> speaks it. (d): it also " +
         "watches the critical rule, reads its sensors every 5 ms for that, and stops the robot itself.",
@@ -67,3 +82,32 @@ private fun common(settings: Settings, failed: List<Finished>, made: Provenance)
         if (failed.isEmpty()) "" else " Failed and left out (${failed.size} in all): " +
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
+
+/** Writes the warning that the machine was too late in some of [runs], with their names; an empty text if it was not. */
+internal fun busyMachine(runs: List<Finished>): String {
+    val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
+    return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +
+        "(${limits(late)}), by ${whole(late.maxOf { it.result.lateMs })} ms at most, although each of them was made " +
+        "${Campaign.MAX_TRIES} times. Their times can be wrong by as much, and on an idle machine they may end differently. " +
+        "They are hollow in the figures, the tables of times count them as late, " +
+        (if (runs.any { it.trial.isScaled }) "the table of other lines has an asterisk behind them, " else "") +
+        "and in <code>runs.csv</code> their <code>late_ms</code> exceeds their <code>late_limit_ms</code>.</p>\n" +
+        "<details><summary>Runs of the busy machine</summary>\n<p>" +
+        late.joinToString { "${it.trial.id} (${whole(it.result.lateMs)} ms)" } + "</p></details>\n"
+}
+
+/** Describes the lateness of the machine in [runs], and the runs that were repeated for it. */
+internal fun lateness(runs: List<Finished>): String {
+    val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
+    return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +
+        "${late.size} runs ${one(median(late))} ms. A run with a delay above a third of an exchange in its condition (${limits(runs)}) " +
+        "was repeated, until it was made ${Campaign.MAX_TRIES} times; ${runs.count { it.isLate }} of the counted runs still have one."
+}
+
+private fun exchangeMs(condition: Condition) =
+    "${exchangeNanos(Trial(condition, View.NONE, limit = 0, interval = 0, replication = 1)) / 1_000_000} ms"
+
+private fun limits(runs: List<Finished>) = ofConditions(runs) { "${whole(maxLateMs(it))} ms" }
+
+private fun ofConditions(runs: List<Finished>, words: (Condition) -> String) =
+    runs.map { it.trial.condition }.distinct().sorted().joinToString { "(${it.letter}) ${words(it)}" }

@@ -52,20 +52,17 @@ import java.math.BigDecimal
  * @property sources the colours of the published figures and of the conditions
  */
 internal enum class Shades(val ink: String, val faint: String, val paper: String, val filters: List<String>, val sources: List<String>) {
-    /** For a light page. */
     LIGHT(
         "#1f2328", "#d0d7de", "#ffffff", listOf("#b3261e", "#b26a00", "#0b6bcb"),
         listOf("#6e7781", "#b3261e", "#0b6bcb", "#1a7f37", "#8250df"),
     ),
 
-    /** For a dark page. */
     DARK(
         "#e6edf3", "#3d444d", "#0d1117", listOf("#ff8078", "#f0b040", "#6cb6ff"),
         listOf("#9198a1", "#ff8078", "#6cb6ff", "#57d364", "#d2a8ff"),
     ),
 }
 
-/** Returns a figure as text in SVG. */
 internal fun svg(plot: Plot): String = PlotSvgExport.buildSvgImageFromRawSpecs(plot.toSpec().toMutableMap())
 
 /** Returns [svg] as the bytes of a PNG, [scale] pixels to a unit. */

@@ -14,6 +14,7 @@ import experiment.analysis.proportionInterval
 import org.jetbrains.letsPlot.intern.Plot
 import java.nio.file.Files
 import java.nio.file.Path
+import java.time.temporal.ChronoUnit
 import java.util.Base64
 
 /**
@@ -66,7 +67,7 @@ factors, each with its levels:
 the distance limit L (${plan.limits.joinToString()} cm), the perception interval I (${plan.intervals.joinToString()} ms), the filter F
 (none, front side, front distance);
 ${plan.replications} replications of each of the ${plan.limits.size * plan.intervals.size * View.entries.size} combinations.</p>
-<p>${escaped(made.sentence)} All runs are in <code>runs.csv</code>.</p>
+<p>Made with ARGO ${escaped(made.build)} on ${made.at.truncatedTo(ChronoUnit.MINUTES)}. All runs are in <code>runs.csv</code>.</p>
 ${busyMachine(runs + scaled)}${leftOut()}$counts"""
     }
 
@@ -147,8 +148,10 @@ the wall.</p>
             scale.text(median(seconds), decimals), interval?.let(scale::text) ?: "–",
             scale.text(seconds.first(), decimals), scale.text(seconds.last(), decimals),
         )
+        val late = cell.count { it.isLate }
         return listOf(
-            cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view), "${seconds.size} of ${cell.size}",
+            cell.first().trial.condition.let { "(${it.letter})" }, words(cell.first().trial.view),
+            "${seconds.size} of ${cell.size}" + if (late > 0) ", $late late" else "",
         ) + figures
     }
 
@@ -161,13 +164,18 @@ the wall.</p>
     }
 
     private fun shares(response: Response): String {
-        val columns = analyses.getValue(response)
+        val columns = analyses.getValue(response).filterKeys { !isRepeated(response, it) }
+        if (columns.isEmpty()) return ""
         val allocation = Allocation(response, columns, settings.seed)
         val shares = allocation.heading() + allocation.shares(nextTable())
         val figure = if (response != Response.PERCEIVED_TIME) ""
         else figure("shares", "The shares of Table $tables.", "A bar chart of the table above.") { sharesFigure(columns, it) }
         return shares + figure + allocation.intervals(nextTable())
     }
+
+    /** Returns true if [response] is the time from perceiving the wall in all runs of [condition], whose shares have a table already. */
+    private fun isRepeated(response: Response, condition: Condition) = response == Response.LEAST_PERCEIVED_TIME &&
+        runs.none { it.trial.condition == condition && it.result.outcome == Outcome.COLLIDED }
 
     private fun scaling(): String {
         if (scaled.isEmpty()) return ""

@@ -7,7 +7,6 @@ import experiment.leavesTime
 
 /** The results of [runs] beyond the paper, in words and in a table, with their figure between the two. */
 internal class Scaling(private val runs: List<Finished>) {
-    /** The unit of its times. */
     val scale: TimeScale = TimeScale.of(runs.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 })
     private val bauds = runs.map { it.trial.baud }.distinct().sorted()
 

@@ -13,7 +13,6 @@ import experiment.analysis.Interval
 internal enum class TimeScale(val unit: String, val word: String, val perSecond: Int, val fewDecimals: Int, private val mostDecimals: Int) {
     SECONDS("s", "seconds", 1, 2, 3), MILLISECONDS("ms", "milliseconds", 1000, 0, 1);
 
-    /** Writes [seconds] in this unit with so many [decimals]. */
     fun text(seconds: Double, decimals: Int = fewDecimals): String = rounded(seconds * perSecond, decimals)
 
     /** Writes an interval of seconds in this unit, with the meaningful decimals. */

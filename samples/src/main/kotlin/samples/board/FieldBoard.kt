@@ -68,7 +68,8 @@ class FieldBoard(
     private fun handle(message: String, line: Transport, unread: Unread) {
         if (message != PerceptsRequest.ALL) return sketch.act(message)
         val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
-        unread.lookAwayUntil(line.beginToSay(answer, clock))
+        line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
+        unread.lookAwayUntil(clock.nanos() + answer.size * line.line().byteNanos())
     }
 
     private fun restart(unread: Unread, decoder: FrameDecoder) {
@@ -81,6 +82,7 @@ class FieldBoard(
     private companion object {
         /** Up to so many bytes of the next frame, an emptied message still counts as one. */
         const val CLEARING = 4
+        const val WRITE_LIMIT_MS = 30_000
     }
 }
 

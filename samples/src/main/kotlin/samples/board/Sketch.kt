@@ -1,5 +1,7 @@
 package samples.board
 
+import javino.Frame
+
 /** The behaviour of a simulated board's firmware: percepts and actions. Only the board's thread calls it. */
 interface Sketch {
     /** Its actions, all without arguments; empty: it does not describe them. */
@@ -13,4 +15,15 @@ interface Sketch {
 
     /** Executes [command], the text that the agent sent. An unknown command changes nothing. */
     fun act(command: String)
+}
+
+/** Splits a sketch's message into percepts, each with its `;`; text behind the last `;` is kept unchanged. */
+internal fun perceptsOf(said: String): List<String> = said.split(BEHIND_SEMICOLON).filter { it.isNotEmpty() }
+
+private val BEHIND_SEMICOLON = Regex("(?<=;)")
+
+/** Puts [percepts] into as few messages as can hold them, at least one; none is cut in two. */
+internal fun messages(percepts: List<String>): List<String> = percepts.fold(listOf("")) { messages, percept ->
+    if (messages.last().length + percept.length > Frame.MAX_PAYLOAD) messages + percept
+    else messages.dropLast(1) + (messages.last() + percept)
 }

@@ -17,7 +17,6 @@ internal class Carrier(private val clock: LineClock) {
     private var hand = Hand.OPEN
     private var can: Double? = CAN_CM // the place of the can, in cm from the start; null: in the hand
 
-    /** The direction in which it moves. */
     @get:Synchronized
     val direction: Direction get() = moving
 
@@ -27,7 +26,6 @@ internal class Carrier(private val clock: LineClock) {
         get() = (wayBefore + moving.sign * SPEED_CM_S * (clock.nanos() - since).nanoseconds.toDouble(DurationUnit.SECONDS))
             .coerceIn(0.0, can ?: CAN_CM)
 
-    /** The state of its hand. */
     @get:Synchronized
     val grasp: Hand get() = hand
 
@@ -35,7 +33,6 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
-    /** Moves on in [direction]. */
     @Synchronized
     fun move(direction: Direction) {
         wayBefore = way

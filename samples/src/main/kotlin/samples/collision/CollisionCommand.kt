@@ -14,7 +14,6 @@ import java.util.concurrent.Callable
 import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.system.exitProcess
 
-/** `collision`: one run of the collision experiment, shown on the standard output. */
 @Command(
     name = "collision",
     description = [
@@ -92,19 +91,21 @@ internal class CollisionCommand : Callable<Int> {
         val progress = Progress.onStandardOutput()
         val log = LogFile.open("collision")
         val isOver = AtomicBoolean()
-        val verdict = log.use {
+        val (verdict, warning) = log.use {
             val run = CollisionRun(levels, progress, audience)
             whenInterrupted {
                 if (isOver.getAndSet(true)) return@whenInterrupted
                 run.abandon()
                 log.delete()
+                run.warning?.let(System.err::println)
                 exitProcess(INTERRUPTED)
             }
-            run.run()
+            run.run() to run.warning
         }
         if (isOver.getAndSet(true)) return INTERRUPTED.also { log.delete() }
         if (verdict.exitStatus == 0) log.delete() else println("log: ${log.path}")
         println(verdict.sentence)
+        warning?.let(System.err::println)
         return verdict.exitStatus
     }
 

@@ -86,6 +86,10 @@ internal class CollisionRun(
         }
     }
 
+    /** A warning if a real robot may go on driving when the run is over; null: it stands. */
+    val warning: String?
+        get() = levels.port?.takeIf { witness.beliefs.mayDrive }?.let { "the robot on $it may still drive: its agent could not send stop" }
+
     /**
      * Gives the run up: stops a real robot unless it has been stopped, because a board's motors keep their last command. Takes
      * [HALT_LIMIT_S] s at most; any thread may call it.
@@ -94,8 +98,8 @@ internal class CollisionRun(
         progress.end()
         if (levels.port == null || witness.beliefs.port !in OPEN) return
         val deadline = clock.nanos() + TimeUnit.SECONDS.toNanos(HALT_LIMIT_S)
-        if (witness.beliefs.status != Witness.STOPPED) witness.haltRobot()
-        while (witness.beliefs.status != Witness.STOPPED && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
+        if (!witness.beliefs.isStopped) witness.haltRobot()
+        while (!witness.beliefs.isStopped && clock.nanos() < deadline) mas.awaitEnd(LOOK_MS)
     }
 
     private fun scene(): Scene {

@@ -5,7 +5,6 @@ import javino.Transport
 import javino.sim.SimulatedBoard
 import samples.board.FieldBoard
 import samples.board.Sketch
-import samples.cm
 import kotlin.random.Random
 
 /**

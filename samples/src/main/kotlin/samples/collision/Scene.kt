@@ -1,8 +1,6 @@
 package samples.collision
 
 import javino.LineClock
-import samples.cm
-import samples.seconds
 
 /** A running experiment as spectators see it. */
 internal interface Scene {
@@ -44,13 +42,13 @@ internal class SimulatedScene(
         val now = clock.nanos()
         val course = robot.course
         val state = course.stateAt(now)
-        val (_, status, trouble) = beliefs()
+        val believed = beliefs()
         return when {
             state == Course.State.COLLIDED ->
                 Verdict.Collided(limit, between(course.reached(limit.toDouble(), now), course.reached(0.0, now)) ?: 0)
-            state == Course.State.STOPPED && status == Witness.STOPPED ->
+            state == Course.State.STOPPED && believed.isStopped ->
                 Verdict.Stopped(course.distanceAt(now), limit, between(course.reached(limit.toDouble(), now), course.halt))
-            else -> trouble?.let { Verdict.Failed(it) }
+            else -> believed.trouble?.let { Verdict.Failed(it) }
         }
     }
 
@@ -89,7 +87,7 @@ internal class BoardScene(
     override fun verdict(): Verdict? = with(witness.beliefs) {
         when {
             trouble != null -> Verdict.Failed(trouble)
-            status == Witness.STOPPED -> Verdict.Sent(distance, limit)
+            isStopped -> Verdict.Sent(distance, limit)
             else -> null
         }
     }

@@ -1,7 +1,6 @@
 package samples.collision
 
 import argo.view.Picture
-import samples.cm
 import kotlin.math.roundToInt
 
 /**

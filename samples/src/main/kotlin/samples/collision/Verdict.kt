@@ -1,7 +1,6 @@
 package samples.collision
 
-import samples.cm
-import samples.seconds
+import java.util.Locale
 
 /**
  * The end of a run of the collision experiment.
@@ -31,3 +30,9 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     /** There is no measurement. */
     class Failed(why: String) : Verdict(why, 1)
 }
+
+/** Writes [distance], in cm, as the samples print it: `38.6`. */
+internal fun cm(distance: Double): String = String.format(Locale.ROOT, "%.1f", distance)
+
+/** Writes [nanos] as seconds: `4.2`. */
+internal fun seconds(nanos: Long): String = String.format(Locale.ROOT, "%.1f", nanos / 1e9)

@@ -9,22 +9,28 @@ import jason.asSyntax.PredicateIndicator
 import jason.asSyntax.StringTerm
 
 /**
- * Reads the beliefs of the agent `robot` for other threads. Jason's belief base belongs to the agent's thread, so that thread reads it, at
- * the end of each reasoning cycle.
+ * Reads the beliefs of an agent that stops a robot, for other threads. Jason's belief base belongs to the agent's thread, so that thread
+ * reads it, at the end of each reasoning cycle.
+ *
+ * @param changed is called by the agent's thread for each change of the believed front distance, with the events and intentions that are
+ * left
  */
-internal class Witness : AgArch() {
+class Witness(private val changed: (front: Double?, events: Int, intentions: Int) -> Unit = { _, _, _ -> }) : AgArch() {
     /** The beliefs at the end of the last reasoning cycle; any thread may ask. */
     @Volatile
     var beliefs = Beliefs()
         private set
 
     override fun reasoningCycleFinished() {
-        beliefs = Beliefs(
+        val statuses = all("status", 1).map { it.getTerm(0).toString() }.toList()
+        val now = Beliefs(
             distance = all("dist", 2).firstOrNull { it.getTerm(0).toString() == "f" }?.let { (it.getTerm(1) as? NumberTerm)?.solve() },
-            status = all("status", 1).firstOrNull()?.getTerm(0)?.toString(),
+            status = statuses.find { it == STOPPED } ?: statuses.firstOrNull(),
             trouble = all("trouble", 1).firstOrNull()?.getTerm(0)?.let { if (it is StringTerm) it.string else it.toString() },
             port = all("port", 2).firstOrNull()?.getTerm(1)?.toString(),
         )
+        if (now.distance != beliefs.distance) changed(now.distance, ts.c.events.size, ts.c.runningIntentions.size)
+        beliefs = now
         super.reasoningCycleFinished()
     }
 
@@ -48,10 +54,15 @@ internal class Witness : AgArch() {
         val status: String? = null,
         val trouble: String? = null,
         val port: String? = null,
-    )
+    ) {
+        /** True if the agent has stopped its robot. */
+        val isStopped: Boolean get() = status == STOPPED
 
-    companion object {
-        /** The belief about its status when it has stopped its robot. */
+        /** True if the agent has had its robot drive and has not stopped it. */
+        val mayDrive: Boolean get() = status != null && !isStopped
+    }
+
+    private companion object {
         const val STOPPED = "stopped"
     }
 }

@@ -23,7 +23,6 @@ internal class Container private constructor(
         }
     }
 
-    /** True if its process runs. */
     val isAlive: Boolean get() = process.isAlive
 
     /** Ends its process at once, as a power failure does. */

@@ -9,16 +9,13 @@ import java.util.concurrent.TimeUnit
 
 /** The containers of the sample `fleet`, each a process on this computer: `main` with the coordinator, and two scouts. */
 internal class Fleet private constructor(private val containers: List<Container>) : AutoCloseable {
-    /** The ports at which the containers listen. */
     val ports: List<Int> = containers.map { it.port }
 
     /** Ends the process of [container] as a power failure does. */
     fun kill(container: String) = containers.first { it.name == container }.kill()
 
-    /** Returns true if [container]'s process runs. */
     fun isAlive(container: String) = containers.first { it.name == container }.isAlive
 
-    /** Ends all processes. */
     override fun close() = containers.asReversed().forEach(Container::close)
 
     companion object {

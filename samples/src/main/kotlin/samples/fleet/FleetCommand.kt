@@ -10,7 +10,6 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** `fleet`: several computers, of which one fails. */
 @Command(
     name = "fleet",
     description = [

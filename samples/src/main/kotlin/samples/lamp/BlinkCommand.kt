@@ -7,11 +7,10 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
+import samples.project.MasRun
 import samples.project.SampleProject
-import samples.project.SystemRun
 import java.util.concurrent.Callable
 
-/** `blink`: the smallest agent. */
 @Command(
     name = "blink",
     description = ["The smallest agent: it has the LED of a board blink, once a second."],
@@ -36,6 +35,6 @@ internal class BlinkCommand : Callable<Int> {
     override fun call(): Int {
         if (seconds < 1) spec.refuse("--seconds is at least 1, not $seconds")
         val project = SampleProject("blink").apply { believe("blink", createLiteral("board", createString(port))) }
-        return SystemRun(project).forAtMost(seconds)
+        return MasRun(project).forAtMost(seconds)
     }
 }

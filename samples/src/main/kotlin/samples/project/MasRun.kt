@@ -39,6 +39,25 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         start()
     }
 
+    /**
+     * Runs the project, with its log on the standard output, until its agents end it, and returns their exit status; 1 if they have not
+     * ended it within [MAX_S] s, with a message on the standard error.
+     */
+    fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
+
+    /** Runs the project as [toItsEnd] does, but for [seconds] s at most, and then with exit status 0. */
+    fun forAtMost(seconds: Int): Int = logged(seconds) ?: 0
+
+    private fun logged(seconds: Int): Int? {
+        Logs.to(System.out)
+        begin()
+        try {
+            return awaitEnd(seconds * 1000L)
+        } finally {
+            end()
+        }
+    }
+
     /** Returns the live view of [agent], once it is created; null: it has none. */
     fun viewOf(agent: String): AgentView? =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }
@@ -57,5 +76,9 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     /** Notes the end of the system by `.stopMAS`. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
         ended.complete(exitValue)
+    }
+
+    private companion object {
+        const val MAX_S = 60
     }
 }

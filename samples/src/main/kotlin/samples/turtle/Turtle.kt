@@ -20,7 +20,6 @@ internal class Turtle(private val nanos: () -> Long) {
     /** Its distance from the wall, in m. */
     val range: Double get() = WALL - position
 
-    /** True if it drives. */
     @get:Synchronized
     val isDriving: Boolean get() = metresPerSecond != 0.0
 

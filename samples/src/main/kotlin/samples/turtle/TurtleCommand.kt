@@ -4,11 +4,10 @@ import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createString
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
+import samples.project.MasRun
 import samples.project.SampleProject
-import samples.project.SystemRun
 import java.util.concurrent.Callable
 
-/** `turtle`: a robot that speaks ROS. */
 @Command(
     name = "turtle",
     description = ["A robot that speaks ROS drives at a wall, stops before it, and goes home to its dock."],
@@ -28,6 +27,6 @@ internal class TurtleCommand : Callable<Int> {
 
     private fun run(port: String): Int {
         val project = SampleProject("turtle").apply { believe("turtle", createLiteral("board", createString(port))) }
-        return SystemRun(project).toItsEnd()
+        return MasRun(project).toItsEnd()
     }
 }

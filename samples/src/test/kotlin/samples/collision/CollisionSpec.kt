@@ -112,6 +112,7 @@ class CollisionSpec : FunSpec({
                 robot.unplug()
                 val (status, printed) = program.awaitEnd()
                 printed shouldContain Regex("port .* is gone|the board has gone")
+                printed shouldContain "the robot on ${robot.port} may still drive: its agent could not send stop"
                 Files.delete(logNamedIn(printed))
                 status shouldBe 1
             }

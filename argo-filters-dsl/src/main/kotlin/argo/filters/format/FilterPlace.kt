@@ -7,10 +7,7 @@ import java.io.IOException
 import java.net.JarURLConnection
 import java.net.URL
 import java.nio.file.FileVisitResult
-import java.nio.file.Files
 import java.nio.file.Path
-import java.nio.file.SimpleFileVisitor
-import java.nio.file.attribute.BasicFileAttributes
 import java.util.ServiceConfigurationError
 import java.util.ServiceLoader
 import kotlin.io.path.inputStream
@@ -19,6 +16,7 @@ import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
+import kotlin.io.path.visitFileTree
 
 /** A place where filters may be. `toString` is its name in messages. */
 internal interface FilterPlace {
@@ -134,17 +132,13 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 private const val DEPTH = 8
 
 /** The filter files under [directory], relative to it; none if it is no directory. */
-private fun filesUnder(directory: Path, depth: Int): List<String> {
-    val files = ArrayList<String>()
-    val collector = object : SimpleFileVisitor<Path>() {
-        override fun visitFile(file: Path, attributes: BasicFileAttributes): FileVisitResult {
+private fun filesUnder(directory: Path, depth: Int): List<String> = buildList {
+    directory.visitFileTree(depth) {
+        onVisitFile { file, _ ->
             val isFilter = FilterFormat.of(file.name) != null && file.isRegularFile()
-            if (isFilter) files += directory.relativize(file).invariantSeparatorsPathString
-            return FileVisitResult.CONTINUE
+            if (isFilter) add(directory.relativize(file).invariantSeparatorsPathString)
+            FileVisitResult.CONTINUE
         }
-
-        override fun visitFileFailed(file: Path, cause: IOException) = FileVisitResult.CONTINUE
+        onVisitFileFailed { _, _ -> FileVisitResult.CONTINUE }
     }
-    Files.walkFileTree(directory, emptySet(), depth, collector)
-    return files
 }

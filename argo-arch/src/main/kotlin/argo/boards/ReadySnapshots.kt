@@ -1,17 +1,24 @@
 package argo.boards
 
+import argo.perception.Snapshot
 import argo.platform.Platform
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Delays a ready snapshot for boards whose answer is [near][ExpectedAnswer.isNear], [MAX_NANOS] at most, so that readings of several boards
- * at one instant are perceived together. Any thread may ask; [taken] belongs to the agent's.
+ * Decides which snapshots of its [boards] an agent perceives now: those that the hand-over of their board has [ready][Board.isReady]. They
+ * wait for boards whose answer is [near][ExpectedAnswer.isNear], [MAX_NANOS] at most, so that readings of several boards at one instant are
+ * perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
+ * @param boards returns the boards that the agent perceives
  * @param wake wakes the agent until its argument holds; called once a wait has lasted too long
  */
-internal class OneInstant(private val platform: Platform, private val wake: (seen: () -> Boolean) -> Unit) {
+internal class ReadySnapshots(
+    private val platform: Platform,
+    private val boards: () -> List<Board>,
+    private val wake: (seen: () -> Boolean) -> Unit,
+) {
     /** A wait for the answers of [boards]. Each answer removes its board, so that an answer is not compared with all others. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
@@ -26,17 +33,31 @@ internal class OneInstant(private val platform: Platform, private val wake: (see
     /** Null: no snapshot waits. */
     private val wait = AtomicReference<Wait?>()
 
-    /** Returns true if the ready snapshots of [boards] wait for others of them. The first call with that result begins the wait. */
-    fun isAwaited(boards: List<Board>): Boolean =
-        boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
+    /** Returns true if [take] would return a snapshot. */
+    fun areThere(): Boolean = boards().let { boards -> boards.any(Board::isReady) && !areAwaiting(boards) }
+
+    /** Takes the snapshots to perceive now. */
+    fun take(): List<Snapshot> {
+        val boards = boards()
+        if (areAwaiting(boards)) return emptyList()
+        wait.set(null)
+        return boards.mapNotNull(Board::take)
+    }
 
     /** Notes that the answer of [board] has come, and can be perceived. */
     fun answered(board: Board) {
         wait.get()?.leave(board)
     }
 
-    /** Returns true if the snapshot of [board], one of [boards], which has just become ready, waits for others of them. */
-    fun isAwaited(board: Board, boards: List<Board>): Boolean = boards.size > 1 && !board.isUrgent() && lasts(boards)
+    /**
+     * Returns true if the snapshot of [board], which has just become ready, waits for those of other boards. The agent is woken if that
+     * lasts too long.
+     */
+    fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
+
+    /** Returns true if the ready snapshots of [boards] wait for others of them. The first call with that result begins the wait. */
+    private fun areAwaiting(boards: List<Board>) =
+        boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 
     private fun lasts(boards: List<Board>): Boolean {
         val now = platform.clock.nanos()
@@ -53,9 +74,6 @@ internal class OneInstant(private val platform: Platform, private val wake: (see
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }
-
-    /** Ends the wait: snapshots were taken, or none is ready. */
-    fun taken() = wait.set(null)
 
     companion object {
         /** The longest that a snapshot waits, in ns. */

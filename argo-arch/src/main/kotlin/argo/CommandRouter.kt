@@ -1,5 +1,9 @@
 package argo
 
+import argo.acting.CommandOptions
+import argo.acting.Transmission
+import argo.acting.commandText
+import argo.boards.AgentBoards
 import argo.boards.Board
 import argo.calls.Failure
 import argo.connecting.OpenPort
@@ -14,54 +18,81 @@ import jason.bb.BeliefBase
 import kotlin.io.path.Path
 
 /**
- * Finds the board of [io]'s agent for a command. Belongs to the agent's thread.
+ * Finds the board among [boards] for a command of the agent, and sends it there. Belongs to the agent's thread.
  *
  * A command names its board by its namespace, or by a port in its options. A command that does neither is for the board of its plan's
  * module, unless that board has described itself without it; else for the one board that has described itself with it; else, if no board
  * has, for the one on the port in use.
  */
-internal class Routing(private val io: AgentIo) {
+internal class CommandRouter(private val boards: AgentBoards) {
     /** The port of a board, or the reason why there is none. */
-    sealed interface Route {
+    private sealed interface Route {
         data class To(val port: OpenPort) : Route
         data class Nowhere(val failure: Failure) : Route
     }
 
     /**
-     * Returns the port for [command].
+     * Sends [command], a literal or a string, and makes the snapshots of a board wait for it: of the board with the percept that caused it,
+     * or if there is none, of its own board.
      *
-     * @param command a literal, or a string
-     * @param port the port that the options name; null: they name none
      * @param module the namespace of the module in which the command is; null: it is in none
+     * @param cause returns the percept that made the agent send it, or null; called once it is under way, before [outcome]
+     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called once the command is under way
+     * @return the reason why there is no board for it, so that nothing was sent; else null
+     * @throws argo.calls.ArgumentException if its line cannot carry it
      */
-    fun routeOf(command: Term, port: Term?, module: String?): Route {
-        if (port != null) return io.openPort(port)?.let { Route.To(it) } ?: unknown(unknownBoard(port, io))
-        val inUse = io.portInUse() ?: return Route.Nowhere(NO_PORT)
+    fun send(
+        command: Term,
+        options: CommandOptions,
+        module: String? = null,
+        cause: () -> Literal? = { null },
+        outcome: () -> (Failure?) -> Unit,
+    ): Failure? = when (val route = routeOf(command, options.port, module)) {
+        is Route.Nowhere -> route.failure
+        is Route.To -> {
+            val sent = boards.send(route.port, commandText(command, route.port.link.isLine), options)
+            hold(sent, route.port, cause(), outcome())
+            null
+        }
+    }
+
+    private fun hold(sent: Transmission, port: OpenPort, cause: Literal?, outcome: (Failure?) -> Unit) {
+        val causing = cause?.let(boards::of).orEmpty()
+        val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: boards.inUseOn(port)
+        val ledger = holder?.ledger ?: return sent.follow({ }, outcome)
+        val number = ledger.issue(port)
+        sent.follow({ ledger.done(port, number) }, outcome)
+    }
+
+    private fun routeOf(command: Term, port: Term?, module: String?): Route {
+        if (port != null) return boards.openPort(port)?.let { Route.To(it) } ?: unknown(unknownBoard(port, boards))
+        val inUse = boards.ports.current ?: return Route.Nowhere(NO_PORT)
         val literal = literalOf(command)
         val namespace = literal?.ns?.takeIf { command !is StringTerm && it != Literal.DefaultNS }?.functor
         return when {
             namespace != null -> within(namespace, literal, inUse)
-            io.perceivedBoards().size < 2 || literal == null -> Route.To(inUse)
-            else -> ofModule(module, literal, inUse) ?: among(io.perceivedBoards(), literal, inUse) ?: Route.To(inUse)
+            !boards.areSeveral || literal == null -> Route.To(inUse)
+            else -> ofModule(module, literal, inUse) ?: among(boards.current, literal, inUse) ?: Route.To(inUse)
         }
     }
 
     private fun within(namespace: String, command: Literal, inUse: OpenPort): Route {
-        val boards = io.perceivedBoards().filter { it.namespace == namespace }
-        return boards.singleOrNull()?.let { Route.To(it.port) }
-            ?: among(boards, command, inUse)
-            ?: boards.find { it.port === inUse }?.let { Route.To(it.port) }
-            ?: if (boards.isEmpty()) unknown(noSuchNamespace(namespace)) else ambiguous(command, boards)
+        val named = boards.current.filter { it.namespace == namespace }
+        return named.singleOrNull()?.let { Route.To(it.port) }
+            ?: among(named, command, inUse)
+            ?: named.find { it.port === inUse }?.let { Route.To(it.port) }
+            ?: if (named.isEmpty()) unknown(noSuchNamespace(namespace)) else ambiguous(command, named)
     }
 
     private fun ofModule(module: String?, command: Literal, inUse: OpenPort): Route? {
-        val boards = io.perceivedBoards().filter { module != null && it.namespace == module && (it.actions == null || it.knows(command)) }
-        return if (boards.isEmpty()) null else within(checkNotNull(module), command, inUse)
+        if (module == null) return null
+        val isKnown = boards.current.any { it.namespace == module && (it.actions == null || it.knows(command)) }
+        return if (isKnown) within(module, command, inUse) else null
     }
 
-    /** Returns the one of [boards] that has described itself with [command]; null: none has. */
-    private fun among(boards: List<Board>, command: Literal, inUse: OpenPort): Route? {
-        val knowing = boards.filter { it.knows(command) }
+    /** Returns the one of [some] that has described itself with [command]; null: none has. */
+    private fun among(some: List<Board>, command: Literal, inUse: OpenPort): Route? {
+        val knowing = some.filter { it.knows(command) }
         return when (knowing.size) {
             0 -> null
             1 -> Route.To(knowing.single().port)
@@ -71,16 +102,16 @@ internal class Routing(private val io: AgentIo) {
 
     private fun unknown(cause: String) = Route.Nowhere(Failure("unknown_board", cause))
 
-    private fun ambiguous(command: Literal, boards: List<Board>) = Route.Nowhere(
+    private fun ambiguous(command: Literal, able: List<Board>) = Route.Nowhere(
         Failure(
             "ambiguous_action",
-            "${boards.joinToString(" and ") { "${it.term}" }} are all boards for ${command.functor}; " +
-                "name one by its namespace, argo.act(NAMESPACE::${command.functor}), or by its port, [port(${boards.first().term})]",
+            "${able.joinToString(" and ") { "${it.term}" }} are all boards for ${command.functor}; " +
+                "name one by its namespace, argo.act(NAMESPACE::${command.functor}), or by its port, [port(${able.first().term})]",
         ),
     )
 
     private fun noSuchNamespace(namespace: String) =
-        "no board has the namespace $namespace; " + io.perceivedBoards().mapNotNull { it.namespace }.distinct().let {
+        "no board has the namespace $namespace; " + boards.current.mapNotNull { it.namespace }.distinct().let {
             if (it.isEmpty()) "the option as($namespace) of argo.port gives it to one" else "there are ${it.joinToString()}"
         }
 

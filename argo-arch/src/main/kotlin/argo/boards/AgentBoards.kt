@@ -1,0 +1,290 @@
+package argo.boards
+
+import argo.acting.CommandLedger
+import argo.acting.CommandOptions
+import argo.acting.Transmission
+import argo.acting.ended
+import argo.calls.Failure
+import argo.calls.whileLost
+import argo.connecting.OpenPort
+import argo.connecting.PortStates
+import argo.connecting.PortStatus
+import argo.connecting.PortUser
+import argo.connecting.Ports
+import argo.filters.CriticalRule
+import argo.filters.PerceptionFilter
+import argo.observing.Observers
+import argo.perception.Backlog
+import argo.perception.EveryHandOver
+import argo.perception.FreshHandOver
+import argo.perception.HandOver
+import argo.perception.ReasoningQueues
+import argo.platform.Platform
+import argo.platform.RateLimitedWarning
+import argo.platform.ThinnedLog
+import argo.platform.Waker
+import argo.platform.nowMs
+import argo.sensing.SensingPolicy
+import jason.asSyntax.Literal
+import jason.asSyntax.Term
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.atomic.AtomicReference
+import java.util.logging.Level
+import java.util.logging.Logger
+
+/**
+ * The ports of one agent, the boards on them, and the agent's wishes to these: whether it perceives them, how often, and through which
+ * filter.
+ *
+ * One thread at a time writes each of these, and all others read it here without a copy. After each change waiting threads are woken to
+ * read again. Functions may be called by any thread unless they say otherwise.
+ *
+ * @property owner the agent's name
+ * @property maxPercepts the most percepts of a board that the agent believes at once
+ * @param policy when snapshots are handed over
+ * @param queues the agent's events and intentions
+ * @param observing the agent's observers
+ */
+internal class AgentBoards(
+    val owner: String,
+    private val policy: SensingPolicy,
+    val maxPercepts: Int,
+    val platform: Platform,
+    private val waker: Waker,
+    val log: Logger,
+    private val queues: ReasoningQueues,
+    private val observing: () -> Observers,
+) {
+    /** The boards that the agent perceives, and those that it perceived before and still has beliefs about. Immutable. */
+    private class Perceived(val boards: List<Board>, val former: List<Board>)
+
+    /** True if the agent perceives its boards. */
+    @Volatile
+    var isPerceiving = false
+        private set
+
+    /** The sensing interval in ms of boards without one of their own. */
+    @Volatile
+    var intervalMs = DEFAULT_INTERVAL_MS
+        private set
+
+    /** The filter of boards without one of their own; null: everything is kept. */
+    @Volatile
+    var filter: PerceptionFilter? = null
+        private set
+
+    /** The published coupling; null: boards are sensed, and commands written, by other threads than the agent's. */
+    private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
+    private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
+
+    /** All boards that were perceived since all ports were last closed; changes while the ports in use change. */
+    private val boards = CopyOnWriteArrayList<Board>()
+    private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
+    private val portLines = ThinnedLog(platform.nowMs, platform::later)
+
+    /** True if the agent's beliefs are not yet about the boards that it perceives. */
+    @Volatile
+    var areOthers = false
+        private set
+
+    /** True if a board has, or has had, a namespace of its own. */
+    @Volatile
+    var hasNamespaces = false
+        private set
+
+    /** The states of the ports. */
+    val states = PortStates(::portChanged)
+
+    /** The ports. */
+    val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
+
+    /** The decision which snapshots the agent perceives now. */
+    val ready = ReadySnapshots(platform, { perceived.get().boards }, waker::wake)
+
+    /** True if boards watch critical rules themselves as far as they can, and messages are written at the pace of the line. */
+    val leavesRulesToBoards get() = inCycle == null
+
+    /** The agent's observers. */
+    val observers: Observers get() = observing()
+
+    /** The boards that the agent perceives. */
+    val current: List<Board> get() = perceived.get().boards
+
+    /** The boards about which the agent has beliefs. */
+    val believed: List<Board> get() = perceived.get().run { boards + former }
+
+    /** True if the agent perceives more than one board. */
+    val areSeveral get() = current.size > 1
+
+    /** Returns true if the agent perceives [board] now. */
+    fun perceives(board: Board) = isPerceiving && board in current
+
+    /** Returns the board on [port], if the agent perceives it now. */
+    fun boardOn(port: OpenPort): Board? = if (isPerceiving) inUseOn(port) else null
+
+    /** Returns the board on [port], if that is in use. */
+    fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
+
+    /** Returns the board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. */
+    fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
+
+    /** Returns the perceived boards that have [percept]. */
+    fun of(percept: Literal): List<Board> = current.let { boards ->
+        boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
+    }
+
+    /** Returns the open port that the agent calls [port], or the one that it waits for; null: there is none. */
+    fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
+
+    /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
+    fun answers(port: Any): Boolean =
+        port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && inUseOn(port)?.let { port.terms.any(it::isStale) } != true
+
+    /** Returns true if the board on [port] watches [rule] itself. */
+    fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean = lines[port]?.rules?.isWatching(rule) == true
+
+    /** Returns a hand-over of [board]'s snapshots to the agent. */
+    fun handOverOf(board: Board): HandOver =
+        if (policy == SensingPolicy.FRESH) FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) })
+        else EveryHandOver { log.warning(it) }
+
+    /** Returns true if [percept] is a percept of [board], or of no board that the agent perceives. */
+    private fun isOf(board: Board, percept: Literal): Boolean {
+        if (!areSeveral) return true
+        val claiming = of(percept)
+        return claiming.isEmpty() || board in claiming
+    }
+
+    /** Makes a warning in the agent's log that is not repeated while its cause lasts. */
+    fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
+
+    /** Wakes the agent until [seen] is true; other threads call [seen]. */
+    fun wake(seen: () -> Boolean) = waker.wake(seen)
+
+    /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
+    fun perceive(open: Boolean) {
+        if (isPerceiving == open) return
+        isPerceiving = open
+        current.forEach(Board::beginAnew)
+        renewLines()
+        dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
+    }
+
+    /** Sets the sensing interval in ms of only [board], null: of all boards; 0: as fast as the line allows. */
+    fun senseEvery(intervalMs: Int, board: Board? = null) {
+        if (board != null) {
+            board.ownIntervalMs = intervalMs
+        } else {
+            this.intervalMs = intervalMs
+            boards.forEach { it.ownIntervalMs = null }
+        }
+        renewLines()
+    }
+
+    /** Perceives all boards through [filter] from the next perception on; null: everything. Belongs to the agent's thread. */
+    fun perceiveThrough(filter: PerceptionFilter?) {
+        this.filter = filter
+        boards.forEach(Board::perceiveAsOthers)
+        renewLines()
+    }
+
+    /** Perceives only [board] through [filter] from the next perception on; null: everything. Belongs to the agent's thread. */
+    fun perceiveThrough(filter: PerceptionFilter?, board: Board) {
+        board.perceiveThrough(filter)
+        renewLines()
+        observers.each { it.boardFilterChanged(board.port.link.port, filter) }
+    }
+
+    /** Tells the lines that the agent's wishes to its boards have changed. */
+    private fun renewLines() = lines.values.forEach(BoardLine::renew)
+
+    /** Begins a perception of the agent, on its thread, by which it sees that the boards may be others; returns true if they are. */
+    fun perceiving(): Boolean {
+        val wereOthers = areOthers
+        areOthers = false
+        inCycle?.perceiving(intervalMs) { current.filter { isPerceiving && it.port.link.isOpen }.mapNotNull { lines[it.port]?.sensing } }
+        return wereOthers
+    }
+
+    /** Notes that the agent has no more beliefs about boards that it perceived before. */
+    fun forgetFormer() {
+        perceived.updateAndGet { Perceived(it.boards, emptyList()) }
+    }
+
+    /** Returns the time in ms until there is something to perceive without news from a board; null: there will not be. */
+    fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
+
+    /** Sends [text] on [port]; no snapshot waits for it. The caller is to [follow][Transmission.follow] it. */
+    fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
+        val issued = observers.commandIssued(port.link.port, text)
+        val commands = lines[port]?.commands
+        val transmission = when {
+            commands == null ->
+                ended(Failure("port_gone", "port ${port.link.port} was closed, or its device has gone").whileLost())
+            inCycle != null -> inCycle.send(commands, text, options)
+            else -> commands.send(text, options)
+        }
+        if (issued == null) return transmission
+        return Transmission { left, outcome ->
+            transmission.follow(left) { failure ->
+                observers.commandEnded(issued, failure)
+                outcome(failure)
+            }
+        }
+    }
+
+    private fun portChanged(port: Term, status: PortStatus, reason: String?) {
+        val level = if (status == PortStatus.ON) Level.INFO else Level.WARNING
+        observers.each { it.portChanged("$port", status.word, reason) }
+        portLines.report("$port") { more -> log.log(level, "port $port is ${status.word}" + reason?.let { ": $it" }.orEmpty() + more) }
+        waker.wake { !states.hasNews() }
+    }
+
+    private inner class User : PortUser {
+        override fun use(port: OpenPort): AutoCloseable = BoardLine(port, this@AgentBoards) { lines -= port }.also {
+            lines[port] = it
+            port.link.onBoardEvents(it)
+        }
+
+        override fun opened(port: OpenPort) {
+            lines[port]?.sensing?.start()
+        }
+
+        /** Perceives the boards on the ports in use. Those that were perceived before are disturbed only if their ports are opened anew. */
+        override fun portInUseChanged() {
+            val before = current
+            val renewed = LinkedHashSet<Board>()
+            val now = ports.inUse.map { (term, port) ->
+                val board = boardFor(term, port)
+                if (board !in before) board.begin(port, isBelieved = board in perceived.get().former)
+                if (board !in before || board.port !== port) renewed += board
+                board.reconnect(port)
+                board
+            }.distinct()
+            val isKept = before.any(now::contains)
+            perceived.updateAndGet { Perceived(now, (if (isKept) it.former else it.former + before) - now.toSet()) }
+            (before.filter { it !in now } + renewed).forEach(Board::forget)
+            if (ports.inUse.isEmpty()) boards.clear()
+            areOthers = true
+            renewLines()
+            waker.wake { !areOthers }
+        }
+    }
+
+    private fun boardFor(term: Term, port: OpenPort): Board {
+        val known = boards.find { it.port === port } ?: boards.find { it.term == term }
+        if (known != null && known.namespace == port.options.namespace) return known
+        return Board(term, port, this, known).also {
+            if (it.namespace != null) hasNamespaces = true
+            boards -= setOfNotNull(known)
+            boards += it
+            it.renewFilter() // the agent may have changed its own meanwhile
+        }
+    }
+
+    companion object {
+        /** The sensing interval in ms until `argo.limit` sets another. */
+        const val DEFAULT_INTERVAL_MS = 50
+    }
+}

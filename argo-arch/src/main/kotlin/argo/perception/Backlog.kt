@@ -1,0 +1,135 @@
+package argo.perception
+
+import argo.acting.CommandLedger
+import argo.platform.Platform
+import argo.platform.nowMs
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSyntax.Literal
+import jason.bb.BeliefBase
+import java.util.Collections
+import java.util.IdentityHashMap
+import java.util.concurrent.ConcurrentHashMap
+
+/**
+ * The queues of an agent in Jason, which any thread may go through.
+ *
+ * @property isStanding returns true if Jason takes no event from its queue now, as while an atomic plan runs or waits
+ * @property running returns the intentions that wait for their next step
+ * @property events returns the events that wait
+ */
+internal class ReasoningQueues(
+    val isStanding: () -> Boolean = { false },
+    val running: () -> Collection<Intention> = { emptyList() },
+    val events: () -> Collection<Event> = { emptyList() },
+)
+
+/**
+ * The work that the last snapshot of a board has left to the agent:
+ * 1. its percept events in Jason's queue. Later ones, such as those of a busy Jason environment, do not count, or they could keep the agent
+ *    from its sensors for good. While the queue stands, only [STANDING_MS] are awaited and no event: an atomic plan must see the world too,
+ *    and each snapshot adds events that the agent works off afterwards, and Jason goes through all of them in each cycle;
+ * 2. the commands that the board holds and that were issued before that snapshot was handed over;
+ * 3. the intentions that percept events of the board have begun. One is worked off when it has finished or waits, as for the outcome of a
+ *    command. One that still runs after [LONG_MS] is meant to run on, and is not awaited any more.
+ *
+ * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the agent; without
+ * (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that loops on
+ * `argo.act`.
+ *
+ * Any thread may call [isDone], [waitingEvents] and [dueInMs]; the rest belongs to the agent's.
+ *
+ * @property commands the commands that the board holds
+ * @param nowMs a clock in ms that never goes back
+ * @param isOwn whether a percept is of the board, or of none that the agent perceives; asked by any thread
+ */
+internal class Backlog(
+    val commands: CommandLedger,
+    private val queues: ReasoningQueues = ReasoningQueues(),
+    private val nowMs: () -> Long = Platform.system.nowMs,
+    private val isOwn: (Literal) -> Boolean = { true },
+) {
+    /** The percept events that were in the queue once the last snapshot had been taken in; null: it has not been, or the queue stands. */
+    @Volatile
+    private var events: Set<Event>? = null
+
+    /** The time at which the last snapshot was handed over; null: none was. */
+    @Volatile
+    private var handedOverMs: Long? = null
+
+    @Volatile
+    private var lastCommand = 0L
+    private val deadlines = ConcurrentHashMap<Intention, Long>() // until when each is awaited
+
+    /** The number of events in Jason's queue, of any kind. */
+    val waitingEvents: Int get() = queues.events().size
+
+    /** Notes that a snapshot is being handed over: the work that it leaves is awaited from now on. */
+    fun begin() {
+        lastCommand = commands.lastIssued()
+        events = null
+        handedOverMs = nowMs()
+    }
+
+    /** Notes that the last snapshot has been taken in: later events than those in the queue now are not its own. */
+    fun takenIn() {
+        if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
+        events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
+    }
+
+    /**
+     * Returns true if nothing is left.
+     *
+     * @param isAwaited whether the agent's thread asks for a snapshot that waits: if only intentions are left then, those of now are
+     * awaited for a limited time
+     */
+    fun isDone(isAwaited: Boolean = false): Boolean {
+        if (!areCommandsAndEventsDone()) return false
+        val begun = begun()
+        if (isAwaited) limit(begun)
+        return begun.none(::awaits)
+    }
+
+    private fun limit(begun: Collection<Intention>) {
+        val now = nowMs()
+        val deadline = now + maxOf(LONG_MS, now - (handedOverMs ?: now))
+        deadlines.keys.retainAll(begun.toSet())
+        begun.forEach { deadlines.putIfAbsent(it, deadline) }
+    }
+
+    /** Returns the time in ms until commands to other boards are not awaited any more; null: none are awaited. */
+    fun dueInMs(): Long? = commands.dueInMs(lastCommand)
+
+    private fun areCommandsAndEventsDone() = commands.allDoneUpTo(lastCommand) && areEventsDone()
+
+    private fun areEventsDone() =
+        if (queues.isStanding()) handedOverMs.let { it == null || nowMs() - it >= STANDING_MS }
+        else events?.isEmpty() == true || queues.events().none(::awaits)
+
+    private fun awaits(event: Event): Boolean = events?.contains(event) ?: (isPerceptEvent(event) && isOwn(event.trigger.literal))
+
+    private fun awaits(intention: Intention): Boolean = deadlines[intention]?.let { nowMs() < it } ?: true
+
+    private fun begun(): List<Intention> = if (queues.isStanding()) emptyList() else queues.running().filter { intention ->
+        beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
+    }
+
+    /** Returns the event that began [intention]; null: it has finished, which its thread may find out at this moment. */
+    private fun beginningOf(intention: Intention): Literal? = try {
+        intention.bottom?.trigger?.literal
+    } catch (_: NoSuchElementException) {
+        null
+    }
+
+    companion object {
+        /** The least time in ms between two snapshots that are handed over while Jason takes no event. */
+        const val STANDING_MS = 100
+
+        /** The time for which an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */
+        const val LONG_MS = 1000L
+    }
+}
+
+/** Returns true if [event] tells that a percept came or went. */
+internal fun isPerceptEvent(event: Event): Boolean =
+    event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)

@@ -1,0 +1,34 @@
+@file:Suppress("ClassName") // Jason finds internal actions by these names
+
+package benchmarks
+
+import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.TransitionSystem
+import jason.asSemantics.Unifier
+import jason.asSyntax.NumberTerm
+import jason.asSyntax.Term
+
+/**
+ * The internal action `benchmarks.acts(N)`: reports that an intention acts now on the board's nth answer. `benchmarks.acts(N, Agent, What)`
+ * also reports the agent's number and the state of its nth action, `begun`, `done` or `failed`.
+ */
+class acts : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        heard((args[0] as NumberTerm).solve().toInt(), System.nanoTime(), args)
+        return true
+    }
+
+    companion object {
+        /** Receives the answer's number, the time in ns and all arguments, from the agent's thread; set by the running benchmark. */
+        @Volatile
+        var heard: (number: Int, nanos: Long, arguments: Array<Term>) -> Unit = { _, _, _ -> }
+    }
+}
+
+/** The internal action `benchmarks.say(W)`: the agent's [SingleThread] writes W. */
+class say : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<SingleThread>().first().say("${args[0]}")
+        return true
+    }
+}
