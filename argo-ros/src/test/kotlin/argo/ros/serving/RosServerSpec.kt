@@ -18,6 +18,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.net.Socket
 import java.net.URI
+import java.net.http.WebSocketHandshakeException
 import java.util.concurrent.ExecutionException
 import kotlin.random.Random
 
@@ -254,12 +255,13 @@ class RosServerSpec : FunSpec({
 
     test("a page of another site and a client without the token are refused") {
         val address = URI("ws://127.0.0.1:${server.server.port}/")
-        shouldThrow<ExecutionException> { RawClient(address, mapOf("Origin" to "https://evil.example")) }
+        fun statusOf(refused: ExecutionException) = (refused.cause as WebSocketHandshakeException).response.statusCode()
+        statusOf(shouldThrow<ExecutionException> { RawClient(address, mapOf("Origin" to "https://evil.example")) }) shouldBe 404
         server.log.single() shouldContain "is refused: the page https://evil.example is not of this computer"
         RawClient(address, mapOf("Origin" to "http://localhost:8000")).close()
         TestServer(address = "127.0.0.1:0?token=0123456789abcdef").use { guarded ->
             val port = guarded.server.port
-            shouldThrow<ExecutionException> { RawClient(port) }
+            statusOf(shouldThrow<ExecutionException> { RawClient(port) }) shouldBe 404
             guarded.log.single() shouldContain "is refused: the token is wrong, or there is none"
             RawClient(URI("ws://127.0.0.1:$port/?token=0123456789abcdef"), mapOf("Origin" to "https://studio.example")).close()
         }
