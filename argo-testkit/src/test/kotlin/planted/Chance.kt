@@ -6,15 +6,19 @@ import argo.Arch
 import argo.platform.Plans
 import argo.platform.Platform
 import jason.asSemantics.Agent
+import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.DefaultArithFunction
 import jason.asSemantics.DefaultInternalAction
+import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.ObjectTermImpl
 import jason.asSyntax.Term
 import jason.bb.DefaultBeliefBase
 import java.io.ByteArrayOutputStream
 import java.io.ObjectOutputStream
+import java.util.Date
 import java.util.UUID
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
@@ -102,6 +106,58 @@ class rings : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
         thread { ts.c.addExternalEv(ASSyntax.parseTrigger("+ring(1)")) }.join()
     }
+}
+
+/** Has another thread add a belief. */
+class tells : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        thread { ts.ag.addBel(ASSyntax.createLiteral("told")) }.join()
+    }
+}
+
+/** Has a thread, which counts, resume the intention with the count. */
+class counts : ConcurrentInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
+        val key = suspendInt(ts, "counting", 0)
+        thread {
+            un.unifies(args[0], ASSyntax.createNumber(3.0))
+            resumeInt(ts, key)
+        }
+        return true
+    }
+
+    override fun timeout(ts: TransitionSystem, key: String) = failInt(ts, key)
+}
+
+/** Leaves work for the next cycle that changes nothing of the agent; it writes, for example, the agent to a file. */
+class later : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        thread { ts.runAtBeginOfNextCycle { DONE.incrementAndGet() } }.join()
+        ts.runAtBeginOfNextCycle { DONE.incrementAndGet() }
+    }
+
+    companion object {
+        val DONE = AtomicLong()
+    }
+}
+
+/** Leaves work for the next cycle that adds a belief. */
+class afterwards : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        ts.runAtBeginOfNextCycle { ts.ag.addBel(ASSyntax.createLiteral("late")) }
+    }
+}
+
+/** Sends a message besides its result. */
+class reports : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = true.also {
+        ts.agArch.sendMsg(Message("tell", ts.agArch.agName, "boss", ASSyntax.createLiteral("done")))
+    }
+}
+
+/** Gives a Java object. */
+class today : DefaultInternalAction() {
+    override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = un.unifies(args[0], ObjectTermImpl(Date(0)))
 }
 
 /** A function that drifts. */

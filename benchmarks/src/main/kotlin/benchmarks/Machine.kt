@@ -1,6 +1,8 @@
 package benchmarks
 
+import com.sun.management.OperatingSystemMXBean
 import java.io.File
+import java.lang.management.ManagementFactory
 
 /** Describes this machine in a few words. */
 fun machine(): String =
@@ -16,3 +18,6 @@ internal fun residentMb(figure: String): Double {
     if (!status.exists()) return Double.NaN
     return status.readLines().first { it.startsWith(figure) }.filter(Char::isDigit).toDouble() / 1024
 }
+
+/** Returns the processor time of this process so far, in ns. */
+internal fun processNanos(): Long = (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime

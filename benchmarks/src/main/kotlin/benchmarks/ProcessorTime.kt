@@ -1,6 +1,5 @@
 package benchmarks
 
-import com.sun.management.OperatingSystemMXBean
 import javino.LineSettings
 import javino.PortException
 import javino.Protocol
@@ -35,9 +34,7 @@ private fun runBoard(port: String, speaks: Protocol) {
     }
 }
 
-private fun processorNanos(without: Thread): Long =
-    (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime -
-        ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
+private fun processorNanos(without: Thread): Long = processNanos() - ManagementFactory.getThreadMXBean().getThreadCpuTime(without.id)
 
 private const val WARM_UP_MS = 60_000L
 private const val MEASURED_MS = 10_000L

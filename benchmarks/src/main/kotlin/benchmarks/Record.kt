@@ -1,5 +1,7 @@
 package benchmarks
 
+import argo.Arch
+import argo.platform.Platform
 import argo.recording.replay.Recording
 import argo.recording.replay.Replay
 import javino.sim.Sketch
@@ -99,6 +101,33 @@ private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVA
     }
     TimedArch.times = null
     return Drive(times, board.messages - before, writing)
+}
+
+/** An agent whose reasoning cycles are measured: see [times]. */
+class TimedArch(platform: Platform) : Arch(platform) {
+    private var begunNs = 0L
+
+    constructor() : this(Platform.system)
+
+    override fun reasoningCycleStarting() {
+        begunNs = threads.currentThreadCpuTime
+        super.reasoningCycleStarting()
+    }
+
+    override fun reasoningCycleFinished() {
+        super.reasoningCycleFinished()
+        times?.add(threads.currentThreadCpuTime - begunNs)
+    }
+
+    companion object {
+        private val threads = ManagementFactory.getThreadMXBean()
+
+        /**
+         * Takes the processor time of the agent's thread in each cycle, in ns; null: it is not measured. Read it only when no agent runs.
+         */
+        @Volatile
+        var times: MutableList<Long>? = null
+    }
 }
 
 /** A board whose twelve percepts all change each time. */

@@ -5,7 +5,6 @@ import java.util.zip.CRC32
 /** The log time of a message, and its place in the records of its chunk. */
 internal class IndexEntry(val logTimeNs: Long, val offset: Long)
 
-/** The chunk that is being filled. */
 internal class ChunkBytes {
     private val index = LinkedHashMap<Int, MutableList<IndexEntry>>()
 
@@ -13,7 +12,6 @@ internal class ChunkBytes {
 
     val size: Int get() = records.size
 
-    /** The numbers of the channels of the chunk's messages. */
     val channels: Set<Int> get() = index.keys
 
     /** The range of the log times of the chunk's messages; null: it has none. */

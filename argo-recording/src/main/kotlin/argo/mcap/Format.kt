@@ -3,7 +3,6 @@ package argo.mcap
 /** The bytes with which a file begins and ends; the sixth is the version of the format. */
 internal val MAGIC = byteArrayOf(0x89.toByte()) + "MCAP0\r\n".encodeToByteArray()
 
-/** The place of the version in [MAGIC]. */
 internal const val VERSION_AT = 5
 
 /** The first byte of a record: its kind. */
@@ -28,5 +27,4 @@ internal object Op {
 /** The number of bytes before a record's content: its kind, and the length of the content. */
 internal const val RECORD_HEAD_BYTES = 9
 
-/** The number of bytes of a footer's content. */
 internal const val FOOTER_BYTES = 20

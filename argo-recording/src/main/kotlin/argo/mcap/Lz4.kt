@@ -75,7 +75,6 @@ internal class Lz4 {
             (data[at + 3].toInt() shl 24)
 
     companion object {
-        /** The name of the compression in a chunk. */
         const val NAME = "lz4"
 
         /** The head of a frame: the magic number, the flags for independent blocks of at most 4 MB, and the checksum of the flags. */

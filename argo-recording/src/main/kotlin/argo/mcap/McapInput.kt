@@ -14,7 +14,6 @@ internal class McapInput(val path: Path) : AutoCloseable {
     /** The length of the file when it was opened. */
     val size = file.size()
 
-    /** Returns the [length] bytes of the file from [at] on. */
     fun read(at: Long, length: Long): ByteBuffer {
         if (length > MAX_RECORD_BYTES) throw McapException("a record of $length bytes, more than $MAX_RECORD_BYTES")
         val bytes = ByteBuffer.allocate(length.toInt()).order(ByteOrder.LITTLE_ENDIAN)
@@ -24,7 +23,6 @@ internal class McapInput(val path: Path) : AutoCloseable {
         return bytes.flip()
     }
 
-    /** Returns the checksum of the [length] bytes of the file from [at] on. */
     fun checksum(at: Long, length: Long): Long {
         val checksum = CRC32()
         for (from in 0 until length step BLOCK_BYTES) checksum.update(read(at + from, minOf(BLOCK_BYTES, length - from)))

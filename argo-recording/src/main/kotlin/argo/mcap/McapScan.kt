@@ -6,7 +6,6 @@ import java.util.zip.CRC32
 
 /** A part of the file with whole records of messages. [times] is the range of their log times. */
 internal class MessagePart(private val at: Long, private val length: Long, private val packed: Packed, val times: LongRange) {
-    /** Returns the records of this part, read from [input]. */
     fun records(input: McapInput): ByteBuffer = packed.unpacked(input.read(at, length))
 }
 
@@ -22,7 +21,6 @@ internal class Packed(private val compression: String, private val bytes: Long) 
     }
 }
 
-/** The contents of a file, and their places. */
 internal class McapContents {
     val schemas = HashMap<Int, McapSchema>()
     val channels = LinkedHashMap<Int, McapChannel>()

@@ -2,6 +2,7 @@ package argo.mcap
 
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
+import java.util.zip.CRC32
 
 /** A growing buffer that writes values in the formats of MCAP: little-endian numbers, texts and maps behind their length. */
 internal class RecordBytes(capacity: Int = 256) {
@@ -33,7 +34,6 @@ internal class RecordBytes(capacity: Int = 256) {
 
     fun map(values: Map<String, String>) = sized { values.forEach { (name, value) -> text(name).text(value) } }
 
-    /** Writes a record of kind [op] whose content [write] writes. */
     fun record(op: Int, write: RecordBytes.() -> Unit) = apply {
         val at = u8(op).size
         u64(0).write()
@@ -55,4 +55,21 @@ internal class RecordBytes(capacity: Int = 256) {
         }
         return buffer
     }
+}
+
+internal fun RecordBytes.schema(schema: McapSchema) =
+    record(Op.SCHEMA) { u16(schema.id).text(schema.name).text(schema.encoding).text(schema.text) }
+
+internal fun RecordBytes.channel(channel: McapChannel) = record(Op.CHANNEL) {
+    u16(channel.id).u16(channel.schema?.id ?: 0).text(channel.topic).text(channel.messageEncoding).map(channel.metadata)
+}
+
+internal fun RecordBytes.attachment(name: String, mediaType: String, data: ByteArray, timeNs: Long) = record(Op.ATTACHMENT) {
+    val from = size
+    u64(timeNs).u64(timeNs).text(name).text(mediaType).u64(data.size.toLong()).bytes(data)
+    u32(CRC32().apply { update(array(), from, size - from) }.value)
+}
+
+internal fun RecordBytes.messageIndex(channel: Int, entries: List<IndexEntry>) = record(Op.MESSAGE_INDEX) {
+    u16(channel).sized { entries.forEach { u64(it.logTimeNs).u64(it.offset) } }
 }

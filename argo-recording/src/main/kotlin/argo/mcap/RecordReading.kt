@@ -2,7 +2,6 @@ package argo.mcap
 
 import java.nio.ByteBuffer
 
-/** Throws unless the rest of this record has [bytes] more bytes. */
 private fun ByteBuffer.need(bytes: Long) {
     if (bytes < 0 || bytes > remaining()) throw McapException("a record is shorter than what it is to hold")
 }
@@ -41,7 +40,6 @@ internal fun ByteBuffer.map(): Map<String, String> {
     return buildMap { while (entries.hasRemaining()) put(entries.text(), entries.text()) }
 }
 
-/** Calls [take] with the kind and the content of each record in this buffer. */
 internal inline fun ByteBuffer.forEachRecord(take: (op: Int, content: ByteBuffer) -> Unit) {
     while (hasRemaining()) {
         val op = get().toInt() and 0xFF

@@ -1,5 +1,7 @@
 package argo.mcap
 
+import java.io.IOException
+
 /**
  * The schema of the messages of some channels.
  *
@@ -60,3 +62,6 @@ class McapAttachment internal constructor(val name: String, val mediaType: Strin
 
 /** Names and values under a name, such as versions. */
 data class McapMetadata(val name: String, val values: Map<String, String>)
+
+/** A file cannot be read as MCAP, or holds something that this version cannot read. The message is for a person. */
+class McapException(message: String) : IOException(message)

@@ -21,6 +21,17 @@ data class Cycle(
     val isEnding: Boolean = false,
     @Holds("whether printed lines may be missing, as Java was ending")
     val missesPrints: Boolean = false,
+    @Holds("why no replay can have this cycle, and ends before it; missing: one can")
+    val refusal: Refusal? = null,
+)
+
+/** The reason why a cycle cannot be replayed. */
+@Serializable
+data class Refusal(
+    @Holds("the reason, a sentence for a person")
+    val why: String,
+    @Holds("whether it is the project's own code, which replay --check carries out again, so that it goes on")
+    val isOfProject: Boolean = false,
 )
 
 /** The input that entered an agent in a cycle. */
@@ -99,7 +110,7 @@ data class Mail(
 data class End(
     @Holds("its number, in the order in which the agent began things; 0: another thread began it")
     val number: Int,
-    @Holds("timer, call of an internal action, action of the environment, or thread: work that another thread left")
+    @Holds("timer, call of an internal action, action of the environment; thread: work that another thread left, work: that of the project")
     val kind: String,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,

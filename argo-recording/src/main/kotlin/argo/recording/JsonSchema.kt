@@ -22,7 +22,6 @@ import kotlinx.serialization.json.putJsonObject
 @Target(AnnotationTarget.PROPERTY)
 annotation class Holds(val text: String)
 
-/** Returns the JSON Schema of messages of [descriptor], with the type and the meaning of each field. */
 internal fun jsonSchema(descriptor: SerialDescriptor): String = "${schemaOf(descriptor)}"
 
 @OptIn(ExperimentalSerializationApi::class)

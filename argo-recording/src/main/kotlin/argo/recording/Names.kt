@@ -9,7 +9,6 @@ const val FORMAT = "2"
 /** The versions that this program reads. Version 1 wrote terms as Jason does. */
 internal val FORMATS = setOf("1", FORMAT)
 
-/** Returns the name of the metadata of the agent called [name]. */
 internal fun agentMetadata(name: String) = "agent/$name"
 
 /** Returns the name of the metadata of the file that [agent] included as its [number]th. */

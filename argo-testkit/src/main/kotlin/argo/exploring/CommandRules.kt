@@ -1,8 +1,6 @@
 package argo.exploring
 
-import jason.asSyntax.ASSyntax
-import jason.asSyntax.parser.ParseException
-import jason.asSyntax.parser.TokenMgrError
+import argo.testkit.literalIn
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
@@ -113,13 +111,7 @@ private class SendsOnly(private val actions: List<String>) : ReadyRule("sends on
         ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
 
     private fun isKnown(command: String): Boolean {
-        val (name, count) = try {
-            ASSyntax.parseLiteral(command).let { it.functor to it.arity }
-        } catch (_: ParseException) {
-            command to 0
-        } catch (_: TokenMgrError) {
-            command to 0
-        }
+        val (name, count) = literalIn(command)?.let { it.functor to it.arity } ?: (command to 0)
         return "$name/$count" in actions || "$name/*" in actions || count == 0 && name in actions
     }
 }

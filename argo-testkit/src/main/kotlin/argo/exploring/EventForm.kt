@@ -1,5 +1,13 @@
 package argo.exploring
 
+import java.io.StringReader
+import javax.json.Json
+import javax.json.JsonException
+import javax.json.JsonNumber
+import javax.json.JsonObject
+import javax.json.JsonString
+import javax.json.JsonValue
+import javax.json.stream.JsonParser
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
@@ -16,7 +24,7 @@ internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) 
     val json: String
         get() = (listOf("event" to kind) + fields).joinToString(",", "{", "}") { (name, value) ->
             if (value is Duration) "\"${name}_ms\":${value.inWholeMilliseconds}"
-            else "\"$name\":${if (value is Int) "$value" else jsonText("$value")}"
+            else "\"$name\":${if (value is Int) "$value" else Json.createValue("$value")}"
         }
 
     fun with(index: Int, value: Any) =
@@ -45,12 +53,11 @@ internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) 
         }
     }
 
-    private fun field(name: String): Any? = fields.find { it.first == name }?.second
+    fun field(name: String): Any? = fields.find { it.first == name }?.second
 
     private fun wrong(expected: String) = IllegalArgumentException("an event $kind has other fields: $expected, in $json")
 }
 
-/** The kinds of events. */
 internal val KINDS = listOf(
     "Reads", "Flickers", "Unplugged", "Hangs", "IgnoresRequests", "AnswersLate", "Restarts", "Garbles", "Floods", "Hears", "MessagesLate",
 )
@@ -89,13 +96,31 @@ fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n
  *
  * @throws IllegalArgumentException if they cannot be read
  */
-fun eventsOf(json: String): List<WorldEvent> = FlatJson(json).objects().map { fields ->
-    val kind = fields["event"] as? String
+fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonObject ?: throw noEvents("$it is no object")).event() }
+
+/** Reads with Jason's own library for JSON: the filters' one has other names within `argo.jar`. */
+private fun arrayIn(json: String): List<JsonValue> = try {
+    Json.createParser(StringReader(json)).use { parser ->
+        if (parser.next() != JsonParser.Event.START_ARRAY) throw noEvents("it is no array")
+        parser.array.also { parser.hasNext() } // which refuses any text behind it
+    }
+} catch (unreadable: JsonException) {
+    throw noEvents("${unreadable.message}")
+}
+
+private fun noEvents(reason: String) = IllegalArgumentException("these are no events in JSON: $reason")
+
+private fun JsonObject.event(): WorldEvent {
+    val kind = (get("event") as? JsonString)?.string
         ?: throw IllegalArgumentException("an event has a field \"event\", its kind: ${KINDS.joinToString()}")
-    EventForm(
-        kind,
-        (fields - "event").map { (name, value) ->
-            if (name.endsWith("_ms") && value is Int) name.removeSuffix("_ms") to value.milliseconds else name to value
-        },
-    ).event()
+    val fields = minus("event").map { (name, value) ->
+        val whole = (value as? JsonNumber)?.takeIf { it.isIntegral }?.bigIntegerValue()?.takeIf { it.bitLength() < Int.SIZE_BITS }?.toInt()
+        when {
+            value is JsonString -> name to value.string
+            whole == null -> throw noEvents("\"$name\" is a text or a whole number, not $value")
+            name.endsWith("_ms") -> name.removeSuffix("_ms") to whole.milliseconds
+            else -> name to whole
+        }
+    }
+    return EventForm(kind, fields).event()
 }

@@ -19,7 +19,7 @@ import kotlin.time.TimeSource
  * @return the number and the time of the runs, if all rules were kept
  * @throws AssertionError if a rule is broken, with the run made as short as it gets, in words and as a spec; or if the agents are not
  *     deterministic
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or no agent opens one of them
  */
 fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
     when (val outcome = outcomeOf(source, describe)) {
@@ -33,19 +33,20 @@ fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Searc
 /**
  * Plays [events] against the agents in [source], once, and returns the run. The same events give the same run.
  *
- * @throws IllegalArgumentException as [explore]
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or an event is about a board, a
+ *     sensor or an agent that is not there
  */
-fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).play(events)
+fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).playWritten(events)
 
 /**
  * Plays [events] against the agents in [source] and checks the rules: the spec that [explore] prints calls it.
  *
  * @throws AssertionError if a rule is broken
- * @throws IllegalArgumentException as [explore]
+ * @throws IllegalArgumentException as [runOf]
  */
 fun shouldKeepRules(source: String, vararg events: WorldEvent, describe: Exploration.() -> Unit): Run {
     val scenario = scenario(source, describe)
-    val run = scenario.play(events.toList())
+    val run = scenario.playWritten(events.toList())
     val (rule, breach) = scenario.breachIn(run) ?: return run
     throw AssertionError("the rule \"${rule.name}\" is broken after ${inMs(breach.at)}: ${breach.how}\n${storyOf(run)}")
 }

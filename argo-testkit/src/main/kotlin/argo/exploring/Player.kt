@@ -31,7 +31,7 @@ internal class Player(private val exploration: Exploration, private val events: 
             recorder.record(NeverRests(recorder.now, busy.message.orEmpty().lineSequence().first()))
         }
         recorder.isOver = true
-        Run(events, recorder.trace(), recorder.now, mas.all.map(TestAgent::name), arrived())
+        Run(events, recorder.trace(), recorder.now, mas.all.map(TestAgent::name), arrived(), opened())
     }
 
     private fun drive() {
@@ -90,6 +90,9 @@ internal class Player(private val exploration: Exploration, private val events: 
 
     private fun arrived(): Map<String, List<String>> =
         mas.all.flatMap { agent -> agent.platform.named().map { (port, board) -> "${agent.name} $port" to board.commands } }.toMap()
+
+    private fun opened(): Set<String> =
+        mas.all.flatMap { agent -> agent.platform.named().filterValues(Board::wasOpened).keys }.toSet()
 
     private companion object {
         /** Fewer than in a test: an agent that repeats a failing step at once grows with each cycle, and there are many runs. */

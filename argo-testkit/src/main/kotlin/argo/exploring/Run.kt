@@ -86,6 +86,7 @@ data class NeverRests(override val at: Duration, val what: String) : TraceEntry
  * @property ended its length
  * @property agents the names of its agents
  * @property arrived the commands that have arrived at each board, in their order
+ * @property opened the ports that its agents have opened
  */
 class Run internal constructor(
     val events: List<WorldEvent>,
@@ -93,6 +94,7 @@ class Run internal constructor(
     val ended: Duration,
     val agents: List<String>,
     val arrived: Map<String, List<String>>,
+    internal val opened: Set<String>,
 ) {
     /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }

@@ -88,6 +88,23 @@ internal class Scenario(private val program: Program, private val source: String
     /** Plays a run with [events], in the order of their times. */
     fun play(events: List<WorldEvent>): Run = Player(exploration, events.sortedBy { it.at }).play(program)
 
+    /**
+     * Plays [events] that a person has written.
+     *
+     * @throws IllegalArgumentException if one is about a board, a sensor or an agent that is not there, so that nothing would happen
+     */
+    fun playWritten(events: List<WorldEvent>): Run {
+        events.map { it.form }.forEach { form ->
+            val board = form.field("board")
+            requireThere(form, board, exploration.boards.keys)
+            requireThere(form, form.field("sensor"), exploration.boards[board]?.sensors.orEmpty().map { it.name })
+        }
+        return play(events).also { run -> events.map { it.form }.forEach { requireThere(it, it.field("agent"), run.agents) } }
+    }
+
+    private fun requireThere(event: EventForm, wanted: Any?, there: Collection<String>) =
+        require(wanted == null || wanted in there) { "${event.kotlin} is about $wanted, and there are only ${there.joinToString()}" }
+
     /** Returns the first rule that [run] breaks, and where; null: all are kept. */
     fun breachIn(run: Run): Pair<Rule, Breach>? =
         exploration.kept.mapNotNull { rule -> rule.breachIn(run)?.let { rule to it } }.minByOrNull { (_, breach) -> breach.at }
@@ -112,5 +129,4 @@ internal fun AgentSetUp.describedBy(exploration: Exploration, state: WorldState)
     }
 }
 
-/** Returns the length of a run with [events]. */
 internal fun Exploration.lengthOf(events: List<WorldEvent>): Duration = (events.maxOfOrNull { it.ends } ?: Duration.ZERO) + settling

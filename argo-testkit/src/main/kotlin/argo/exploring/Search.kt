@@ -47,6 +47,7 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     private val exploration = scenario.exploration
     private var runs = 0
     private var played = Duration.ZERO
+    private val opened = HashSet<String>()
 
     fun look(): Outcome {
         val end = clock.markNow() + exploration.time
@@ -69,6 +70,7 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
             left--
             outcome(seed, hit, play(hit))?.let { return it }
         }
+        requireOpened()
         return NothingFound(runs, played)
     }
 
@@ -95,10 +97,20 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     private fun play(events: List<WorldEvent>): Run = scenario.play(events).also {
         runs++
         played += it.ended
+        opened += it.opened
     }
 
     private fun requireAgents(run: Run) = exploration.messages.forEach {
         require(it.agent in run.agents) { "a message is for the agent ${it.agent}; there are ${run.agents.joinToString()}" }
+    }
+
+    /** Refuses a board that nothing can have happened to: its name may be misspelt. */
+    private fun requireOpened() {
+        val missed = exploration.boards.keys - opened
+        require(missed.isEmpty()) {
+            val found = opened.joinToString().ifEmpty { "none" }
+            "no agent has opened the port ${missed.first()} of a board that is described; opened were: $found"
+        }
     }
 
     private companion object {

@@ -18,7 +18,7 @@ import kotlin.time.Duration.Companion.nanoseconds
 /** Records the trace of a run of [mas], whose threads run one at a time. */
 internal class TraceRecorder(private val mas: TestMas) {
     private val entries = ArrayList<TraceEntry>()
-    private val minds = ArrayList<MindWatch>()
+    private val minds = ArrayList<AgentWatch>()
 
     init {
         mas.observing = { ObserverOf(it) }
@@ -32,7 +32,7 @@ internal class TraceRecorder(private val mas: TestMas) {
 
     /** Watches the reasoning of [agent], which has not begun. */
     fun watch(agent: TestAgent) {
-        minds += MindWatch(agent).also(agent.infra::insertAgArch)
+        minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
 
     /** Returns the trace so far, with the lines that the agents have printed and the waits of their intentions. */
@@ -51,7 +51,7 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     /** Records the numbers of an agent's beliefs, intentions and events after each of its cycles. */
-    private inner class MindWatch(val agent: TestAgent) : AgArch(), Transparent {
+    private inner class AgentWatch(val agent: TestAgent) : AgArch(), Transparent {
         private var last: MindSize? = null
         private var waiting = emptyMap<String, Pair<String, Duration>>()
         private var said = 0

@@ -5,6 +5,7 @@ import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
 import jason.asSyntax.LogicalFormula
 import jason.asSyntax.Trigger
 import jason.asSyntax.directives.DirectiveProcessor
@@ -47,6 +48,15 @@ internal fun formula(text: String): LogicalFormula = parsed(text, "a belief or a
 /** @throws IllegalArgumentException if [text] is not a goal */
 internal fun goal(text: String): Trigger = parsed(text, "a goal such as patrol or goto(3,_)") {
     ASSyntax.parseTrigger("+!" + text.removePrefix("+").removePrefix("!"))
+}
+
+/** Reads [text] as a literal; null: it is none. */
+internal fun literalIn(text: String): Literal? = try {
+    ASSyntax.parseLiteral(text)
+} catch (_: ParseException) {
+    null
+} catch (_: TokenMgrError) {
+    null
 }
 
 internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try {

@@ -35,7 +35,6 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     /** All records, in their order. */
     val entries: List<Entry> get() = all
 
-    /** Returns the lines that [agent] printed. */
     fun printedBy(agent: String): List<String> = all.filter { it.isPrinted && it.isOf(agent) }.map { it.text }
 
     override fun publish(record: LogRecord) {

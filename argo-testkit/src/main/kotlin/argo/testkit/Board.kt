@@ -281,7 +281,6 @@ class Board internal constructor(private val time: VirtualTime) {
     /** Its [arrivals], each with true if an expectation has taken it. */
     internal val accounted: List<Pair<Arrival, Boolean>> get() = arrivals.mapIndexed { i, arrival -> arrival to (i in taken) }
 
-    /** The commands that no expectation has taken. */
     internal val unexpected: List<String> get() = commands.filterIndexed { i, _ -> i !in taken }
 
     /** Takes [command] if it has arrived at an [acceptable time][isTimely] and no expectation has taken it. */
@@ -290,6 +289,10 @@ class Board internal constructor(private val time: VirtualTime) {
             ?: return false
         return taken.add(index)
     }
+
+    /** True if its port has been opened at least once. */
+    internal var wasOpened = false
+        private set
 
     /** True if its port exists. */
     internal val isPresent: Boolean get() = isConnected
@@ -311,6 +314,7 @@ class Board internal constructor(private val time: VirtualTime) {
         if (openingNanos > 0) time.block(time.nanos() + openingNanos, interruptible = false) { false }
         if (!isConnected) throw NoSuchPortException(port, "there is no port $port")
         refusal?.let { throw it(port) }
+        wasOpened = true
     }
 
     internal fun open(port: String, settings: LineSettings): Transport {

@@ -1,11 +1,14 @@
 package argo.testkit
 
+import argo.boundary.Transparent
 import jason.architecture.AgArch
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
+import jason.asSyntax.Structure
 import jason.environment.Environment
+import jason.environment.EnvironmentInfraTier
 import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
@@ -101,4 +104,25 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
             "this agent under test has no environment, so it can only do internal actions: " +
                 "argo.act speaks to its board, and \"environment = …\" gives it one"
     }
+}
+
+/** The infrastructure of the environment of agents under test. */
+internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier {
+    override fun informAgsEnvironmentChanged(vararg agents: String) =
+        mas.running().filter { agents.isEmpty() || it.name in agents }.forEach { it.infra.wake() }
+
+    override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
+
+    override fun isRunning(): Boolean = mas.running().isNotEmpty()
+
+    override fun actionExecuted(agent: String, action: Structure, success: Boolean, infraData: Any?) =
+        throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
+}
+
+/** Counts how often the agent has perceived something new; it is the first of its architectures. */
+internal class PerceptionCounter : AgArch(), Transparent {
+    var perceptions = 0
+        private set
+
+    override fun perceive(): MutableCollection<Literal>? = super.perceive().also { if (it != null) perceptions++ }
 }

@@ -44,7 +44,6 @@ class TestMas internal constructor() : AutoCloseable {
     /** The agents in the order in which they were made, also those that have been stopped. */
     internal val all: List<TestAgent> get() = made
 
-    /** The agent that was made first. */
     internal val first: TestAgent get() = made.first()
 
     /** Advances time by [duration]. */
@@ -99,10 +98,8 @@ class TestMas internal constructor() : AutoCloseable {
     internal fun newName(base: String): String =
         (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { it !in names }
 
-    /** Returns the agents that run. */
     internal fun running(): List<TestAgent> = agents.values.filter { it.isRunning }
 
-    /** Returns the agent called [name], if it runs. */
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
     /** Takes [message] to its receiver; if that is not in the test, the message is lost. */

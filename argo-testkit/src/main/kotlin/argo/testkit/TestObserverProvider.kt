@@ -15,7 +15,6 @@ class TestObserverProvider : AgentObserverProvider {
         VirtualTime.active()?.mas?.observing?.invoke(agent)
 
     internal companion object {
-        /** The option that asks for it. */
         const val OPTION = "argo_tested"
     }
 }

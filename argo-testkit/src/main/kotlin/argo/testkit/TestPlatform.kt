@@ -39,6 +39,5 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     /** Returns the boards on the ports that have been named, by these names. */
     fun named(): Map<String, Board> = boards
 
-    /** Returns all boards. */
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)
 }

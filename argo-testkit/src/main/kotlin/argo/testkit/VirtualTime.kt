@@ -53,7 +53,6 @@ internal class VirtualTime : LineClock {
         return { timers -= timer }
     }
 
-    /** Advances time by [nanos]. */
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
     /**
@@ -84,7 +83,6 @@ internal class VirtualTime : LineClock {
     /** Returns the names of the threads that have not ended. */
     fun living(): List<String> = threads.filter { !it.over }.map { it.name }
 
-    /** Interrupts all threads. */
     fun interruptAll() = threads.forEach { it.interrupt() }
 
     /** The thread of this time that runs now; null: the driver. */

@@ -38,10 +38,15 @@ class EventsSpec : FunSpec({
         "[{\"event\":\"Flies\",\"at_ms\":1}]" to "there is no event Flies; there are Reads",
         "[{\"event\":\"Hangs\",\"at_ms\":1,\"board\":\"x\"}]" to "\"lasts_ms\" is a whole number of ms",
         "[{\"at_ms\":1}]" to "a field \"event\"",
-        "[{\"event\":\"Hangs\"," to "line 1, column 19: expected '\"'",
-        "[\n{\"event\":\"Hangs\",\"at_ms\":1.5}]" to "line 2, column 27: expected '}'",
-        "[] x" to "expected nothing more",
-        "[{\"event\":\"\\u12" to "expected the end of a text",
+        "[{\"event\":\"Hangs\"," to "these are no events in JSON: ",
+        "[\n{\"event\":\"Hangs\" \"at_ms\":1}]" to "line no=2",
+        "[{\"event\":\"Hangs\",\"at_ms\":1.5}]" to "\"at_ms\" is a text or a whole number, not 1.5",
+        "[{\"event\":\"Floods\",\"messages\":99999999999}]" to "\"messages\" is a text or a whole number, not 99999999999",
+        "[] x" to "these are no events in JSON: ",
+        "{}" to "it is no array",
+        "[1]" to "1 is no object",
+        "" to "these are no events in JSON: ",
+        "[{\"event\":\"\\u12" to "these are no events in JSON: ",
     ).forEach { (json, why) ->
         test("$json is refused in words") {
             shouldThrow<IllegalArgumentException> { eventsOf(json) }.message shouldContain why

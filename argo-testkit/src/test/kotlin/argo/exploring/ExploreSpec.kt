@@ -92,6 +92,28 @@ class ExploreSpec : FunSpec({
         passed.runs shouldBe 7 // and two without events
     }
 
+    test("a board whose port no agent opens is refused, since nothing can happen to it") {
+        val refused = shouldThrow<IllegalArgumentException> {
+            explore(program(quiet)) {
+                board("ttyACM1") { sensor("light(%d)", 0..9) }
+                runs = 2
+            }
+        }
+        refused.message shouldBe "no agent has opened the port ttyACM1 of a board that is described; opened were: ttyACM0"
+    }
+
+    mapOf(
+        Hangs(1.seconds, "ttyACM1", 1.seconds) to "is about ttyACM1, and there are only ttyACM0",
+        Reads(1.seconds, "ttyACM0", "light", "light(3)") to "is about light, and there are only light(%d)",
+        Hears(1.seconds, "robot", "boss", "tell", "go") to "is about robot, and there are only agent",
+    ).forEach { (event, why) ->
+        test("${event.form.kotlin} is refused, since nothing would happen") {
+            shouldThrow<IllegalArgumentException> {
+                shouldKeepRules(program(quiet), event) { board("ttyACM0") { sensor("light(%d)", 0..9) } }
+            }.message shouldBe "${event.form.kotlin} $why"
+        }
+    }
+
     test("the same events give the same run") {
         val events = listOf(
             Unplugged(1.seconds, "ttyACM0", 700.milliseconds),

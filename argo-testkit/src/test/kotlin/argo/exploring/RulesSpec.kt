@@ -18,7 +18,7 @@ class RulesSpec : FunSpec({
             listOf(Received(time, "robot", "ttyACM0"), Perceived(time, "robot", "ttyACM0", percepts.toList(), time))
         }
     fun run(trace: List<TraceEntry>, events: List<WorldEvent> = emptyList(), ended: Duration = 20.seconds) =
-        Run(events, trace.sortedBy { it.at }, ended, listOf("robot"), emptyMap())
+        Run(events, trace.sortedBy { it.at }, ended, listOf("robot"), emptyMap(), emptySet())
     fun steady(until: Int, vararg percepts: String) = (0..until step 100).flatMap { perceives(it, *percepts) }
 
     class Case(val rule: Rule, val kept: Run, val broken: Run, val at: Int)

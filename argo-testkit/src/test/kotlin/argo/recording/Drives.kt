@@ -2,6 +2,7 @@ package argo.recording
 
 import argo.recording.replay.Difference
 import argo.recording.replay.Recording
+import argo.recording.replay.RefusedCycle
 import argo.recording.replay.Replay
 import argo.testkit.AgentSetUp
 import argo.testkit.TestAgent
@@ -52,13 +53,13 @@ internal fun shouldReplay(file: Path, isChecking: Boolean = false) {
     outcome.cycles shouldBeGreaterThan 0L
 }
 
-/** The outcome of a replay: the numbers of cycles that were run and recorded, and the differences. */
-internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>)
+/** The outcome of a replay: the numbers of cycles that were run and recorded, the differences, and the refused cycles. */
+internal class Outcome(val cycles: Long, val recorded: Int, val differences: List<Difference>, val refusals: List<RefusedCycle>)
 
 /** Replays the recording [file] as a whole; [isChecking] carries the code of these tests out again. */
 internal fun replayOf(file: Path, isChecking: Boolean = false): Outcome = Recording(file).use { recording ->
     Replay(recording, isChecking).use { replay ->
         replay.run()
-        Outcome(replay.cyclesRun, recording.agents.keys.sumOf { recording.cycles(it).count() }, replay.differences)
+        Outcome(replay.cyclesRun, recording.agents.keys.sumOf { recording.cycles(it).count() }, replay.differences, replay.refusals)
     }
 }

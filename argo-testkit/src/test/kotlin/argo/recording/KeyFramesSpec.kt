@@ -128,6 +128,18 @@ class KeyFramesSpec : FunSpec({
         message shouldContain "a loop \"for\""
     }
 
+    test("an agent that believes a Java object, which no key frame can hold") {
+        val file = ring(
+            """
+            !start.
+            +!start <- planted.today(T); +held(T); argo.port(ttyACM0); argo.percepts(open).
+            +dist(front,Cm) <- .print(Cm).
+            """.trimIndent(),
+        )
+        shouldThrow<RecordingException> { replayOf(file) }.message.orEmpty() shouldContain
+            "a belief held a Java object of the class java.util.Date"
+    }
+
     test("a ring without a key frame") {
         val file = ring(reacting) { topic, text -> text.takeUnless { topic.endsWith("/keyframe") } }
         shouldThrow<RecordingException> { replayOf(file) }.message.orEmpty() shouldContain "no key frame to begin with; keep more minutes"

@@ -2,18 +2,41 @@ package argo.recording
 
 import argo.testkit.AgentSetUp
 import argo.testkit.agentOf
+import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.longs.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
+import jason.asSemantics.Event
+import jason.asSemantics.Intention
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.ASSyntax
 import jason.bb.IndexedBB
 import jason.mas2j.ClassParameters
 import jason.util.Config
+import java.lang.ref.WeakReference
+import java.util.concurrent.atomic.AtomicReference
+import kotlin.concurrent.thread
 import kotlin.io.path.exists
 import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.seconds
 
-/** A recording refuses at its beginning, by name, every part that a replay could not have; the agent runs without a recording. */
+/** Has another thread add an event to the agent of [ts], and returns a reference that does not keep it. */
+private fun byThread(ts: TransitionSystem): WeakReference<Event> {
+    val event = Event(ASSyntax.parseTrigger("+ring(1)"), Intention.EmptyInt)
+    thread { ts.c.addEvent(event) }.join()
+    return WeakReference(event)
+}
+
+/**
+ * A recording refuses by name every part that a replay could not have: at its beginning, and the agent runs without one, or where it
+ * happens, and a replay ends there.
+ */
 class RefusedRecordingsSpec : FunSpec({
     fun shouldBeRefused(why: String, setUp: AgentSetUp.() -> Unit) {
         val file = recordingFile()
@@ -57,6 +80,87 @@ class RefusedRecordingsSpec : FunSpec({
             it.after(300.milliseconds)
             it.printed shouldContain "7"
             it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+        }
+    }
+
+    /** Records [steps], which no replay can have because of [why]: those before them are replayed, and the log and the replay name it. */
+    fun shouldBeRefusedThere(steps: String, why: String, ending: String = "a replay without --check ends there") {
+        val (file, log) = logged { recorded("!start. +!start <- +before; .wait(50); $steps; .print(done).") { after(1.seconds) } }
+        log.single { line -> "ends there" in line } shouldBe "argo_record: $why; $ending"
+        val outcome = replayOf(file)
+        outcome.differences.shouldBeEmpty()
+        outcome.refusals.single().why shouldStartWith why
+        outcome.cycles shouldBeGreaterThan 0L
+        outcome.cycles shouldBeLessThan outcome.recorded.toLong()
+    }
+
+    test("an action of the project that has a thread resume its intention; --check carries it out again") {
+        shouldBeRefusedThere("planted.counts(N); .print(N)", "the project's action planted.counts has a thread resume its intention")
+        shouldReplay(recorded("!start. +!start <- planted.counts(N); .print(N).") { after(1.seconds) }, isChecking = true)
+    }
+
+    test("a thread of the project that adds a belief") {
+        shouldBeRefusedThere("planted.tells; .wait(20)", "a thread of the project has changed what agent agent believes")
+    }
+
+    test("an action of the project that adds a belief besides its result") {
+        shouldBeRefusedThere("planted.believes", "the project's action planted.believes changes the agent besides its result")
+    }
+
+    test("work that the project leaves for the next cycle, and that adds a belief") {
+        val (file, log) = logged { recorded("!start. +!start <- +before; .wait(50); planted.afterwards; .wait(50).") { after(1.seconds) } }
+        log.single { line -> "ends there" in line } shouldContain Regex("work that the thread .* left has changed the agent")
+        replayOf(file).run { differences.map { it.what } + refusals.map { "refused" } } shouldBe listOf("refused")
+    }
+
+    test("but not work that changes nothing of the agent, which a replay leaves out") {
+        val (file, log) = logged { recorded("!start. +!start <- planted.later; .wait(50); .print(done).") { after(1.seconds) } }
+        log.filter { line -> "argo_record" in line }.shouldBeEmpty()
+        val before = planted.later.DONE.get()
+        shouldReplay(file)
+        planted.later.DONE.get() shouldBe before
+        shouldReplay(file, isChecking = true)
+        planted.later.DONE.get() shouldBe before + 2
+    }
+
+    test("an action of the project that sends a message besides its result") {
+        shouldBeRefusedThere("planted.reports", "the project's action planted.reports sends a message besides its result")
+    }
+
+    test("a Java object that an action of the project gives") {
+        shouldBeRefusedThere(
+            "planted.today(T); .print(T)",
+            "agent agent got a Java object of the class java.util.Date, which a recording cannot hold", "a replay ends there",
+        )
+    }
+
+    test("a loop that goes on with results of an action in later cycles") {
+        shouldBeRefusedThere(
+            "for (planted.ways(X)) { .wait(20) }",
+            "a loop goes on with results of planted.ways from an earlier cycle", "a replay ends there",
+        )
+    }
+
+    test("an agent whose recording has ended keeps no event that a thread adds later") {
+        val file = recordingFile()
+        val ended = AtomicReference<TransitionSystem>()
+        ControlledArch.live = ended::set
+        try {
+            agentOf("""!start. +!start <- .add_plan("+!x(X) <- jason.planted.unheard(X)."); .wait(50); !x(X); .print(X).""") {
+                arch = ::ControlledArch
+                options("argo_record" to "$file")
+            }.use {
+                it.after(300.milliseconds)
+                it.log.single { line -> "runs without a recording" in line } shouldContain "jason.planted.unheard"
+                val events = List(3) { byThread(ended.get()) }
+                it.after(3.seconds)
+                eventually(10.seconds) {
+                    System.gc()
+                    events.first().get() shouldBe null
+                }
+            }
+        } finally {
+            ControlledArch.live = {}
         }
     }
 

@@ -3,7 +3,6 @@ package argo.tools
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolProvider
 import argo.tools.command.WatchedOutput
-import argo.tools.command.messageOf
 import argo.tools.command.refusingInWords
 import javino.Services
 import picocli.CommandLine
@@ -46,11 +45,6 @@ private fun standardCharset(): Charset {
 internal fun tools(): CommandLine = allTools()
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
-    .setExecutionExceptionHandler { failure, command, _ ->
-        val message = messageOf(failure)
-        if (message != null) command.err.println(message) else failure.printStackTrace(command.err)
-        ExitStatus.FAILED
-    }
 
 /** Returns the commands, with those of other modules. */
 internal fun allTools(): CommandLine = CommandLine(Tools()).apply {

@@ -50,14 +50,12 @@ internal class Tools : Runnable {
     override fun run(): Unit = spec.refuseWithout("command")
 }
 
-/** The version of the running jar. */
 internal class JarVersion : IVersionProvider {
     override fun getVersion() = arrayOf(
         "ARGO ${JarVersion::class.java.`package`.implementationVersion ?: "from a build directory"}, Java ${Runtime.version()}",
     )
 }
 
-/** `completion`: a completion script for shells. */
 @Command(
     name = "completion",
     description = [

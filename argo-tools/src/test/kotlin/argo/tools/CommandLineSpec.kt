@@ -97,14 +97,23 @@ class CommandLineSpec : FunSpec({
     }
 
     test("ports names a device that is not there, lists the others, and fails") {
-        val there = tempfile()
-        val said = argo("ports", "/dev/no-such-board", "$there")
+        val there = "/dev/zero"
+        val said = argo("ports", "/dev/no-such-board", there)
         said.status shouldBe 1
         said.err shouldStartWith "there is no port /dev/no-such-board; there are: "
-        said.out shouldContain "$there"
+        said.out shouldContain there
         said.out shouldNotContain "no-such-board"
         argo("ports", "ttyNoSuchBoard9").out.shouldBeEmpty()
-        argo("ports", "$there").status shouldBe 0
+        argo("ports", there).status shouldBe 0
+    }
+
+    test("a file, a folder and a name without characters are no ports") {
+        listOf("${tempfile()}", "${tempdir()}", "").forEach { name ->
+            val said = argo("ports", name)
+            said.status shouldBe 1
+            said.out.shouldBeEmpty()
+            said.err shouldStartWith "there is no port ${name.ifEmpty { "without a name" }}; there are: "
+        }
     }
 
     test("the help of commands whose samples are not there says what they do, and where samples are found") {

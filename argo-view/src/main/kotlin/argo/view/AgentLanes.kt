@@ -10,7 +10,6 @@ internal interface AgentLanes {
 
 /** Makes [AgentLanes]: a service, since recordings need not be on the class path. */
 internal interface AgentLanesProvider {
-    /** Opens the lanes of the agent called [agent]. */
     fun open(agent: String): AgentLanes
 
     companion object {

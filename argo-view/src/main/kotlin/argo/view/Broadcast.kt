@@ -15,7 +15,6 @@ internal class Broadcast {
     private var hasNewPage = false
     private var newest = Published(0, "", isLast = false)
 
-    /** True if there is a page. */
     val isWatched: Boolean get() = lock.withLock { pages > 0 }
 
     /** Returns true if a page has come since the last call. */

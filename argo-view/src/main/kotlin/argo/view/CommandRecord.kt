@@ -23,7 +23,6 @@ internal class CommandRecord {
         if (unfinished.size < MAX_UNFINISHED) unfinished[command.number] = command
     }
 
-    /** Notes the end of [command], at [nanos]. */
     fun ended(command: IssuedCommand, failure: CommandFailure?, nanos: Long) {
         count++
         unfinished -= command.number

@@ -1,6 +1,5 @@
 package argo.view
 
-import com.sun.net.httpserver.HttpExchange
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 
@@ -14,9 +13,11 @@ internal class HttpResponse(
     val status: Int, val type: String, val body: ByteArray, val allow: String? = null, val location: String? = null,
 ) {
     companion object {
+        inline fun <reified T> json(value: T, status: Int = 200, allow: String? = null) =
+            HttpResponse(status, JSON, Json.encodeToString(value).toByteArray(), allow)
+
         /** Makes a response with [message] for a person, as `{"message": …}`. */
-        fun message(status: Int, message: String, allow: String? = null) =
-            HttpResponse(status, JSON, Json.encodeToString(Message.serializer(), Message(message)).toByteArray(), allow)
+        fun message(status: Int, message: String, allow: String? = null) = json(Message(message), status, allow)
 
         /** Refuses a request to a resource that has the method [allowed] only. */
         fun wrongMethod(allowed: String) = message(405, "use $allowed here", allowed)
@@ -31,19 +32,3 @@ internal class HttpResponse(
     @Serializable
     private class Message(val message: String)
 }
-
-/** Begins the response to an exchange with [status], content of [type] and so many bytes; see [HttpExchange.sendResponseHeaders]. */
-internal fun HttpExchange.begin(status: Int, type: String, length: Long) {
-    HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
-    responseHeaders.add("Content-Type", "$type; charset=utf-8")
-    sendResponseHeaders(status, length)
-}
-
-private val HEADERS = mapOf(
-    "Cache-Control" to "no-store",
-    "Content-Security-Policy" to "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; " +
-        "base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
-    "Referrer-Policy" to "no-referrer",
-    "X-Content-Type-Options" to "nosniff",
-    "X-Frame-Options" to "DENY",
-)

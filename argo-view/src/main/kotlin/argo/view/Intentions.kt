@@ -55,7 +55,6 @@ internal fun intentionState(intention: Intention, key: String?): IntentionState 
     )
 }
 
-/** Returns the current step of [means]. */
 private fun step(means: IntendedMeans): String? = means.currentStep?.bodyTerm?.capply(means.unif)?.let { shown("$it") }
 
 private fun planState(means: IntendedMeans): PlanState {

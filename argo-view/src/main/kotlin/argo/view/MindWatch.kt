@@ -11,7 +11,6 @@ import java.util.logging.Logger
  * @param nanos a clock in ns that never goes back
  */
 internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
-    /** True if somebody watches. */
     @Volatile
     var isWatched = false
         set(value) {

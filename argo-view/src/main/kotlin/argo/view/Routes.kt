@@ -23,7 +23,7 @@ internal class Routes(private val agent: ObservedAgent) {
     private val routes: Map<String, Route> = mapOf(
         "/" to Route("GET") { Site.file("view.html", "text/html") },
         "/filters" to Route("GET") { filters() },
-        "/explain" to Route("GET") { explain(it.query.orEmpty()) },
+        "/explain" to Route("GET") { explain(parametersOf(it.query)["percept"]) },
         "/filter" to Route("POST") { request -> request.read<FilterRequest> { changeFilter(it.name) } },
         "/percepts" to Route("POST") { request -> request.read<PerceivingRequest> { perceive(it.open) } },
         "/command" to Route("POST") { request -> request.read<CommandRequest> { act(it.command) } },
@@ -31,7 +31,6 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
 
-    /** Returns the response to [request]. */
     fun respond(request: Request): HttpResponse {
         if (request.method == "GET") lanes?.respond(request.path, request.query)?.let { return it }
         val route = routes[request.path] ?: return HttpResponse.message(404, "there is nothing at ${shown(request.path)}")
@@ -52,7 +51,7 @@ internal class Routes(private val agent: ObservedAgent) {
     }
 
     private fun filters() = findingFilters("filters") {
-        HttpResponse(200, HttpResponse.JSON, Json.encodeToString(Filters.serializer(), Filters(agent.filterNames())).toByteArray())
+        HttpResponse.json(Filters(agent.filterNames()))
     }
 
     private fun changeFilter(name: String?) = findingFilters("the filter $name") {
@@ -78,14 +77,11 @@ internal class Routes(private val agent: ObservedAgent) {
     private fun listed(source: String, problems: List<Problem>) =
         problems.joinToString("\n", "$source is refused:\n") { "line ${it.line}, column ${it.column}: ${it.message}" }
 
-    private fun explain(query: String): HttpResponse {
-        val percept = query.split('&').find { it.startsWith(PERCEPT) }?.removePrefix(PERCEPT)
-            ?: return HttpResponse.message(400, "name the percept: /explain?$PERCEPT…")
-        return try {
-            HttpResponse.message(200, agent.explain(URLDecoder.decode(percept, Charsets.UTF_8)))
-        } catch (wrong: IllegalArgumentException) {
-            HttpResponse.message(400, "the percept cannot be read: ${wrong.message}")
-        }
+    private fun explain(percept: String?): HttpResponse = try {
+        if (percept == null) HttpResponse.message(400, "name the percept: /explain?percept=…")
+        else HttpResponse.message(200, agent.explain(percept))
+    } catch (wrong: IllegalArgumentException) {
+        HttpResponse.message(400, "the percept cannot be read: ${wrong.message}")
     }
 
     private fun perceive(open: Boolean): HttpResponse {
@@ -130,7 +126,6 @@ internal class Routes(private val agent: ObservedAgent) {
     companion object {
         /** The length of the longest request body that is read. */
         const val MAX_BYTES = 10_000
-        private const val PERCEPT = "percept="
         private const val MAX_WAIT_S = 3L
     }
 }
@@ -142,3 +137,13 @@ internal class Routes(private val agent: ObservedAgent) {
  * @property type the content type of [body]
  */
 internal class Request(val method: String, val path: String, val query: String?, val type: String?, val body: ByteArray)
+
+/** Returns the names and values in [query], the part of the address behind `?`, which may be missing. */
+internal fun parametersOf(query: String?): Map<String, String> =
+    query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
+
+private fun decoded(value: String) = try {
+    URLDecoder.decode(value, Charsets.UTF_8)
+} catch (_: IllegalArgumentException) {
+    value // not encoded
+}

@@ -13,7 +13,6 @@ internal class Site {
     /** Adds [page], in front of those of agents of the same name that are about to end. */
     fun add(page: AgentPage) = pages.add(0, page)
 
-    /** Removes [page]. */
     fun remove(page: AgentPage) = pages.remove(page)
 
     /** Returns the tabs of all agents in the order of their names, [MAX_TABS] at most. */

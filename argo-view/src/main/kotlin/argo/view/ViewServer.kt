@@ -1,10 +1,7 @@
 package argo.view
 
 import com.sun.net.httpserver.HttpExchange
-import com.sun.net.httpserver.HttpServer
 import java.io.IOException
-import java.net.InetAddress
-import java.net.InetSocketAddress
 import java.net.URI
 import java.util.concurrent.Semaphore
 import java.util.concurrent.atomic.AtomicBoolean
@@ -24,16 +21,10 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     val site = Site()
     private val seats = Semaphore(MAX_PAGES)
     private val isStarted = AtomicBoolean()
-    private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
     private val threads = RequestThreads(name, nanos)
+    private val server = localServer(port, threads, ::handle)
 
-    init {
-        server.executor = threads
-        server.createContext("/") { exchange -> exchange.use(::handle) }
-    }
-
-    /** Its address for browsers. */
-    val address: URI = URI("http://127.0.0.1:${server.address.port}/")
+    val address: URI = server.uri
 
     /** Begins to serve, unless it has begun. */
     fun start() {
@@ -50,14 +41,12 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     fun closeStalled() = threads.interruptStalled()
 
     private fun handle(exchange: HttpExchange) {
-        val headers = exchange.requestHeaders
         val uri = exchange.requestURI
         val body = exchange.requestBody.readNBytes(Routes.MAX_BYTES + 1)
         threads.stopWaiting()
         val found = site.find(uri.rawPath.orEmpty())
-        val request = Request(exchange.requestMethod, found.path, uri.rawQuery, headers.getFirst("Content-Type"), body)
-        val (host, origin, fetchSite) = listOf("Host", "Origin", "Sec-Fetch-Site").map(headers::getFirst)
-        val refusal = RequestGate.refusal(host, origin, fetchSite, isPage = request.path == "/")
+        val request = Request(exchange.requestMethod, found.path, uri.rawQuery, exchange.requestHeaders.getFirst("Content-Type"), body)
+        val refusal = exchange.refusal(request.path)
         when {
             refusal != null -> exchange.respond(HttpResponse.message(403, refusal))
             found.page == null -> exchange.respond(site.respond(request))
@@ -87,25 +76,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
         )
     }
 
-    private fun HttpExchange.respond(response: HttpResponse) = threads.waiting {
-        response.location?.let { responseHeaders.add("Location", it) }
-        response.allow?.let { responseHeaders.add("Allow", it) }
-        begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-        responseBody.use { it.write(response.body) } // before the rest of a long request is read
-    }
-
-    /** Serves the exchange with [handle], and drops the connection of a browser that has gone or was waited for too long. */
-    private fun HttpExchange.use(handle: (HttpExchange) -> Unit) {
-        try {
-            handle(this)
-        } catch (_: IOException) {
-            // the browser has gone
-        } catch (_: InterruptedException) {
-            // the view is being closed
-        } finally {
-            close()
-        }
-    }
+    private fun HttpExchange.respond(response: HttpResponse) = threads.waiting { send(response) }
 
     private companion object {
         const val EVENTS = "/events"

@@ -35,7 +35,6 @@ internal data class ViewState(
     val agents: List<AgentTab>,
 )
 
-/** The active filter. */
 @Serializable
 internal data class FilterState(val name: String, val words: String)
 
@@ -192,7 +191,6 @@ internal data class CommandState(
 @Serializable
 internal data class Rates(val frames: Double, val handOvers: Double, val commands: Double, val cycles: Double)
 
-/** A [Picture]. */
 @Serializable
 internal data class PictureState(val svg: String, val words: String)
 

@@ -1,6 +1,6 @@
 package benchmarks.boards
 
-import com.sun.management.OperatingSystemMXBean
+import benchmarks.processNanos
 import java.lang.management.ManagementFactory
 
 /** Threads of an agent's process. */
@@ -37,7 +37,7 @@ internal class ProcessorTimes private constructor(val process: Long, private val
             val threads = ManagementFactory.getThreadMXBean()
             val times = threads.getThreadInfo(threads.allThreadIds).filterNotNull()
                 .associate { it.threadId to (groupOf(it.threadName) to maxOf(0, threads.getThreadCpuTime(it.threadId))) }
-            return ProcessorTimes((ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime, times)
+            return ProcessorTimes(processNanos(), times)
         }
 
         private fun groupOf(name: String) = when {

@@ -23,9 +23,9 @@ internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic
 internal fun measureLine(course: StopCourse): LineFigures {
     val (snapshots, sensed) = CourseRun(course, senses(course)).use { run ->
         run.agent.after(SETTLED)
-        val before = run.robot.looked to run.traffic
+        val before = run.robot.looked to run.uno.traffic
         run.agent.after(WINDOW)
-        run.robot.looked - before.first to run.traffic - before.second
+        run.robot.looked - before.first to run.uno.traffic - before.second
     }
     val acted = CourseRun(course, acts(course)).use { run ->
         run.agent.after(SETTLED)
@@ -39,12 +39,12 @@ internal fun measureLine(course: StopCourse): LineFigures {
 
 /** Returns the bytes on the line while [command] is given [COMMANDS] times. */
 private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
-    val before = traffic
+    val before = uno.traffic
     repeat(COMMANDS) {
         command()
         agent.after(BETWEEN)
     }
-    return traffic - before
+    return uno.traffic - before
 }
 
 private operator fun Traffic.div(times: Int) = Traffic((toBoard + times / 2) / times, (toComputer + times / 2) / times)

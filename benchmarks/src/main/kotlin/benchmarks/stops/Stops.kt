@@ -31,7 +31,7 @@ internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = C
     val made = List(stops) { run.stop(course.shortWay, random) }
     run.agent.hears("bench", "achieve", "rest").after(QUIET)
     val worst = made.maxBy { it.response }.timeline
-    Stops(made.map { it.response }, made.map { it.rest }, worst, run.robot.acted, run.sent, run.robot.started)
+    Stops(made.map { it.response }, made.map { it.rest }, worst, run.robot.acted, run.uno.sent, run.robot.started)
 }
 
 private fun publishedAgent(course: StopCourse) = """
@@ -50,11 +50,11 @@ private fun CourseRun.stop(way: Int, random: Random): Stop {
     robot.place(millimetres) { it + late }
     agent.shouldBelieve("dist(f,X) & X > ${WatchedRobot.LIMIT_MM}", within = PATIENCE)
     agent.after(timeFor(way) * random.nextDouble())
-    timeline.clear()
+    uno.timeline.clear()
     agent.hears("bench", "achieve", "again")
     awaitStop()
     val crossedAt = checkNotNull(robot.crossedAt)
-    val events = timeline.since(crossedAt)
+    val events = uno.timeline.since(crossedAt)
     rest(way)
     return Stop(checkNotNull(robot.stoppedAt) - crossedAt, checkNotNull(robot.restsSince) - crossedAt, events)
 }

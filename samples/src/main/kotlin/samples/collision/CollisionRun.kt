@@ -14,18 +14,7 @@ import samples.project.SampleProject
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/**
- * The variables of the experiment.
- *
- * @property filter the agent's filter, `none` for none
- * @property limit the front distance at which the agent stops, in cm
- * @property interval the sensing interval in ms
- * @property baud the line's rate
- * @property sensing the policy by which snapshots are handed to the agent: `fresh`, `every` or `in_cycle`
- * @property port the robot's port, null for the simulated robot
- * @property boards the number of boards of the simulated robot: 1, or 2, the second with its sensors
- * @property seed the seed of the noise of the simulated robot's sensors
- */
+/** The variables of a run, as the options of [CollisionCommand] explain them; [port] is null for the simulated robot. */
 internal data class Levels(
     val filter: String,
     val limit: Int,

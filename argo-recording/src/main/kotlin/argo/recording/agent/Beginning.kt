@@ -1,10 +1,12 @@
 package argo.recording.agent
 
+import argo.observing.isHidden
 import argo.recording.Beginning
 import jason.asSemantics.Event
 import jason.asSemantics.Intention
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
+import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
 
 /** Returns the beliefs and events of the agent of [ts], whose program Jason has just read. */
@@ -13,7 +15,7 @@ internal fun beginningOf(ts: TransitionSystem) =
 
 /**
  * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if it
- * draws a number or reads a clock, or if the agent was made as a copy of another.
+ * draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
@@ -50,3 +52,6 @@ private fun Beginning.intend(ts: TransitionSystem, now: List<String>) {
 }
 
 private fun Literal.placedAs(other: Literal) = also { it.srcInfo = other.srcInfo }
+
+/** Returns the beliefs in [base] as Jason writes them, without rules and beliefs that Jason itself hides. */
+internal fun shownBeliefs(base: BeliefBase): List<String> = base.filterNot { it.isRule || it.isHidden }.map { "$it" }

@@ -16,11 +16,9 @@ import jason.asSyntax.Structure
 internal class Begun {
     private val open = HashMap<Int, (End) -> Unit>()
 
-    /** The number of operations begun so far. */
     var last = 0
         private set
 
-    /** The numbers of the operations that have not ended yet. */
     val numbers: Set<Int> get() = open.keys
 
     /** Continues after [last] begun operations, of which [open] have not ended yet. */
@@ -46,7 +44,6 @@ internal fun complete(action: ActionExec, end: End) {
 internal fun failureOf(action: ActionExec): CallFailure? =
     if (action.result) null else CallFailure(action.failureReason?.let(Literal::toString).orEmpty(), action.failureMsg.orEmpty())
 
-/** A failure as it was recorded. */
 internal class RecordedFailure(failure: CallFailure) : CommandFailure {
     override val error = failure.error
     override val cause = failure.message
@@ -64,16 +61,13 @@ internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> 
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }
 }
 
-/** Returns the failure of a function that threw [failed]. */
 internal fun evaluationFailure(failed: Exception) = CallFailure(if (failed is NoValueException) NO_VALUE else "", failed.message.orEmpty())
 
-/** Returns the exception to throw for the recorded [failure] of a function. */
 internal fun evaluationFailed(failure: CallFailure): Exception =
     if (failure.error == NO_VALUE) NoValueException(failure.message) else JasonException(failure.message)
 
 private const val NO_VALUE = "no_value"
 
-/** Returns the failure of a call that threw [failed]. */
 internal fun callFailure(failed: JasonException) = CallFailure(
     (failed.errorTerms.firstOrNull() as? Structure)?.terms?.firstOrNull()?.let(::textOf).orEmpty(), failed.message.orEmpty(),
 )

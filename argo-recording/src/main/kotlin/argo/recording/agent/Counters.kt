@@ -33,10 +33,8 @@ internal object Counters {
         }
     }
 
-    /** Returns true if an agent has begun an intention since the counters stood at [start]. */
     fun hasNewIntentions(start: List<Int>) = ofIntentions in start.indices && all[ofIntentions].get() != start[ofIntentions]
 
-    /** Returns the number of the last intention when the counters stood at [start]. */
     fun lastIntention(start: List<Int>): Int = start[ofIntentions]
 
     /** Returns the counter before the draw of [message]. A question that waits for its answer draws two numbers. */
@@ -45,7 +43,6 @@ internal object Counters {
         else -> message.removePrefix(Message.msgIdPrefix).toIntOrNull()?.minus(1)
     }
 
-    /** Returns the values of the counters. */
     fun read(): List<Int> = all.map { it.get() }
 
     /** Returns true if the counters stand at [values], which [read] returned. */

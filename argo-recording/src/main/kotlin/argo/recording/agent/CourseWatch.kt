@@ -1,13 +1,18 @@
 package argo.recording.agent
 
+import argo.recording.Course
 import argo.recording.Mail
 import argo.recording.Place
+import argo.recording.Step
+import jason.asSemantics.ActionExec
+import jason.asSemantics.Event
 import jason.asSemantics.Intention
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Plan
+import jason.asSyntax.PlanBody
 import jason.asSyntax.SourceInfo
-import jason.asSyntax.Term
+import jason.asSyntax.Trigger
 import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
@@ -15,7 +20,6 @@ import java.util.WeakHashMap
 internal class CourseWatch(private val ts: TransitionSystem) {
     private val numbers = WeakHashMap<Intention, Int>()
 
-    /** The number of intentions counted so far. */
     var intentions = 0
         private set
 
@@ -37,14 +41,12 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         this.numbers.putAll(numbers)
     }
 
-    /** Begins to observe a cycle. */
     fun begin() {
         selected = ts.c.selectedIntention
         step = null
         prints.begin()
     }
 
-    /** Checks whether Jason has chosen an intention. */
     fun ruleApplied() {
         val now = ts.c.selectedIntention
         if (now === selected) return
@@ -52,12 +54,10 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         if (now != null && !now.isFinished) step = stepOf(now)
     }
 
-    /** Notes that the agent has sent [message]. */
     fun sent(message: Mail) {
         mail += message
     }
 
-    /** Ends the observation of the cycle, and returns its course. */
     fun end(): CourseNote {
         val event = ts.c.selectedEvent
         val sent = if (mail.isEmpty()) emptyList() else mail.also { mail = ArrayList() }
@@ -68,7 +68,6 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     /** True if lines that plans printed may be missing, as Java is ending. */
     val missesPrints: Boolean get() = prints.isClosed
 
-    /** Ends all observation. */
     fun close() = prints.close()
 
     private fun stepOf(intention: Intention): StepNote {
@@ -77,13 +76,9 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return StepNote(numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan), body)
     }
 
-    /** Returns the place of [plan] in the program. */
     fun placeOf(plan: Plan): Place {
         if (places.size >= MAX_CACHED) places.clear()
-        return places.getOrPut(plan) {
-            val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
-            Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
-        }
+        return places.getOrPut(plan) { placeIn(plan) }
     }
 
     private companion object {
@@ -92,11 +87,59 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 }
 
+/** Returns the place of [plan] in its program. */
+internal fun placeIn(plan: Plan): Place {
+    val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
+    return Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
+}
+
 /** Returns the name of the file at [path], which Jason writes as a URL or as the system does: `file:robot.asl` if it is relative. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
-/** Returns [message] in the form of a recording. */
 internal fun mailOf(message: Message, failure: String? = null) = Mail(
     message.ilForce, message.sender, message.receiver,
     contentText(message.propCont), message.msgId, message.inReplyTo, failure,
 )
+
+/** The course of a cycle, whose texts are not made yet. Immutable. */
+internal class CourseNote(
+    private val event: (() -> String)?,
+    private val plan: Place?,
+    private val step: StepNote?,
+    private val action: (() -> String)?,
+    private val mail: List<Mail>,
+    private val printed: List<String>,
+    private val beliefs: Int,
+) {
+    /** The name of the first message that the agent sent; null: it sent none. */
+    val firstMessage: String? get() = mail.firstOrNull()?.id
+
+    val hasHappened: Boolean get() = event != null || step != null
+
+    /** Makes the texts, on any thread. */
+    fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
+}
+
+/** A [Step] whose text need not be made yet; a null [body] means that the plan had ended. */
+internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, body: PlanBody?) {
+    private val line: Int? = body?.srcInfo?.srcLine
+    private val text = body?.run { laterText(listOf(bodyTerm)) { "$bodyType$bodyTerm" } }
+
+    /** Makes the texts, on any thread. */
+    fun step() = Step(intention, depth, plan, line, text?.invoke())
+}
+
+/**
+ * Returns the text of the trigger of this event as it is now: the literal of a belief is the belief itself, which may get other
+ * annotations.
+ */
+internal fun Event.triggerNow(): () -> String {
+    val now = trigger.run { Trigger(operator, type, literal.copy()) }
+    return laterText(listOf(now.literal)) { "$now" }
+}
+
+/** Returns the text of this action as it is now: the environment, which gets the action, may change it. */
+internal fun ActionExec.termNow(): () -> String {
+    val now = actionTerm.copy()
+    return laterText(listOf(now)) { "$now" }
+}

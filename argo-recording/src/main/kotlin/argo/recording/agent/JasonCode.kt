@@ -66,7 +66,6 @@ internal object JasonCode {
     /** Returns true if a replay takes the recorded result of code of this [nature]. */
     fun isRecorded(nature: Nature) = nature == Nature.INPUT || nature == Nature.EFFECT
 
-    /** Returns the name of the internal action of the class [type] in programs. */
     fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
 
     /** Returns true if [type], a class, is Jason's or ARGO's, and no code of a project. */
@@ -75,7 +74,6 @@ internal object JasonCode {
     /** Returns true if [code], an action or a function, is Jason's and not in the table. */
     fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
 
-    /** Returns the name of [code], an action or a function, in programs. */
     fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(code.javaClass.name)
 
     private fun wordsOf(names: String) = names.trim().split(Regex("\\s+"))

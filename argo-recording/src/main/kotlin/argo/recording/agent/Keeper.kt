@@ -1,11 +1,14 @@
 package argo.recording.agent
 
 import argo.insides.Insides
+import argo.platform.SchedulerLayer
 import jason.asSemantics.TransitionSystem
 import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.TimeUnit
 
 /**
  * Owns the timers that an agent begins and the work that other threads leave for it, and carries them out in the agent's cycles: a recorder
@@ -15,7 +18,7 @@ internal interface Keeper {
     /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler do something at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
-    /** Takes [work] that another thread leaves for the beginning of the agent's next cycle. Any thread. */
+    /** Takes [work] that another thread, or code of the project, leaves for the beginning of the agent's next cycle. Any thread. */
     fun left(work: RunnableSerializable)
 
     companion object {
@@ -46,10 +49,14 @@ internal interface Keeper {
     }
 }
 
-/** The work that waits for the beginning of an agent's next cycle. Work that other threads leave goes to [keeper] instead. */
+/**
+ * The work that waits for the beginning of an agent's next cycle. Work that other threads leave goes to [keeper] instead, and work of the
+ * project.
+ */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
-        if (Keeper.current === keeper || task.javaClass.name.startsWith("argo.")) return super.offer(task)
+        val isOwn = task.javaClass.name.startsWith("argo.") || Keeper.current === keeper && JasonCode.isOwn(task.javaClass)
+        if (isOwn) return super.offer(task)
         keeper.left(task)
         return true
     }
@@ -63,5 +70,19 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
             val waiting = Insides.tasks[ts].toList()
             Insides.tasks[ts] = KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) }
         }
+    }
+}
+
+/** Replaces Jason's scheduler: passes the timers that an agent begins in its cycle to its [Keeper], and all others to Jason's scheduler. */
+internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {
+    override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
+        val keeper = Keeper.current ?: return below.schedule(work, delay, unit)
+        return keeper.timer(work, unit.toNanos(delay)) { below.schedule(it, delay, unit) }
+    }
+
+    override fun execute(command: Runnable) = below.execute(command) // work without a delay is no timer
+
+    companion object {
+        fun install() = install(KeptTimers::class.java, Place.AGENT, ::KeptTimers)
     }
 }

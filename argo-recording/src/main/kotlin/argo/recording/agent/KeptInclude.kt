@@ -38,7 +38,6 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
             get() = CURRENT.get()
             set(includes) = if (includes == null) CURRENT.remove() else CURRENT.set(includes)
 
-        /** Does [work] with [includes] as the [current] handler. */
         inline fun <T> within(includes: Includes, work: () -> T): T {
             val around = current
             current = includes
@@ -49,7 +48,6 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
             }
         }
 
-        /** Replaces Jason's directive for the whole program. */
         @Synchronized
         fun install() {
             val below = DirectiveProcessor.getDirective(NAME) as Include
@@ -57,7 +55,6 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
             Insides.directives[null][NAME] = KeptInclude(below)
         }
 
-        /** The directories in which Jason looks for included files. */
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
@@ -72,7 +69,6 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
 
         private const val RUNNING = "."
 
-        /** Returns the name of the file in [directive]. */
         fun fileOf(directive: Pred): String = (directive.getTerm(0) as StringTerm).string.replace('\\', '/')
     }
 }

@@ -17,16 +17,12 @@ import java.io.OutputStream
 import java.io.Serializable
 import java.lang.reflect.Method
 
-/** Stands for a part of the program. */
 private class PartReference(val number: Int) : Serializable
 
-/** Stands for an internal action of the class [type]. */
 private class ActionReference(val type: String) : Serializable
 
-/** Stands for the function [name]. */
 private class FunctionReference(val name: String) : Serializable
 
-/** Stands for the agent. */
 private class AgentReference : Serializable
 
 /**
@@ -121,7 +117,6 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 }
 
-/** The largest number of bytes of a mind. */
 internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
 /** The deepest nesting of objects: each element of a list stands within the element before it. */

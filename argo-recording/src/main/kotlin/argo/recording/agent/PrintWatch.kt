@@ -25,7 +25,6 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
         thread = Thread.currentThread()
     }
 
-    /** Returns the lines since the last call. */
     fun take(): List<String> = if (lines.isEmpty()) emptyList() else lines.also { lines = ArrayList() }
 
     override fun publish(record: LogRecord) {

@@ -22,7 +22,6 @@ internal class ProgramNames(text: String) {
         if (!isAt(at, "{")) blocks else if (isAt(at + 1, "begin")) blocks + 1 else if (isAt(at + 1, "end")) blocks - 1 else blocks
     }
 
-    /** The files that the program includes, in their order. */
     val includes: List<Included> = tokens.indices.filter { isAt(it, "{") }.mapNotNull { at ->
         val name = argumentOf("include", if (isAt(at + 1, "begin")) at + 2 else at + 1)
         name?.let { Included(it.replace('\\', '/'), blocks[at] > 0) }
@@ -36,7 +35,6 @@ internal class ProgramNames(text: String) {
             ?: tokens[at].takeIf { isFunctor(it) && '.' in it.image.drop(1) && (blocks[at] > 0 || isAt(at + 1, "(")) }?.image
     }
 
-    /** The names of the directives in the text. */
     val directives: Set<String> = tokens.indices.filter { isAt(it, "{") && !isAt(it + 1, "end") }
         .mapNotNullTo(LinkedHashSet()) { at -> tokens.getOrNull(if (isAt(at + 1, "begin")) at + 2 else at + 1)?.takeIf(::isFunctor)?.image }
 

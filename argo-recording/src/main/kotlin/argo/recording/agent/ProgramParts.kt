@@ -15,10 +15,8 @@ internal class ProgramParts(val agent: Agent) {
     private val numbers = IdentityHashMap<Any, Int>()
     private val parts = ArrayList<Any>()
 
-    /** The plans of the program. */
     val plans: List<Plan> = Plans.of(agent).all.toList()
 
-    /** The rules of the program. */
     val rules: List<Rule> = agent.bb.filterIsInstance<Rule>()
 
     init {
@@ -26,7 +24,6 @@ internal class ProgramParts(val agent: Agent) {
         rules.forEach(::note)
     }
 
-    /** The number of parts. */
     val size: Int get() = parts.size
 
     private fun visit(plans: Plans) {
@@ -45,10 +42,8 @@ internal class ProgramParts(val agent: Agent) {
     /** Returns the number of [part]; null: the program does not have it. */
     fun numberOf(part: Any): Int? = numbers[part]
 
-    /** Returns the part with this [number]. */
     fun part(number: Int): Any = parts[number]
 
-    /** Returns true if the plans of the agent are those of the program. */
     fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
 
     companion object {

@@ -42,7 +42,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
 
     private var at = 0
 
-    /** Reads the term. */
     fun term(): Term = whole(::next)
 
     /** Reads the literal, where only a literal can stand. */
@@ -51,7 +50,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         if (read.javaClass == Atom::class.java && !text.startsWith("#atom(")) LiteralImpl(read.ns, Literal.LPos, read.functor) else read
     }
 
-    /** Reads the text in quotes. */
     fun quotedText(): String = whole(::quoted)
 
     private inline fun <T> whole(read: () -> T): T {
@@ -107,7 +105,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return text.substring(start, at).toDouble()
     }
 
-    /** Reads a string as Jason does. */
     private fun plainString(): String {
         val start = ++at
         while (peek() != '"') {
@@ -195,7 +192,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return take("~").let { annotated(name(), space, it || isNegated) }
     }
 
-    /** A functor, or a variable and its number. */
     private class Name(val functor: String, val variable: String? = null, val number: Int? = null, val isPlain: Boolean = false)
 
     private fun name(): Name = when {

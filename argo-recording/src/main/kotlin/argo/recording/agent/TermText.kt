@@ -16,7 +16,6 @@ internal fun textOf(term: Term): String = TermWriter().text(term)
 /** Returns the text of [literal] where only a literal can stand, such as a percept or a belief. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
-/** Returns the text of an event with [trigger]. */
 internal fun triggerText(trigger: Trigger): String =
     if (trigger.type.name == SIGNAL) textOf(trigger)
     else "${trigger.operator}${trigger.type}${literalText(trigger.literal)}"

@@ -1,14 +1,23 @@
 package argo.recording.recorder
 
+import argo.observing.IssuedCommand
+import argo.recording.Call
+import argo.recording.CallFailure
+import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.FilterChange
 import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.PerceptChange
+import argo.recording.Refusal
+import argo.recording.Sent
+import argo.recording.agent.CourseNote
 import argo.recording.agent.laterText
 import argo.recording.agent.literalText
+import argo.recording.agent.textOf
 import jason.asSyntax.Literal
+import jason.asSyntax.Term
 
 /** Collects the input of an agent in a cycle. Belongs to the agent's thread, from the end of the cycle on to the thread that stores it. */
 internal class CycleNotes(val ns: Long) {
@@ -27,21 +36,29 @@ internal class CycleNotes(val ns: Long) {
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
 
+    /** The reason why no replay can have this cycle; null: none is known. */
+    var refusal: Refusal? = null
+        private set
+
     /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
     /** True if the cycle has work from earlier cycles: if it only clears an ended intention away, nothing else shows that it happened. */
     var isAtWork = false
 
-    /** True while the agent is sending a message. */
     var isSending = false
 
-    /** Ends the cycle. */
+    /** Notes that no replay can have this cycle because of [why], or only one that carries out the project's code if [isOfProject]. */
+    fun refuse(why: String, isOfProject: Boolean = true) {
+        val known = refusal
+        if (known == null || known.isOfProject && !isOfProject) refusal = Refusal(why, isOfProject)
+    }
+
     fun end() = calls.forEach(CallNote::end)
 
     /** Returns true if nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty() && !isChangedOutside
+        filters.isEmpty() && !isChangedOutside && refusal == null
 
     /** Returns the agent's input, once the cycle is over. */
     fun input() = Input(
@@ -57,4 +74,50 @@ internal class PerceptNote(private val keep: Int, private val now: List<Literal>
     val size: Int get() = now.size
 
     fun change() = PerceptChange(keep, texts(), keepLast)
+}
+
+/** A recorded cycle; the thread that stores it makes its texts. Immutable. */
+internal class CycleNote(
+    val index: Long,
+    val number: Int,
+    private val notes: CycleNotes,
+    private val course: CourseNote,
+    private val isEnding: Boolean,
+    private val missesPrints: Boolean,
+) {
+    val ns: Long = notes.ns
+
+    val percepts: Int get() = notes.percepts?.size ?: 0
+
+    fun cycle() = Cycle(index, number, ns, notes.counters, notes.input(), course.course(), isEnding, missesPrints, notes.refusal)
+}
+
+/**
+ * A call whose result becomes known later, perhaps in parts during the cycle.
+ *
+ * @param args the arguments that the action or function gets: Jason has copied them, but code of the project may change them
+ */
+internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
+    private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }
+    private val answers = ArrayList<Map<Int, String>>()
+    private val commands = ArrayList<Sent>()
+    private var hasEnded = false
+    var value: String? = null
+    var isBacktracking = false
+    var failure: CallFailure? = null
+    var number: Int? = null
+
+    /** Adds another answer to the call. Returns false if a loop finds it in a later cycle, so that it is not recorded. */
+    fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
+
+    fun sent(command: IssuedCommand) {
+        commands += Sent(command.number, command.port, command.text)
+    }
+
+    /** Ends the call with its cycle. */
+    fun end() {
+        hasEnded = true
+    }
+
+    fun call() = Call(name, args(), answers, isBacktracking, failure, number, commands, isOfProject, value)
 }

@@ -2,6 +2,8 @@ package argo.recording.recorder
 
 import jason.asSemantics.CircumstanceListener
 import jason.asSemantics.Event
+import jason.asSyntax.Literal
+import jason.bb.BeliefBase
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
@@ -18,9 +20,13 @@ internal class ForeignEvents(private val isOwn: () -> Boolean) : CircumstanceLis
         if (!isOwn()) added += event
     }
 
-    fun isEmpty(): Boolean = added.isEmpty()
+    val size: Int get() = added.size
 
-    /** Takes all collected events. */
+    /** Returns true if one of the collected events is that of a belief in [beliefs], which the thread has added, too. */
+    fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
+
+    private operator fun BeliefBase.contains(literal: Literal) = contains(literal) != null
+
     fun take(): List<Event> = generateSequence { added.poll() }.toList()
 
     /** Takes [event]; returns false if it is not among the collected ones. */

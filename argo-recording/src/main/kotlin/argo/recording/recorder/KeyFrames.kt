@@ -9,6 +9,7 @@ import argo.recording.agent.CourseWatch
 import argo.recording.agent.MAX_MIND_BYTES
 import argo.recording.agent.Mind
 import argo.recording.agent.ProgramParts
+import argo.recording.agent.TermWriter
 import argo.recording.agent.bytesOf
 import argo.recording.agent.describe
 import argo.recording.agent.literalText
@@ -47,7 +48,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
-    /** Notes that the operation [number] has ended. */
     fun ended(number: Int) {
         timers -= number
     }
@@ -57,7 +57,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         filters[change.port] = change
     }
 
-    /** Notes that the agent perceives [count] percepts. */
     fun perceived(count: Int) {
         mostPercepts = maxOf(mostPercepts, count)
     }
@@ -195,8 +194,13 @@ internal class KeyFrameNote(
     val isThere: Boolean get() = frame.missing == null
 
     /** Makes the texts, on any thread. */
-    fun frame(): KeyFrame =
-        if (!isThere) frame else frame.copy(beliefs = beliefs.map(::literalText), perceived = perceived.map(::literalText), mind = packed())
+    fun frame(): KeyFrame {
+        if (!isThere) return frame
+        val (believed, percepts) = beliefs.map(::literalText) to perceived.map(::literalText)
+        val refused = (believed + percepts).find(TermWriter::isRefused)
+            ?: return frame.copy(beliefs = believed, perceived = percepts, mind = packed())
+        return KeyFrame(frame.index, frame.number, frame.ns, missing = "a belief held ${TermWriter.refusalOf(refused)}")
+    }
 
     private fun packed(): String {
         val bytes = ByteArrayOutputStream()

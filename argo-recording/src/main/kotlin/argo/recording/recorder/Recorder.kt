@@ -23,6 +23,7 @@ import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Includes
+import argo.recording.agent.JasonCode
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
 import argo.recording.agent.KeptInclude
@@ -42,6 +43,7 @@ import argo.recording.agent.watch
 import jason.JasonException
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Agent
+import jason.asSemantics.ConcurrentInternalAction
 import jason.asSemantics.Event
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem
@@ -53,6 +55,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.ScheduledFuture
+import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 
 /**
@@ -70,6 +73,7 @@ internal class Recorder(
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
+    private val works = AtomicInteger() // that wait in the inbox
     private var running: Running? = null
 
     @Volatile
@@ -80,13 +84,13 @@ internal class Recorder(
     @Volatile
     private var inCycle: Thread? = null
 
-    /** The state of a running agent. */
     private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        val events = ForeignEvents { isRefused || inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        var isLast = false // whether the recording ends with the cycle that runs
         var beliefs = -1
         var cycles = 0L
         var number = 0 // Jason's, of the cycle that runs
@@ -97,15 +101,17 @@ internal class Recorder(
     override fun cycleStarting(ts: TransitionSystem) {
         val agent = running ?: begin(ts) ?: return
         if (inCycle != null) endOpenCycle(agent)
-        if (isRefused || !isKnown(agent)) return carryOutEnds(agent)
+        if (isRefused) return carryOutEnds(agent)
         agent.now = CycleNotes(this.agent.nanos())
+        noteUnknownCode(agent)
         agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
-        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
+        refuseForeignBeliefs(agent)
+        noteEvents(agent.now, agent.events.take(), ts)
         agent.now.isAtWork = ts.c.hasRunningIntention() || ts.c.hasEvent() || ts.c.hasMsg() || ts.c.hasFeedbackAction()
         agent.course.begin()
         carryOutEnds(agent)
@@ -124,18 +130,31 @@ internal class Recorder(
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
+        end(agent)
+    }
+
+    /** Ends the recording of the agent, while the agent goes on. */
+    private fun end(agent: Running) {
         isRefused = true
+        agent.ts.c.removeEventListener(agent.events)
         track.close()
     }
 
-    /** Returns true if all added code can be watched; otherwise ends the recording of the agent, while the agent goes on. */
-    private fun isKnown(agent: Running): Boolean = try {
+    /** Notes that the recording of the agent ends with this cycle, if added code cannot be watched. */
+    private fun noteUnknownCode(agent: Running) = try {
         agent.code.watchAdded()
-        true
     } catch (unknown: UnknownCodeException) {
-        refused("${unknown.message}")
-        track.close()
-        false
+        agent.now.refuse("${unknown.message}", isOfProject = false)
+        agent.isLast = true
+        track.told += "${unknown.message}"
+        log.severe("argo_record: ${unknown.message}$WITHOUT")
+    }
+
+    /** Refuses the cycle if a thread of the project has changed the agent's beliefs; of its events alone a replay has all. */
+    private fun refuseForeignBeliefs(agent: Running) {
+        if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
+            agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
+        }
     }
 
     /**
@@ -150,8 +169,26 @@ internal class Recorder(
                     agent.now.ends += arrived.end
                     agent.keyFrames.ended(arrived.end.number)
                 }
-                arrived.work?.run() ?: begun.carryOut(arrived.end)
+                val work = arrived.work
+                if (work == null) begun.carryOut(arrived.end) else carryOut(agent, arrived.end, work)
             }
+        }
+    }
+
+    private fun carryOut(agent: Running, end: End, work: Runnable) {
+        works.decrementAndGet()
+        if (end.kind != WORK) work.run()
+        else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
+    }
+
+    /** Does [work] of the project. Refuses the cycle, with [why], if that changes the agent: a replay does not carry it out. */
+    private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
+        if (isRefused) return work()
+        val before = MindSizes.of(agent.ts)
+        val events = agent.events.size
+        return work().also {
+            val isOfThread = agent.events.size != events
+            if (!isOfThread && MindSizes.of(agent.ts) != before) agent.now.refuse(why())
         }
     }
 
@@ -167,7 +204,7 @@ internal class Recorder(
     }
 
     private fun refused(why: String): Running? {
-        log.severe("argo_record: $why; the agent runs without a recording from now on")
+        log.severe("argo_record: $why$WITHOUT")
         isRefused = true
         return null
     }
@@ -216,7 +253,7 @@ internal class Recorder(
         val around = agent.now.underWay
         agent.now.underWay = note
         try {
-            return noting(note, call, live(call.un))
+            return noting(note, call, if (code == WatchedKind.OUTSIDE) live(call.un) else ofProject(agent, call, code, live))
         } catch (failed: JasonException) {
             note.failure = callFailure(failed)
             throw failed
@@ -225,13 +262,29 @@ internal class Recorder(
         }
     }
 
+    private fun ofProject(agent: Running, call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
+        if (code == WatchedKind.SUSPENDING) {
+            agent.now.refuse("the project's action ${call.name} has a thread resume its intention")
+            return live(call.un)
+        }
+        return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
+    }
+
+    /** Refuses the cycle if an action of the project [does] something besides its result now: a replay does not carry the action out. */
+    private fun refuseIfOfProject(agent: Running, does: String) {
+        val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
+        agent.now.refuse("the project's action ${call.name} $does besides its result")
+    }
+
     private fun noting(note: CallNote, call: InternalCall, result: Any): Any {
         if (result == true) note.answered(bound(call))
         if (result !is Iterator<*>) return result
         note.isBacktracking = true
         return iterator {
             for (un in result) {
-                note.answered(bound(call, un as Unifier))
+                if (!note.answered(bound(call, un as Unifier))) {
+                    current()?.now?.refuse("a loop goes on with results of ${note.name} from an earlier cycle", isOfProject = false)
+                }
                 yield(un)
             }
         }
@@ -263,10 +316,17 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    override fun left(work: RunnableSerializable) = inbox.put(Arrived(End(0, THREAD, thread = Thread.currentThread().name), work))
+    /** Takes [work]. That of Jason's own classes is left in a replay, too, but for the end of an action of the project. */
+    override fun left(work: RunnableSerializable) {
+        val type = work.javaClass
+        val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
+        works.incrementAndGet()
+        inbox.put(Arrived(End(0, if (isOfProject) WORK else THREAD, thread = Thread.currentThread().name), work))
+    }
 
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) {
-        current() ?: return live(action)
+        val agent = current() ?: return live(action)
+        refuseIfOfProject(agent, "acts in the environment")
         val number = begun.begin { end ->
             complete(action, end)
             running?.ts?.c?.addFeedbackAction(action)
@@ -281,6 +341,7 @@ internal class Recorder(
     private fun sending(message: Message, live: () -> Unit) {
         val agent = current()
         if (agent == null || agent.now.isSending) return live() // an infrastructure may send a broadcast as single messages
+        refuseIfOfProject(agent, "sends a message")
         agent.now.isSending = true
         val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
         try {
@@ -313,6 +374,7 @@ internal class Recorder(
         val now = agent.now
         agent.ts.c.selectedEvent?.takeIf(agent.events::take)?.let { now.events += triggerText(it.trigger) }
         agent.beliefs = agent.ts.ag.bb.size()
+        refuseForeignBeliefs(agent)
         val isAlone = Overlaps.end(agent.overlap)
         if (!isAlone) noteCounters(agent, course.firstMessage)
         val isRecorded = !now.isNothing() || now.isAtWork || course.hasHappened
@@ -321,7 +383,7 @@ internal class Recorder(
         now.end()
         val cycle = CycleNote(++agent.cycles, agent.number, now, course, isEnding, agent.course.missesPrints)
         track.cycle(cycle)
-        if (!isEnding) takeKeyFrame(agent, cycle)
+        if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
     /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must hold the counters. */
@@ -342,7 +404,7 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
-        if (!agent.events.isEmpty()) return // a waiting event belongs to the next cycle
+        if (agent.events.size > 0 || works.get() > 0) return // a waiting event, or work, belongs to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
         if (note.isThere) agent.counters = emptyList() // so the next cycle holds them, for a replay that begins here
@@ -404,7 +466,9 @@ internal class Recorder(
         const val TIMER = "timer"
         const val ACTION = "action"
         const val THREAD = "thread"
+        const val WORK = "work"
         const val EVERYBODY = "everybody"
+        const val WITHOUT = "; the agent runs without a recording from now on"
     }
 }
 

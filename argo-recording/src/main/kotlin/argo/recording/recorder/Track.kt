@@ -6,6 +6,7 @@ import argo.recording.Input
 import argo.recording.KeyFrame
 import argo.recording.Mark
 import argo.recording.ReflexEnd
+import argo.recording.Refusal
 import argo.recording.RunningRecording
 import argo.recording.RunningRecordings
 import argo.recording.agent.TermWriter
@@ -37,7 +38,10 @@ internal class Track(
     private val reflexes = channel("reflex", "argo.Reflex", ReflexEnd.serializer())
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
-    private val refused: MutableSet<String> = ConcurrentHashMap.newKeySet()
+
+    /** The reasons of refusals that have been told; of those of the project's code only the first one is. */
+    val told: MutableSet<String> = ConcurrentHashMap.newKeySet()
+    private val isProjectTold = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
 
     init {
@@ -53,18 +57,20 @@ internal class Track(
 
     fun cycle(note: CycleNote) = store(cycles, note.ns, CYCLE_BYTES + note.percepts * PERCEPT_BYTES) {
         val cycle = note.cycle()
-        warnOfRefused(cycle.input)
-        json(Cycle.serializer(), cycle.lean())
+        val refusal = refusalOfTerms(cycle.input) ?: cycle.refusal
+        refusal?.let(::warnOf)
+        json(Cycle.serializer(), cycle.copy(refusal = refusal).lean())
     }
 
-    /** Reports the terms of [input] that could not be written, once for each kind. */
-    private fun warnOfRefused(input: Input) {
-        for (text in input.texts()) if (TermWriter.isRefused(text) && refused.add(text)) {
-            warn("argo_record: agent $agent got ${TermWriter.refusalOf(text)}, which a recording cannot hold; a replay ends there")
-        }
+    /** Returns the refusal of the first term of [input] that could not be written; null: all could. */
+    private fun refusalOfTerms(input: Input): Refusal? = input.texts().find(TermWriter::isRefused)
+        ?.let { Refusal("agent $agent got ${TermWriter.refusalOf(it)}, which a recording cannot hold") }
+
+    private fun warnOf(refusal: Refusal) {
+        val isNew = if (refusal.isOfProject) !isProjectTold.getAndSet(true) else told.add(refusal.why)
+        if (isNew) warn("argo_record: ${refusal.why}; a replay${if (refusal.isOfProject) " without --check" else ""} ends there")
     }
 
-    /** Stores a key frame. */
     fun keyFrame(note: KeyFrameNote) = store(keyFrames, note.ns, note.size) { json(KeyFrame.serializer(), note.frame()) }
 
     fun ended(command: CommandEnd) = store(commands, command.ns, COMMAND_BYTES) { json(CommandEnd.serializer(), command) }

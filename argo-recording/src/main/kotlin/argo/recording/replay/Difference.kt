@@ -1,5 +1,11 @@
 package argo.recording.replay
 
+import argo.recording.Course
+import argo.recording.Cycle
+import argo.recording.Mail
+import argo.recording.Place
+import argo.recording.Step
+
 /**
  * A difference between a replay and its recording.
  *
@@ -30,3 +36,65 @@ data class Difference(
         const val RESULT = "result of "
     }
 }
+
+/** Returns the first difference between [recorded] and [now]: its kind, and both values; null: there is none. */
+internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
+    fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
+        val (before, after) = recorded.of() to now.of()
+        return if (before == after) null else Triple(what, before?.toString(), after?.toString())
+    }
+    return differing("event") { event?.let(::normal) }
+        ?: differing("plan") { plan?.let(::described) }
+        ?: differing("step") { step?.let(::described) }
+        ?: differing("action") { action?.let(::normal) }
+        ?: differing("messages to other agents") { mail.map(::described).takeIf { it.isNotEmpty() } }
+        ?: differing("printed lines") { printed.map(::normal).takeIf { it.isNotEmpty() } }
+        ?: differing("number of beliefs") { beliefs }
+}
+
+/**
+ * Returns the part of this course of a replayed cycle that can be compared with the recording of [cycle]: without the parts that the
+ * recording lacks because its agent or Java was ending, and with the recorded lines of the project's own actions, unless [isChecking]
+ * carries these out.
+ */
+internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
+    cycle.isEnding -> asFarAs(cycle.course)
+    !isChecking && cycle.input.calls.any { it.isOfProject } && isWithin(printed, cycle.course.printed) ->
+        copy(printed = cycle.course.printed)
+    cycle.missesPrints -> copy(printed = printed.take(cycle.course.printed.size))
+    else -> this
+}
+
+private fun Course.asFarAs(recorded: Course) = copy(
+    event = event.takeIf { recorded.event != null },
+    plan = plan.takeIf { recorded.plan != null },
+    step = step.takeIf { recorded.step != null },
+    action = action.takeIf { recorded.action != null },
+    mail = mail.take(recorded.mail.size),
+    printed = printed.take(recorded.printed.size),
+    beliefs = recorded.beliefs,
+)
+
+/** Returns true if [all] contain these [lines] in their order. */
+private fun isWithin(lines: List<String>, all: List<String>): Boolean =
+    all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
+
+private fun described(place: Place) = normal("@${place.label} (${place.file}:${place.line})")
+
+private fun described(step: Step) =
+    "${step.text?.let(::normal) ?: "end of the plan"} of intention ${step.intention} (${step.plan.file}:${step.line ?: step.plan.line})"
+
+private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
+
+/**
+ * Returns [text] without parts that the agent does not decide: the numbers that Jason gives variables, plans and messages, which all agents
+ * of a program share; the place of the code of a failure, which is a path on the machine of the recording, and which the content of a
+ * message lacks; and the hashes of Java objects, such as the iterator in the steps of a loop.
+ */
+internal fun normal(text: String): String =
+    if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")
+    else text
+
+private val NUMBERED = Regex("""\b(_|p__|mid|samid)\d+(?:_\d+)*""")
+private val CODE_PLACE = Regex("""\b(code_line|code_src)\((?:no_code|\d+|"(?:[^"\\]|\\.)*")\)""")
+private val OBJECT = Regex("""\b((?:\w+\.)+[\w$]+)@[0-9a-f]{1,8}\b""")

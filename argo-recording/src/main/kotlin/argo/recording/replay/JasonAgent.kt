@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.Arch
 import argo.boundary.Boundary
 import argo.insides.Insides
+import argo.links.BoardLink
 import argo.platform.Platform
 import argo.recording.RecordedAgent
 import argo.recording.agent.Counters
@@ -17,6 +18,9 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import jason.util.Config
+import javino.LineClock
+import javino.LinkSettings
+import javino.NoSuchPortException
 import java.io.File
 import java.net.MalformedURLException
 import java.net.URL
@@ -111,7 +115,6 @@ internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, include
     first.reasoningCycleFinished()
 }
 
-/** Ends the agent. */
 internal fun TransitionSystem.end() {
     logger.useParentHandlers = true
     ag.stopAg()
@@ -189,4 +192,19 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
 
     @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks this function for some services
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
+}
+
+/** The platform of an agent in a replay, with the recorded input. It opens no port and runs no thread. */
+internal class ReplayPlatform(override val boundary: Boundary) : Platform {
+    override val clock: LineClock = LineClock.system()
+
+    /** Returns a thread that never runs: an agent starts one to close its ports, and here it has none. */
+    override fun start(name: String, run: () -> Unit) = Thread(run, name)
+
+    override fun later(delayMs: Long, action: () -> Unit) = Unit
+
+    override fun open(port: String, settings: LinkSettings, owner: String): BoardLink =
+        throw NoSuchPortException(port, "a replay has no ports")
+
+    override fun isPresent(port: String) = false
 }

@@ -13,7 +13,6 @@ import kotlin.io.path.createTempDirectory
  * @throws RecordingException if a program would stand outside of [directory], or names a class that is no code of an agent
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
-    /** The directory with the programs. */
     private val directory: Path = createTempDirectory("argo-replay")
 
     private val removal = Thread { directory.toFile().deleteRecursively() }

@@ -62,6 +62,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
             return
         }
+        if (end.kind == WORK && !isChecking) return // it changes nothing, or the replay has ended
         val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
         if (work != null) return work.run()
         found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
@@ -76,7 +77,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             return if (code == WatchedKind.OUTSIDE || !isChecking) false else live(call.un)
         }
         if (code != WatchedKind.OUTSIDE) projectCalls += call.name
-        if (code == WatchedKind.SUSPENDING) return if (isChecking) live(call.un) else unresumed(call)
+        if (code == WatchedKind.SUSPENDING && isChecking) return live(call.un)
         if (code == WatchedKind.PROJECT && isChecking) compare(recorded, call, live)
         return answer(recorded, call) { suspend ->
             val around = underWay
@@ -84,14 +85,6 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             suspend()
             underWay = around
         }
-    }
-
-    private fun unresumed(call: InternalCall): Any {
-        found(
-            "call", null, normal("$call"),
-            "the project's action ${call.name} has a thread resume its intention, and only --check carries it out again",
-        )
-        return false
     }
 
     /** Carries out the project's own action again, and compares its result with the recorded one. */
@@ -164,6 +157,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
 
     private companion object {
         const val CALL = "call"
+        const val WORK = "work"
 
         /** The longest wait, in s, for work that a thread of the project left in the recorded cycle. */
         const val THREAD_PATIENCE_S = 5L

@@ -9,12 +9,10 @@ import argo.recording.End
  * times.
  */
 internal class RecordedCalls(cycles: Sequence<Cycle>) {
-    /** A recorded call, and the index and the time of its cycle. */
     class Made(val call: Call, val index: Long, val ns: Long) {
         var isTaken = false
     }
 
-    /** A recorded end, and the index and the time of its cycle. */
     class Ended(val end: End, val index: Long, val ns: Long) {
         var isTaken = false
     }

@@ -22,7 +22,6 @@ import java.nio.file.Path
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
 
-    /** True if the program is the recorded one. */
     val isOfRecordedProgram: Boolean get() = beside == null
 
     /** The watch that is asked about the code of the program and of its included files. */

@@ -10,6 +10,7 @@ import argo.recording.FORMATS
 import argo.recording.KeyFrame
 import argo.recording.RecordedAgent
 import argo.recording.ReflexEnd
+import argo.recording.Refusal
 import argo.recording.agentMetadata
 import argo.recording.includeMetadata
 import argo.recording.isProgram
@@ -113,10 +114,12 @@ class Recording(private val file: Path) : AutoCloseable {
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none.
-     * @throws RecordingException if it does not
+     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none, or if no replay can have it;
+     * one that [isCarryingOut] the project's code may have more.
+     * @throws RecordingException if it is refused
      */
-    internal fun requireNext(agent: String, cycle: Cycle, last: Long) {
+    internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
+        cycle.refusal?.let { if (!isCarryingOut || !it.isOfProject) throw RecordingException("${RefusedCycle(agent, cycle, it)}") }
         if (cycle.index == last + 1) return
         throw RecordingException(if (last == 0L) beginningMissing(agent, cycle) else gap(agent, cycle, last))
     }
@@ -179,6 +182,22 @@ class Recording(private val file: Path) : AutoCloseable {
         /** Ignores unknown fields, since a later version of ARGO may write more. */
         val JSON = Json { ignoreUnknownKeys = true }
     }
+}
+
+/**
+ * A cycle of a recording that no replay can have: there the replay of the [agent] ends.
+ *
+ * @property cycle Jason's number of the cycle
+ * @property ns the beginning of the cycle, in ns of the agent's clock
+ * @property why the reason, a sentence for a person
+ */
+data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why: String) {
+    internal constructor(agent: String, cycle: Cycle, refusal: Refusal) : this(
+        agent, cycle.number, cycle.ns,
+        refusal.why + if (refusal.isOfProject) "; only replay --check, which carries the project's code out again, goes on" else "",
+    )
+
+    override fun toString() = "agent $agent can be replayed until its cycle $cycle only: $why"
 }
 
 /** A recording cannot be replayed; [message] gives the reason and the remedy. */

@@ -8,6 +8,8 @@ import argo.recording.agent.shownBeliefs
  * boards, threads and clocks. After each cycle it compares the agent's course with the recorded one. It stops an agent whose course
  * differs, since the later input answers other actions.
  *
+ * It ends before the first cycle of an agent that no replay can have, see [refusals].
+ *
  * A replay changes nothing outside of itself: it uses the recorded results of the project's own internal actions and functions, and does
  * not carry them out. If [isChecking], it does carry them out, reports another result as a difference, and uses the recorded one all the
  * same. It refuses an architecture of the project in the place of `argo.Arch`, unless [isChecking].
@@ -27,10 +29,14 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     private val next = HashMap<String, Cycle>()
     private val stopped = HashSet<String>()
     private val differing = ArrayList<Difference>()
+    private val refusing = ArrayList<RefusedCycle>()
     private var underWay = ""
 
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
+
+    /** The cycles so far before which the replay of their agents has ended, since no replay can have them. */
+    val refusals: List<RefusedCycle> get() = refusing
 
     /** The number of cycles run so far. */
     var cyclesRun = 0L
@@ -52,7 +58,12 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
         while (true) {
             val (agent, cycle) = next.minByOrNull { (_, cycle) -> cycle.ns } ?: break
             if (cycle.ns >= untilNs) break
-            runCycle(agent, cycle)
+            val refusal = cycle.refusal?.takeUnless { isChecking && it.isOfProject }
+            if (refusal == null) runCycle(agent, cycle)
+            else {
+                refusing += RefusedCycle(agent, cycle, refusal)
+                next -= agent
+            }
         }
     }
 

@@ -40,7 +40,7 @@ internal class ReplayedAgent(
 
     /** Runs [cycle], the agent's next one in the recording. */
     fun run(cycle: Cycle) {
-        recording.requireNext(recorded.name, cycle, lastIndex)
+        recording.requireNext(recorded.name, cycle, lastIndex, isChecking)
         lastIndex = cycle.index
         lastNumber?.let { ts.rest(cycle.number - it - 1) }
         lastNumber = cycle.number

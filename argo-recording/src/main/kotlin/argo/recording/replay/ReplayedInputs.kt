@@ -87,7 +87,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         throw RecordingException("the recording of agent ${ts.agArch.agName} cannot be replayed: ${unknown.message}")
     }
 
-    /** Makes [cycle] the next cycle. */
     fun next(cycle: Cycle) {
         this.cycle = cycle
         Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have run since
@@ -220,7 +219,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         answers.cycleFinished()
     }
 
-    /** Ends the cycle, and returns its course. */
     fun end(): Course {
         sleep.clear()
         return course.end().course()

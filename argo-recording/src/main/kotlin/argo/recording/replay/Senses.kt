@@ -17,7 +17,6 @@ internal interface Senses {
     fun takeNewlyCritical(): List<Literal>
 }
 
-/** The recorded percepts. */
 internal class RecordedSenses : Senses {
     private var percepts: List<Literal> = emptyList()
     private var critical: List<String> = emptyList()

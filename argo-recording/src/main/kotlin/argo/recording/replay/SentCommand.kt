@@ -17,7 +17,6 @@ data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text
     fun isSame(other: SentCommand): Boolean = text == other.text && (port == null || other.port == null || port == other.port)
 }
 
-/** Returns the commands that plans sent in this cycle. */
 internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands }.map { sent ->
     val place = course.step?.run { placeOf(plan.file, line) }
     SentCommand(number, ns, sent.port, sent.text, place)

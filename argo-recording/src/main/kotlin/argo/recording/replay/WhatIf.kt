@@ -113,9 +113,10 @@ class WhatIf internal constructor(
 
     private fun runRecorded() {
         var last: Cycle? = null
+        val begin = recording.start(recorded.name)?.index ?: 0
         firstNs = recording.firstNs
         for (cycle in cycles) {
-            recording.requireNext(recorded.name, cycle, last?.index ?: recording.start(recorded.name)?.index ?: 0)
+            recording.requireNext(recorded.name, cycle, last?.index ?: begin, !includes.isOfRecordedProgram)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
             if (cycle.isEnding && sent.isEmpty()) break // the recorded agent might have gone on
@@ -136,7 +137,6 @@ class WhatIf internal constructor(
         }
     }
 
-    /** Runs a cycle that was not recorded. */
     private fun runOwn(ns: Long) = run(Cycle(WhatIfAnswers.BETWEEN, number + 1, ns))
 
     private fun run(cycle: Cycle): Unit = try {
@@ -168,7 +168,6 @@ class WhatIf internal constructor(
     }
 
     private companion object {
-        /** The time of a cycle that was not recorded, in ns. */
         const val CYCLE_NS = 1_000_000L
 
         /** The time for which an agent runs on after the recording, since it may be slower than the recorded one, in ns. */

@@ -43,10 +43,8 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
     private lateinit var inputs: ReplayedInputs
     private lateinit var cycle: Cycle
 
-    /** The commands to boards that the agent has sent. */
     val sent = ArrayList<SentCommand>()
 
-    /** The actions of the environment that the agent has sent. */
     val acted = ArrayList<SentCommand>()
 
     override var isAsRecorded = true
@@ -74,7 +72,6 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         boards += cycle.input.boards
     }
 
-    /** Ends the cycle, whose course was [now]. */
     fun ended(now: Course) {
         val before = cycle.course
         val isSame = cycle.index != BETWEEN && before.event?.let(::normal) == now.event?.let(::normal) && before.action == now.action &&
@@ -183,7 +180,6 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         if (end != null) endWith(end, carryOut) else endIn(delayNs, carryOut)
     }
 
-    /** Returns true if the present step is the recorded one. */
     private fun isStepOf(before: Course) = before.step?.text?.let(::normal) == inputs.course.step?.step()?.text?.let(::normal)
 
     private fun endIn(delayNs: Long, carryOut: (CallFailure?) -> Unit) {

@@ -9,7 +9,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE_NEW
 import java.nio.file.StandardOpenOption.WRITE
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 import kotlin.io.path.extension
@@ -31,33 +30,8 @@ class RecordingFile internal constructor(
     private val warn: (String) -> Unit,
     maxWaitingBytes: Long = MAX_WAITING_BYTES,
     private val flushNs: Long = FLUSH_NS,
-) : RecordSink {
-    private val channels = ConcurrentHashMap<String, RecordChannel>()
-
-    @Volatile
-    override var trouble: String? = null
-        private set
-
-    private val waiting = WaitingRecords(maxWaitingBytes)
+) : QueuedSink(maxWaitingBytes) {
     private val writing = thread(name = "argo-recording-${path.fileName}", isDaemon = true, block = ::write)
-
-    override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
-        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
-
-    override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
-        require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
-    }
-
-    override fun attach(name: String, mediaType: String, data: ByteArray) {
-        waiting.add(Waiting.Attachment(name, mediaType, data))
-    }
-
-    override fun metadata(name: String, values: Map<String, String>) {
-        waiting.add(Waiting.Metadata(name, values))
-    }
-
-    override fun flush() = waiting.flush()
 
     override fun close() {
         waiting.close()
@@ -106,9 +80,7 @@ class RecordingFile internal constructor(
         val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
         val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without, and the file can be " +
             "read up to here$remedy"
-        trouble = sentence
-        warn(sentence)
-        waiting.giveUp()
+        giveUp(sentence, warn)
     }
 
     companion object {
@@ -135,7 +107,6 @@ class RecordingFile internal constructor(
             error("names do not end")
         }
 
-        /** Returns [path], and the other paths to try if it exists. */
         private fun names(path: Path): Sequence<Path> {
             val ending = if (path.extension.isEmpty()) "" else ".${path.extension}"
             return sequenceOf(path) + generateSequence(2) { it + 1 }.map { path.resolveSibling("${path.nameWithoutExtension}-$it$ending") }

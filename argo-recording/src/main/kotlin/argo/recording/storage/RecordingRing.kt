@@ -7,7 +7,6 @@ import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 import java.time.Duration
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.thread
@@ -27,37 +26,20 @@ class RecordingRing(
     private val last: Duration,
     private val maxBytes: Long = MAX_BYTES,
     private val warn: (String) -> Unit = {},
-) : RecordSink {
-    private val channels = ConcurrentHashMap<String, RecordChannel>()
-    private val waiting = WaitingRecords(RecordingFile.MAX_WAITING_BYTES)
+) : QueuedSink(RecordingFile.MAX_WAITING_BYTES) {
     private val lock = ReentrantLock()
     private val messages = ArrayDeque<Encoded>()
     private val others = ArrayList<Waiting>()
     private var bytes = 0L
     private var newestNs = 0L
 
-    @Volatile
-    override var trouble: String? = null
-        private set
-
     private val keeping = thread(name = "argo-recording-ring", isDaemon = true, block = ::keepAll)
-
-    override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
-        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
-
-    override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
-        require(timeNs >= 0) { "a time before 0: $timeNs" }
-        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
-    }
 
     private fun keepAll() {
         try {
             while (waiting.take(PATIENCE_NS) { it.forEach(::keep) }) continue
         } catch (failure: Throwable) { // the thread reports every failure
-            val sentence = "the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on without"
-            trouble = sentence
-            warn(sentence)
-            waiting.giveUp()
+            giveUp("the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on without", warn)
         }
     }
 
@@ -75,14 +57,6 @@ class RecordingRing(
         while (messages.isNotEmpty() && (bytes > maxBytes || newestNs - messages.first().timeNs > last.toNanos())) {
             bytes -= messages.removeFirst().data.size
         }
-    }
-
-    override fun attach(name: String, mediaType: String, data: ByteArray) {
-        waiting.add(Waiting.Attachment(name, mediaType, data))
-    }
-
-    override fun metadata(name: String, values: Map<String, String>) {
-        waiting.add(Waiting.Metadata(name, values))
     }
 
     /**
@@ -106,8 +80,6 @@ class RecordingRing(
             messages.forEach(channelWriter::message)
         }
     }
-
-    override fun flush() = waiting.flush()
 
     /** Drops all records, and refuses later ones. */
     override fun close() {

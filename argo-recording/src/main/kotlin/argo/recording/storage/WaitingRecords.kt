@@ -1,5 +1,6 @@
 package argo.recording.storage
 
+import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -25,8 +26,42 @@ internal sealed interface Waiting {
     class Flush(val done: CountDownLatch) : Waiting
 }
 
-/** A message as it is stored. */
 internal class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
+
+/** A recording whose records wait for a thread of its own. */
+abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSink {
+    private val channels = ConcurrentHashMap<String, RecordChannel>()
+    internal val waiting = WaitingRecords(maxWaitingBytes)
+
+    @Volatile
+    final override var trouble: String? = null
+        private set
+
+    final override fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel =
+        channels.computeIfAbsent(topic) { RecordChannel(topic, schemaName, jsonSchema) }
+
+    final override fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean {
+        require(timeNs >= 0) { "a time before 0: $timeNs" }
+        return waiting.offer(Waiting.Message(channel, timeNs, bytes, encode))
+    }
+
+    final override fun attach(name: String, mediaType: String, data: ByteArray) {
+        waiting.add(Waiting.Attachment(name, mediaType, data))
+    }
+
+    final override fun metadata(name: String, values: Map<String, String>) {
+        waiting.add(Waiting.Metadata(name, values))
+    }
+
+    final override fun flush() = waiting.flush()
+
+    /** Refuses all later records, since nothing more can be stored, and tells [warn] so in a [sentence]. */
+    internal fun giveUp(sentence: String, warn: (String) -> Unit) {
+        trouble = sentence
+        warn(sentence)
+        waiting.giveUp()
+    }
+}
 
 /**
  * The queue of records to the thread that writes them, with at most [maxBytes] bytes of messages. Messages without room become a [Gap], in

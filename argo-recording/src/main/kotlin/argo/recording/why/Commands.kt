@@ -19,7 +19,6 @@ internal class Commands(
 ) {
     private val reflexOf = HashMap<RecordedCommand, ReflexEnd>()
 
-    /** All commands, in the order of their times. */
     val all: List<RecordedCommand>
 
     init {
@@ -62,5 +61,22 @@ internal class Commands(
 
     private companion object {
         const val SAME_NS = 100_000_000L
+    }
+}
+
+/**
+ * Converts between ns of the agents' clock and the seconds of a recording, which count from its first cycle.
+ *
+ * @param firstNs the beginning of that cycle, in ns of the agents' clock
+ */
+internal class RecordingClock(private val firstNs: Long) {
+    /** Returns the seconds at [ns] of the agents' clock. */
+    fun seconds(ns: Long): Double = (ns - firstNs) / NANOS
+
+    /** Returns the time of the agents' clock, in ns, at [seconds]. */
+    fun nanos(seconds: Double): Long = firstNs + (seconds * NANOS).toLong()
+
+    private companion object {
+        const val NANOS = 1e9
     }
 }

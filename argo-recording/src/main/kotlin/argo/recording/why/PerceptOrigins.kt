@@ -18,7 +18,6 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     private val frames = Frames(secondsOf)
     private val earlier = HashSet<String>()
 
-    /** The newest perceived frame of each board. */
     val newestFrames: Collection<Frame> get() = newest.values
 
     /** Begins with [percepts], which the agent perceives when the replay begins, and whose frames are not known. */
@@ -77,5 +76,23 @@ internal fun believed(text: String, namespace: String?): Literal? = try {
     null
 }
 
-/** Returns the text of [literal] without its annotations. */
 internal fun keyOf(literal: Literal): String = literalText(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)
+
+/**
+ * Numbers the messages of boards that an agent perceives, from 1. A message that the agent perceives again, since the filter lets more of
+ * its percepts through, keeps its number.
+ */
+internal class Frames(private val secondsOf: (Long) -> Double) {
+    private val newest = HashMap<String, Pair<Long, Int>>()
+    private var count = 0
+
+    /** Returns the frame of [snapshot], the next one, which the agent perceived in the cycle with Jason's number [cycle]. */
+    fun of(snapshot: PerceivedSnapshot, cycle: Int): Frame {
+        val known = newest[snapshot.port]?.takeIf { (receivedNs, _) -> receivedNs == snapshot.receivedNs }
+        val number = known?.second ?: ++count
+        newest[snapshot.port] = snapshot.receivedNs to number
+        return Frame(
+            number, snapshot.port, snapshot.namespace, secondsOf(snapshot.receivedNs), cycle, snapshot.texts, snapshot.kept,
+        )
+    }
+}

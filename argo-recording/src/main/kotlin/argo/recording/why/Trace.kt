@@ -7,6 +7,7 @@ import argo.recording.KeyFrame
 import argo.recording.Place
 import argo.recording.agent.fileName
 import argo.recording.agent.literalOf
+import argo.recording.agent.placeIn
 import argo.recording.replay.RecordedAnswers
 import argo.recording.replay.ReplayedInputs
 import argo.recording.replay.normal
@@ -22,7 +23,6 @@ import jason.asSyntax.LogicalFormula
 import jason.asSyntax.Plan
 import jason.asSyntax.PlanBody
 import jason.asSyntax.PlanBody.BodyType
-import jason.asSyntax.SourceInfo
 import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
@@ -49,10 +49,8 @@ internal class Trace(
     /** A command, to a board or to the environment, and the step that issued it. */
     class Issued(val cycle: Cycle, val port: String?, val text: String, val cause: StepCause?)
 
-    /** The origins of the agent's percepts. */
     val percepts = PerceptOrigins(clock::seconds) { port, text -> filters.explain(port, text)?.toString() }
 
-    /** All commands so far. */
     val issued = ArrayList<Issued>()
 
     /** The plan that the agent chose for the last event that was [taken]; null: none yet. */
@@ -170,7 +168,6 @@ internal class Trace(
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
 
-    /** Returns true if the context of [plan] is true under [un]. */
     fun isApplicable(plan: Plan, un: Unifier): Boolean =
         plan.context.let { context -> context == null || inputs.asking { conditions.solution(context, un) != null } }
 
@@ -289,7 +286,6 @@ internal class Trace(
         return intention?.peek()?.let { means -> adopted[means]?.let { stepOf(means, it) } } ?: origins[event]
     }
 
-    /** Returns the trigger of [event], without annotations. */
     fun shown(event: Event): String =
         event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
 
@@ -308,13 +304,9 @@ internal class Trace(
             BodyType.addBel, BodyType.addBelBegin, BodyType.addBelEnd, BodyType.addBelNewFocus, BodyType.delAddBel,
         )
 
-        /** Returns the place of [plan] in the program. */
-        fun placeOf(plan: Plan): Place {
-            val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
-            return Place(plan.label?.functor?.takeUnless { it.startsWith("p__") }, source?.srcFile?.let(::fileName), source?.srcLine)
-        }
+        fun placeOf(plan: Plan): Place =
+            placeIn(plan).let { place -> if (place.label?.startsWith("p__") == true) place.copy(label = null) else place }
 
-        /** Returns [body] as the program has it. */
         fun textOf(body: PlanBody): String = normal("${body.bodyType}${body.bodyTerm}")
     }
 }

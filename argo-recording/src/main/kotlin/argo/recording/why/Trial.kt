@@ -4,10 +4,12 @@ import argo.recording.Cycle
 import argo.recording.RecordedAgent
 import argo.recording.replay.ProgramFiles
 import argo.recording.replay.RecordedAnswers
+import argo.recording.replay.RecordedSenses
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 import argo.recording.replay.ReplayedAgent
 import argo.recording.replay.ReplayedInputs
+import argo.recording.replay.Senses
 import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
 
@@ -55,4 +57,15 @@ internal class Trial(
         val wanted = cycles.asSequence().takeWhile { it.index <= last }
         return WhatIf(recording, agent.name, null, AlteredSenses(from.index, changed), wanted, usualNs = 0).use { it.commandsFrom(from.ns) }
     }
+}
+
+/** The recorded percepts, passed through [changed] from the cycle with the index [from] on. */
+internal class AlteredSenses(private val from: Long, private val changed: (List<Literal>) -> List<Literal>) : Senses {
+    private val recorded = RecordedSenses()
+
+    override fun begin(percepts: List<Literal>) = recorded.begin(percepts)
+
+    override fun perceive(cycle: Cycle): List<Literal>? = recorded.perceive(cycle)?.let { if (cycle.index < from) it else changed(it) }
+
+    override fun takeNewlyCritical(): List<Literal> = recorded.takeNewlyCritical()
 }

@@ -70,7 +70,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         }
     }
 
-    /** Returns the plans that would issue the command. */
     fun plans(trace: Trace): List<UnchosenPlan> {
         settle(trace)
         val all = plansOf(trace)

@@ -11,7 +11,6 @@ import kotlin.time.Duration.Companion.seconds
  * @throws IllegalArgumentException if they are not a file and options
  */
 internal class ExploreArguments(arguments: List<String>) {
-    /** The file of the agents. */
     val source: String = requireNotNull(arguments.firstOrNull()) { "name the file of an agent or of a system" }
 
     private val values = arguments.drop(1).groupBy({ nameOf(it) }, { it.substringAfter('=') })

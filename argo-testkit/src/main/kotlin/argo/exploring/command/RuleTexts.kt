@@ -17,13 +17,11 @@ import argo.exploring.sendsOnly
 import argo.exploring.staysAlive
 import argo.exploring.staysSmall
 import argo.exploring.stopsWhenBlind
-import jason.asSyntax.ASSyntax
+import argo.testkit.literalIn
 import jason.asSyntax.ListTerm
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
-import jason.asSyntax.parser.ParseException
-import jason.asSyntax.parser.TokenMgrError
 
 /** The form of a rule as an argument: [usage], and [make], which returns the rule for its arguments, or null if it does not take them. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
@@ -73,21 +71,13 @@ private val RULES: Map<String, RuleText> = listOf(
  * @throws IllegalArgumentException if there is no such rule
  */
 internal fun ruleOf(text: String): Rule {
-    val call = try {
-        ASSyntax.parseLiteral(text)
-    } catch (_: ParseException) {
-        throw IllegalArgumentException(noSuchRule(text))
-    } catch (_: TokenMgrError) {
-        throw IllegalArgumentException(noSuchRule(text))
-    }
+    val call = requireNotNull(literalIn(text)) { noSuchRule(text) }
     val rule = requireNotNull(RULES[call.functor]) { noSuchRule(text) }
     return requireNotNull(rule.make(call.terms.orEmpty())) { "the rule ${call.functor} is written as ${rule.usage}, not $text" }
 }
 
-/** Returns true if the function [name] makes a rule of this library. */
 internal fun isKnownRule(name: String) = name in RULES
 
-/** Returns true if [name] is the function of [rule]. */
 internal fun isNamed(rule: Rule, name: String) = rule is ReadyRule && rule.function == name
 
 internal fun noSuchRule(text: String) = "there is no rule $text; there are ${RULES.values.joinToString { it.usage }}"

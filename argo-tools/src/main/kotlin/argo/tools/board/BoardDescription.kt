@@ -26,7 +26,6 @@ internal class BoardDescription(
     private val percepts: List<String>,
     private val rules: Int?,
 ) {
-    /** Returns a line for each subject. */
     fun lines(): List<String> = listOf(
         "a Javino board of ${versionSpoken(protocol)}",
         "actions: " + when {

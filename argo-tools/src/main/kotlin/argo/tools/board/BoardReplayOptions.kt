@@ -5,17 +5,14 @@ import java.nio.file.Path
 
 /** The options of `replay` for a recording of a board. */
 internal class BoardReplayOptions {
-    /** True if it begins again at its end. */
     @Option(names = ["--loop"], description = ["restarts at the end of the recording"])
     var loop = false
         private set
 
-    /** True if each request is given the next answer. */
     @Option(names = ["--in-turn"], description = ["answers the first request with the first answer and so on, ignoring times"])
     var inTurn = false
         private set
 
-    /** A name for the pseudo-terminal; null: its own. */
     @Option(names = ["--link"], paramLabel = "PATH", description = ["a symbolic link to the pseudo-terminal, such as /tmp/ttyBOARD"])
     var link: Path? = null
         private set

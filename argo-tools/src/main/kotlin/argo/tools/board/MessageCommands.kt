@@ -39,7 +39,6 @@ internal abstract class MessageCommand : DataCommand() {
     protected abstract fun exchange(link: Link)
 }
 
-/** `request`: sends a request and prints the answer. */
 @Command(name = "request", description = ["Sends a request, as getPercepts, and prints the answer. Opening a port resets most boards."])
 internal class RequestCommand : MessageCommand() {
     override fun exchange(link: Link) {
@@ -49,7 +48,6 @@ internal class RequestCommand : MessageCommand() {
     }
 }
 
-/** `send`: sends a command. */
 @Command(
     name = "send",
     description = [

@@ -27,7 +27,6 @@ import java.nio.file.StandardOpenOption
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.LockSupport
 
-/** `monitor`: shows percepts as they arrive. */
 @Command(
     name = "monitor",
     description = [
@@ -84,13 +83,13 @@ internal class MonitorCommand : DataCommand() {
         return RecordingWriter(writer, System.nanoTime()).use { Run(link, it).untilEnd() }
     }
 
-    /** One monitoring. */
     private inner class Run(private val link: Link, private val recording: RecordingWriter?) {
         private val start = System.nanoTime()
         private val rates = Rates()
         private var seen = emptySet<String>()
         private val explained = HashSet<String>()
         private var unanswered = 0
+        private var silence: String? = null
 
         fun untilEnd(): Int {
             val status = try {
@@ -107,6 +106,7 @@ internal class MonitorCommand : DataCommand() {
             }
             Thread.interrupted() // the summary is not interrupted
             summary()
+            if (rates.messages == 0L) silence?.let(err::println)
             return status
         }
 
@@ -124,7 +124,7 @@ internal class MonitorCommand : DataCommand() {
                 recording?.add(System.nanoTime(), Direction.IN, text)
                 show(text)
             } catch (late: PortTimeoutException) {
-                if (mode == "request") show(late)
+                if (mode == "request") show(late) else silence = late.message
             }
             if (mode == "request") waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         }

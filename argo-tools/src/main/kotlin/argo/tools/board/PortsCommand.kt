@@ -6,17 +6,21 @@ import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import argo.tools.command.requireWithin
+import argo.tools.command.table
 import javino.serial.SerialPortInfo
 import javino.serial.SerialPorts
 import kotlinx.serialization.json.JsonObject
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
-import java.io.File
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import java.nio.file.attribute.BasicFileAttributes
 import java.util.Optional
 import java.util.OptionalInt
 
-/** `ports`: lists the serial ports. */
 @Command(
     name = "ports",
     description = [
@@ -47,7 +51,10 @@ internal class PortsCommand : DataCommand() {
             misuse("$it is no serial port, and nothing is known of it before it is opened; \"ports --probe $it\" does that")
         }
         val (missing, ports) = ports().partition { !probe && !describe && isMissing(it.path()) }
-        missing.forEach { err.println(paint.bad("there is no port ${printable(it.name())}; there are: ${present()}")) }
+        missing.forEach {
+            val name = printable(it.name()).ifEmpty { "without a name" }
+            err.println(paint.bad("there is no port $name; there are: ${present()}"))
+        }
         val rows = ports.map { Row(it, SerialPorts.holders(it.name())) }
         val probed = rows.map { if (probe || describe) it.copy(board = board(it)) else it }
         when {
@@ -60,9 +67,16 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Returns true if the system has no such device. */
-    private fun isMissing(path: String) =
-        SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none { File(it).exists() }
+    /** Returns true if the system has no such device; a file or a folder is none. */
+    private fun isMissing(path: String) = SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none(::isDevice)
+
+    private fun isDevice(path: String) = try {
+        Files.readAttributes(Path.of(path), BasicFileAttributes::class.java).isOther
+    } catch (_: IOException) {
+        false
+    } catch (_: InvalidPathException) {
+        false
+    }
 
     private fun ports(): List<SerialPortInfo> {
         val present = SerialPorts.list()
@@ -88,9 +102,7 @@ internal class PortsCommand : DataCommand() {
     private fun print(rows: List<Row>) {
         if (rows.isEmpty()) return out.println("there are no serial ports; is the board plugged in, with a cable that carries data?")
         val head = listOf("PORT", "USB", "SERIAL", "PRODUCT", "HELD BY") + if (probe) listOf("BOARD") else emptyList()
-        val table = (listOf(head) + rows.map(Row::cells)).map { line -> line.map(::printable) }
-        val widths = head.indices.map { column -> table.maxOf { it[column].length } }
-        table.forEach { line -> out.println(line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd()) }
+        table(head, rows.map { row -> row.cells().map(::printable) }).forEach(out::println)
     }
 }
 

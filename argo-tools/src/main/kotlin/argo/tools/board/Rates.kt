@@ -12,7 +12,6 @@ internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
     private val recent = ArrayDeque<Long>()
 
-    /** The number of messages. */
     var messages = 0L
         private set
     private var others = 0L
@@ -49,7 +48,6 @@ internal class Rates {
 
     private fun rate(count: Long) = perSecond(count, firstMs, lastMs)?.let { ", ${decimal(it)} a second" }.orEmpty()
 
-    /** Returns the kinds, with the count and the last percept of each. */
     fun kinds(): List<Triple<String, Long, String>> = kinds.map { (name, kind) -> Triple(name, kind.count, kind.last) }
 
     private fun perSecond(count: Long, fromMs: Long, toMs: Long): Double? =

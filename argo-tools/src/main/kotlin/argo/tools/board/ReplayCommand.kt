@@ -2,7 +2,6 @@ package argo.tools.board
 
 import argo.mcap.McapReader
 import argo.tools.command.ExitStatus
-import argo.tools.command.ToolCommand
 import argo.tools.command.ToolException
 import argo.tools.command.making
 import argo.tools.command.printable
@@ -12,8 +11,7 @@ import argo.tools.filter.filterIn
 import argo.tools.replay.AgentReplay
 import argo.tools.replay.AgentReplayOptions
 import argo.tools.replay.AgentWhatIf
-import argo.tools.replay.hasJason
-import argo.tools.replay.runWithJason
+import argo.tools.replay.JasonCommand
 import javino.LineSettings
 import javino.PortException
 import javino.PortInterruptedException
@@ -31,7 +29,6 @@ import java.time.Duration
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.extension
 
-/** `replay`: serves a recording of a board as a board, and runs the agents of a recording of agents again. */
 @Command(
     name = "replay",
     description = [
@@ -41,7 +38,7 @@ import kotlin.io.path.extension
         "Of agents: runs them on what was recorded, and reports whether they do the same.",
     ],
 )
-internal class ReplayCommand : ToolCommand() {
+internal class ReplayCommand : JasonCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by monitor --record or an agent's argo_record"])
     private lateinit var file: Path
 
@@ -59,7 +56,7 @@ internal class ReplayCommand : ToolCommand() {
             if (asBoard != null) misuse("--loop, --in-turn and --link are for a recording of a board, and $file is one of agents")
             return replayAgents(ofAgents ?: AgentReplayOptions())
         }
-        if (ofAgents != null) {
+        if (ofAgents != null || classPath != null || json) {
             misuse(
                 "--check, --from, --until, --of, --agent, --filter, --within, --class-path and --json are for a recording of agents, " +
                     "and $file is none",
@@ -71,14 +68,12 @@ internal class ReplayCommand : ToolCommand() {
     private fun replayAgents(options: AgentReplayOptions): Int {
         if (options.within != null && !options.isWhatIf) misuse("--within is for --agent and --filter")
         options.within?.let { if (it < 0) misuse("--within is 0 ms at least, not $it") }
-        if (options.classPath != null || !hasJason()) {
-            return runWithJason(spec.root().name(), options.classPath, listOf("replay", "$file") + options.arguments())
-        }
+        if (!runsHere) return runElsewhere("$file")
         if (options.isWhatIf) return runOthers(options)
         val report = AgentReplay(file, options.from, options.until, options.of, options.isCheck).run()
-        if (options.json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
+        if (json) out.println(report.json()) else report.lines("$file", options.isCheck).forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
-        val isGood = report.problems.isEmpty() && (if (options.isCheck) report.isDeterministic else report.isIdentical)
+        val isGood = report.problems.isEmpty() && report.isWhole && (if (options.isCheck) report.isDeterministic else report.isIdentical)
         return if (isGood) ExitStatus.DONE else ExitStatus.FAILED
     }
 
@@ -88,7 +83,7 @@ internal class ReplayCommand : ToolCommand() {
         }
         val within = Duration.ofMillis(options.within ?: WITHIN_MS)
         val report = AgentWhatIf(file, options.programs, options.filter?.let(::filterIn), within).run()
-        if (options.json) out.println(report.json()) else report.lines().forEach { out.println(printable(it)) }
+        if (json) out.println(report.json()) else report.lines().forEach { out.println(printable(it)) }
         report.problems.forEach { err.println("$file: ${printable(it)}") }
         return if (report.problems.isEmpty() && report.isIdentical) ExitStatus.DONE else ExitStatus.FAILED
     }

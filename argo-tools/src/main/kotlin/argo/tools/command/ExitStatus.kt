@@ -8,13 +8,16 @@ import java.nio.file.FileSystemException
 import java.nio.file.NoSuchFileException
 
 /** The exit statuses of commands, besides 2 for wrong arguments. */
-internal object ExitStatus {
+object ExitStatus {
+    /** The command is done. */
     const val DONE = 0
+
+    /** The command has failed. */
     const val FAILED = 1
 }
 
 /** A command fails; [message] gives a person the reason. */
-internal class ToolException(message: String) : Exception(message)
+class ToolException(message: String) : Exception(message)
 
 /** Returns the message of [failure] for a person; null for an unexpected failure. */
 internal fun messageOf(failure: Throwable): String? = when (failure) {

@@ -48,7 +48,7 @@ private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().paren
  *
  * @throws ToolException if not
  */
-internal fun requireFile(file: Path) {
+fun requireFile(file: Path) {
     if (!Files.exists(file)) throw ToolException("there is no file $file")
     if (Files.isDirectory(file)) throw ToolException("$file is a folder, no file")
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")

@@ -12,7 +12,8 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Makes the commands of this line report wrong arguments in words, refer to the help, and end with exit status 2.
+ * Makes the commands of this line report failures in words, with exit status 1, and wrong arguments with a reference to the help and exit
+ * status 2.
  *
  * @param kind the commands' kind in one word: `command`, `sample`
  */
@@ -22,6 +23,11 @@ fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Long::class.javaObjectType) { wholeNumber(it, String::toLongOrNull) }
     .registerConverter(BigDecimal::class.java) { it.toBigDecimalOrNull() ?: throw TypeConversionException("$it is not a number") }
     .registerConverter(Path::class.java, ::file)
+    .setExecutionExceptionHandler { failure, command, _ ->
+        val message = messageOf(failure)
+        if (message != null) command.err.println(message) else failure.printStackTrace(command.err)
+        ExitStatus.FAILED
+    }
     .setParameterExceptionHandler { wrong, _ ->
         val refused = wrong.commandLine
         refused.err.println(reason(wrong, kind))

@@ -7,9 +7,10 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** The base of all tools. */
+/** The base of all tools, also of those that a [ToolProvider] adds. The result is the exit status; a [ToolException] fails the command. */
 @Command
-internal abstract class ToolCommand : Callable<Int> {
+abstract class ToolCommand : Callable<Int> {
+    /** The command as picocli has it. */
     @Spec
     protected lateinit var spec: CommandSpec
 
@@ -23,10 +24,17 @@ internal abstract class ToolCommand : Callable<Int> {
     protected val err: PrintWriter get() = spec.commandLine().err
 
     /** Colours; none if `NO_COLOR` is set, or on a terminal without colours. */
-    protected val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
+    internal val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
 
     /** Ends the command, because its arguments are wrong, with exit status 2. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
+
+    /** Returns the options that the user has given, without those called [left], as arguments for another program. */
+    internal fun givenWithout(vararg left: String): List<String> =
+        spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
+            val name = option.longestName()
+            if (option.arity().max() == 0) listOf(name) else option.originalStringValues().map { "$name=$it" }
+        }
 }
 
 /** A tool whose results are data. */

@@ -11,7 +11,6 @@ import argo.tools.doctor.Finding.Level
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 
-/** `doctor`: checks the machine for everything that a board needs. */
 @Command(
     name = "doctor",
     description = [

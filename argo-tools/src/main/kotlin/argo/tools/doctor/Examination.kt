@@ -103,3 +103,20 @@ internal class Examination(private val machine: Machine) {
         val SERIAL_GROUPS = listOf("dialout", "uucp")
     }
 }
+
+/**
+ * The result of one check.
+ *
+ * @property remedy null: none is needed
+ */
+internal data class Finding(val level: Level, val what: String, val remedy: String? = null) {
+    enum class Level {
+        GOOD,
+
+        /** Something may fail that not everybody needs. */
+        WARNING,
+
+        /** Boards will not work. */
+        PROBLEM,
+    }
+}

@@ -14,7 +14,6 @@ internal interface Machine {
     /** Java's feature version, such as 17. */
     val java: Int
 
-    /** Java's version in full. */
     val javaInFull: String
 
     val user: String

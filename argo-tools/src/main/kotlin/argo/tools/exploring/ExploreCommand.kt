@@ -17,7 +17,6 @@ import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
-/** `explore`: has the test kit look for a run of agents in which they break a rule. */
 @Command(
     name = "explore",
     description = [
@@ -104,7 +103,8 @@ internal class ExploreCommand : ToolCommand() {
     }
 
     private fun explore(classPath: String, described: String?): Int {
-        val status = runJava(listOf("-cp", classPath, "argo.exploring.command.MainKt", source) + arguments(described))
+        val options = givenWithout("--class-path", "--boards") + listOfNotNull(described?.let { "--boards=$it" })
+        val status = runJava(listOf("-cp", classPath, "argo.exploring.command.MainKt", source) + options)
         return when (status) {
             FOUND_THERE -> ExitStatus.FAILED
             in TOLD -> status
@@ -113,20 +113,6 @@ internal class ExploreCommand : ToolCommand() {
                     "as too little memory, or a class path without the test kit",
             )
         }
-    }
-
-    private fun arguments(described: String?): List<String> = buildList {
-        boards.forEach { add("--board=$it") }
-        if (isVersion2) add("--version2")
-        described?.let { add("--boards=$it") }
-        messages.forEach { add("--message=$it") }
-        rules.forEach { add("--rule=$it") }
-        left.forEach { add("--without=$it") }
-        faults?.let { add("--faults=$it") }
-        seed?.let { add("--seed=$it") }
-        runs?.let { add("--runs=$it") }
-        time?.let { add("--time=$it") }
-        written?.let { add("--spec=$it") }
     }
 
     private companion object {

@@ -1,5 +1,6 @@
 package argo.tools.exploring
 
+import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
 import java.io.File
@@ -21,21 +22,10 @@ internal fun withTestKit(classPath: String): String {
     if (filesOn(classPath).any { it.name.startsWith("argo-testkit") || it.resolve("argo/exploring/Exploration.class").isRegularFile() }) {
         return classPath
     }
-    val kit = ownJar()?.let(::bundledTestKit)
+    val kit = ownJar()?.let { Installation(it).testKit() }
         ?: throw ToolException("an exploration needs the test kit: --class-path names its jar, such as --class-path argo-testkit.jar")
     return "$classPath${File.pathSeparator}$kit"
 }
-
-/** Returns the test kit beside [jar], as in a release, or in the source tree in which [jar] was built; null: there is none. */
-internal fun bundledTestKit(jar: Path): Path? {
-    val file = jar.toAbsolutePath().normalize()
-    val built = file.resolve("../../../argo-testkit/target").normalize()
-    return file.resolveSibling("argo-testkit.jar").takeIf { it.isRegularFile() }
-        ?: built.takeIf { it.isDirectory() }?.listDirectoryEntries("argo-testkit-*.jar")
-            ?.find { jars -> ASIDE.none { jars.name.endsWith(it) } }
-}
-
-private val ASIDE = listOf("-sources.jar", "-javadoc.jar")
 
 /** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java knows and Kotlin's compiler does not. */
 internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->

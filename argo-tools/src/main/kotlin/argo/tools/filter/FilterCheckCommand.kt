@@ -15,7 +15,6 @@ import picocli.CommandLine.Parameters
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
-/** `filter check`: describes filters, or lists their problems. */
 @Command(
     name = "check",
     description = [

@@ -6,7 +6,6 @@ import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 
-/** `filter`: the commands for files of perception filters. */
 @Command(
     name = "filter",
     description = ["Checks, explains and converts files of perception filters."],

@@ -16,7 +16,6 @@ import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import kotlin.io.path.writeText
 
-/** `filter convert`: writes a filter in another form. */
 @Command(name = "convert", description = ["Writes the filter of a file in another form. The result equals the original, without comments."])
 internal class FilterConvertCommand : ToolCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["XML or JSON"])

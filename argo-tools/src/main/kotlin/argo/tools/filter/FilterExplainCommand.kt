@@ -13,7 +13,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `filter explain`: explains a filter's decisions. */
 @Command(
     name = "explain",
     description = ["Explains for each percept whether the filter drops it, and by which rule. Rates are ignored: they depend on time."],

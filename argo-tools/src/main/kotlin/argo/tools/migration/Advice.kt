@@ -20,7 +20,6 @@ internal data class Advice(
     val place: String get() = "$file:$line" + column?.let { ":$it" }.orEmpty()
 }
 
-/** Collects the advices on one file. */
 internal class Advices(private val file: String) {
     private val collected = ArrayList<Advice>()
 

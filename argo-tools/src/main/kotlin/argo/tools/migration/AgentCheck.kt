@@ -7,7 +7,6 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Checks an agent's program. */
 internal class AgentCheck(private val file: Path, private val text: String) {
     private val advices = Advices("$file")
     private val tokens = if (text.any(::isForeign)) emptyList() else tokensOf(text)
@@ -25,10 +24,8 @@ internal class AgentCheck(private val file: Path, private val text: String) {
     /** True if it has calls that only programs for other versions need. */
     val isForOtherVersion: Boolean = calls.any { it.name.startsWith('.') && ArgoActions.actionIn(it.name) != null }
 
-    /** True if it needs `argo.Arch`. */
     val needsArch: Boolean = calls.any { ArgoActions.actionIn(it.name) in ArgoActions.OF_BOARDS }
 
-    /** Returns all advices. */
     fun advices(): List<Advice> {
         program()
         calls.forEach { call -> ArgoActions.actionIn(call.name)?.let { action(it, call) } }

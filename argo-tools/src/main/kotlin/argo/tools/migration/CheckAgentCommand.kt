@@ -10,7 +10,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `check-agent`: checks programs for other versions of ARGO. */
 @Command(
     name = "check-agent",
     description = [

@@ -28,7 +28,6 @@ internal class Migration(files: List<Path>) {
         return ofAgents + ofProjects + ofFilters
     }
 
-    /** The number of files read. */
     val count: Int get() = files.size
 
     private fun missingFilters(file: Path, check: AgentCheck): List<Advice> =
@@ -45,9 +44,9 @@ internal class Migration(files: List<Path>) {
     }
 
     private fun expanded(file: Path): List<Path> = when {
-        file.isDirectory() -> sourcesIn(file, KNOWN)
+        file.isDirectory() -> sourcesIn(file, KNOWN).ifEmpty { throw ToolException("$file has no file that can be checked, as $THESE") }
         !Files.exists(file) -> throw ToolException("there is no file $file")
-        file.extension !in KNOWN -> throw ToolException("$file cannot be checked; files that can: ${KNOWN.joinToString { ".$it" }}")
+        file.extension !in KNOWN -> throw ToolException("$file cannot be checked; files that can: $THESE")
         else -> listOf(file)
     }
 
@@ -61,5 +60,13 @@ internal class Migration(files: List<Path>) {
     private companion object {
         val PROJECTS = setOf("mas2j", "jcm", "gradle", "kts")
         val KNOWN = PROJECTS + setOf("asl", "xml")
+        val THESE = KNOWN.joinToString { ".$it" }
     }
 }
+
+/** Returns the names of the filters that Kotlin sources below [folders] make. */
+private fun kotlinFiltersIn(folders: List<Path>): Set<String> = folders.filter { it.isDirectory() }
+    .flatMap { sourcesIn(it, setOf("kt")) }.distinct()
+    .flatMap { source -> FILTER_MADE.findAll(source.readBytes().toString(Charsets.UTF_8)).map { it.groupValues[1] } }.toSet()
+
+private val FILTER_MADE = Regex("""\b(?:dropFilter|keepFilter)\(\s*(?:name\s*=\s*)?"([^"]+)"""")

@@ -26,7 +26,6 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             "protocol" to oneOf("1", "2", "auto"), "as" to any("the name of a namespace"),
         )
 
-        /** The options of `argo.act`. */
         val OF_ACT: Map<String, KnownOption> = mapOf(
             "timeout" to whole(1..MAX_MS), "urgent" to KnownOption(null) { true }, "latest" to KnownOption(null) { true },
             "port" to any("a port"),

@@ -16,7 +16,6 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.writeText
 
-/** `new`: makes a new project. */
 @Command(
     name = "new",
     description = [

@@ -9,6 +9,7 @@ import argo.tools.command.jsonOf
 import argo.tools.command.nanosOf
 import argo.tools.command.printable
 import argo.tools.command.requireFile
+import argo.tools.command.secondsIn
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
@@ -18,7 +19,6 @@ import picocli.CommandLine.Parameters
 import java.math.BigDecimal
 import java.nio.file.Path
 
-/** `recording`: shows the contents of a recording in the MCAP format. */
 @Command(
     name = "recording",
     description = [
@@ -77,11 +77,15 @@ internal class RecordingCommand : DataCommand() {
             throw ToolException("$file has no topic ${unknown.first()}; those that it has: ${recording.channels.joinToString { it.topic }}")
         }
         val start = recording.times?.first ?: return
-        recording.messages(start.after(from) ?: start, start.after(until) ?: Long.MAX_VALUE, topics).forEach { print(it, start) }
+        val begin = start.after(from) ?: start
+        val end = start.after(until) ?: Long.MAX_VALUE
+        if (end <= begin) misuse("--until is later than --from")
+        val printed = recording.messages(begin, end, topics).onEach { print(it, start) }.count()
+        if (printed == 0) err.println("$file has no such message in that time")
     }
 
     private fun print(message: McapMessage, start: Long) {
-        val seconds = (message.logTimeNs - start) / NANOS
+        val seconds = secondsIn(message.logTimeNs - start)
         if (json) {
             val members = arrayOf("topic" to message.channel.topic, "seconds" to seconds, "ns" to message.logTimeNs)
             out.println(jsonOf(*members, "message" to parsed(message)))
@@ -100,9 +104,5 @@ internal class RecordingCommand : DataCommand() {
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
         val ns = nanosOf(it) ?: misuse("$it is no second of a recording")
         this + minOf(ns, Long.MAX_VALUE - this)
-    }
-
-    private companion object {
-        const val NANOS = 1e9
     }
 }

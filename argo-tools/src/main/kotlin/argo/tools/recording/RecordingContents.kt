@@ -5,16 +5,17 @@ import argo.mcap.McapReader
 import argo.tools.command.counted
 import argo.tools.command.jsonArrayOf
 import argo.tools.command.jsonOf
+import argo.tools.command.secondsIn
+import argo.tools.command.table
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /** A channel with the number of its messages, and the times of the first and the last, in seconds since the recording's first message. */
 private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
 
-/** The contents of [recording], in short. */
 internal class RecordingContents(private val recording: McapReader) {
     private val times = recording.times
-    private val seconds = times?.let { (it.last - it.first) / NANOS } ?: 0.0
+    private val seconds = times?.let { secondsIn(it.last - it.first) } ?: 0.0
     private val channels = channels()
 
     private fun channels(): List<ChannelContents> {
@@ -25,7 +26,7 @@ internal class RecordingContents(private val recording: McapReader) {
             val time = message.logTimeNs
             ranges.merge(message.channel.id, time..time) { all, _ -> minOf(all.first, time)..maxOf(all.last, time) }
         }
-        fun since(time: Long?) = time?.let { (it - (times?.first ?: it)) / NANOS }
+        fun since(time: Long?) = time?.let { secondsIn(it - (times?.first ?: it)) }
         return recording.channels.map { channel ->
             val range = ranges[channel.id]
             ChannelContents(channel, counts[channel.id] ?: 0, since(range?.first), since(range?.last))
@@ -35,7 +36,8 @@ internal class RecordingContents(private val recording: McapReader) {
     /** Returns lines for a person on a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
-        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by ${recording.library}, $state".format(seconds))
+        val library = recording.library.ifEmpty { "an unknown program" }
+        add("$name: ${counted(recording.messageCount, "message")} in %.3f s, written by $library, $state".format(seconds))
         addAll(
             table(
                 listOf("TOPIC", "SCHEMA", "MESSAGES", "FIRST", "LAST"),
@@ -66,16 +68,4 @@ internal class RecordingContents(private val recording: McapReader) {
     )
 
     private fun clock(seconds: Double?) = seconds?.let { "%.3f s".format(it) } ?: "-"
-
-    /** Arranges [rows] below [head] in columns; returns no lines without rows. */
-    private fun table(head: List<String>, rows: List<List<String>>): List<String> {
-        if (rows.isEmpty()) return emptyList()
-        val all = listOf(head) + rows
-        val widths = head.indices.map { column -> all.maxOf { it[column].length } }
-        return all.map { line -> line.mapIndexed { column, text -> text.padEnd(widths[column]) }.joinToString("  ").trimEnd() }
-    }
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }

@@ -27,14 +27,20 @@ internal class AgentReplay(
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no agent ${unknown.first()}; those that it has: ${recording.agents.keys.joinToString()}")
         }
-        Replay(recording, isChecking).use { replay(recording, it) }
+        try {
+            Replay(recording, isChecking).use { replay(recording, it) }
+        } catch (unreadable: IllegalArgumentException) {
+            throw ToolException("a message in $file cannot be read: ${unreadable.message}")
+        }
     }
 
     private fun replay(recording: Recording, replay: Replay): ReplayReport {
         val firstNs = recording.firstNs ?: throw ToolException("$file holds no cycle of an agent")
         val beginNs = replay.nextNs ?: firstNs
-        val begin = System.nanoTime()
         val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
+        val cycles = cycles(recording, firstNs, endNs)
+        if (from != null && cycles.isEmpty()) throw ToolException("$file has no cycle in the time of --from and --until")
+        val begin = System.nanoTime()
         val trouble = stopping { replay.run(endNs) }
         val elapsedNs = System.nanoTime() - begin
         val believers = if (until == null && from != null) emptySet() else shownAgents
@@ -42,8 +48,8 @@ internal class AgentReplay(
         return ReplayReport(
             recording.agents.keys.toList(), beginnings(recording), replay.cyclesRun, firstNs, (replay.lastNs ?: beginNs) - beginNs,
             elapsedNs,
-            replay.differences,
-            shown.associateWith(replay::beliefs), cycles(recording, firstNs, endNs), recording.problems + listOfNotNull(trouble),
+            replay.differences, replay.refusals,
+            shown.associateWith(replay::beliefs), cycles, recording.problems + listOfNotNull(trouble),
         )
     }
 

@@ -5,7 +5,6 @@ import java.nio.file.Path
 
 /** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
-    /** True if the report names everything that gives another result each time. */
     @Option(
         names = ["--check"],
         description = [
@@ -15,7 +14,6 @@ internal class AgentReplayOptions {
     var isCheck = false
         private set
 
-    /** The moment from which cycles are printed; null: none is printed. */
     @Option(
         names = ["--from"],
         paramLabel = "S|cN",
@@ -25,7 +23,6 @@ internal class AgentReplayOptions {
     var from: Moment? = null
         private set
 
-    /** The moment at which the replay ends; null: at the end. */
     @Option(
         names = ["--until"],
         paramLabel = "S|cN",
@@ -35,12 +32,10 @@ internal class AgentReplayOptions {
     var until: Moment? = null
         private set
 
-    /** The agents whose beliefs are printed. */
     @Option(names = ["--of"], paramLabel = "AGENT", description = ["prints the beliefs of this agent alone; may be given several times"])
     var of: Set<String> = emptySet()
         private set
 
-    /** Programs in place of the recorded ones: `AGENT=FILE`, or a file. */
     @Option(
         names = ["--agent"],
         paramLabel = "[AGENT=]FILE",
@@ -49,7 +44,6 @@ internal class AgentReplayOptions {
     var programs: List<String> = emptyList()
         private set
 
-    /** A filter in place of the recorded ones; null: the recorded ones. */
     @Option(
         names = ["--filter"],
         paramLabel = "FILE",
@@ -61,7 +55,6 @@ internal class AgentReplayOptions {
     /** True if agents are run with other programs or another filter than recorded. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
-    /** The time by which the same command may be earlier or later, in ms. */
     @Option(
         names = ["--within"],
         paramLabel = "MS",
@@ -69,26 +62,4 @@ internal class AgentReplayOptions {
     )
     var within: Long? = null
         private set
-
-    /** The class path with Jason and the project's classes, besides this program's own; null: none. */
-    @Option(names = ["--class-path"], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
-    var classPath: String? = null
-        private set
-
-    /** True if the result is JSON. */
-    @Option(names = ["--json"], description = ["prints JSON"])
-    var json = false
-        private set
-
-    /** Returns these options without the class path, as arguments. */
-    fun arguments(): List<String> = buildList {
-        if (isCheck) add("--check")
-        if (json) add("--json")
-        from?.let { add("--from=$it") }
-        until?.let { add("--until=$it") }
-        of.forEach { add("--of=$it") }
-        programs.forEach { add("--agent=$it") }
-        filter?.let { add("--filter=$it") }
-        within?.let { add("--within=$it") }
-    }
 }

@@ -10,6 +10,7 @@ import argo.tools.command.ToolException
 import argo.tools.command.counted
 import argo.tools.command.jsonOf
 import argo.tools.command.requireFile
+import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -115,11 +116,7 @@ internal class WhatIfResult(
     private fun jsonOf(it: SentCommand) =
         jsonOf("text" to it.text, "port" to it.port, "seconds" to seconds(it.ns), "cycle" to it.cycle, "place" to it.place)
 
-    private fun seconds(ns: Long) = (ns - firstNs) / NANOS
-
-    private companion object {
-        const val NANOS = 1e9
-    }
+    private fun seconds(ns: Long) = secondsIn(ns - firstNs)
 }
 
 /** The results of all agents; [damage] names the parts of the file that cannot be read. */
@@ -130,7 +127,6 @@ internal class WhatIfReport(private val results: List<WhatIfResult>, private val
     /** True if all send the commands that were recorded. */
     val isIdentical: Boolean get() = results.all { it.difference == null }
 
-    /** Returns the results as lines for a person. */
     fun lines(): List<String> = results.flatMap { it.lines() }
 
     fun json(): JsonObject = jsonOf("identical" to isIdentical, "problems" to problems, "agents" to results.map { it.json() })

@@ -1,15 +1,11 @@
 package argo.tools.replay
 
+import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
-import argo.tools.command.runJava
 import java.io.File
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
-import kotlin.io.path.isRegularFile
-import kotlin.io.path.listDirectoryEntries
-import kotlin.io.path.name
-import kotlin.io.path.readText
 
 /** Returns true if Jason is on the class path of this program. */
 internal fun hasJason(): Boolean = try {
@@ -20,17 +16,6 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Runs the tools with [arguments] in another program, with Jason and [classPath] on its class path, and returns its exit status.
- *
- * @param command the command for the tools as the user has typed it
- * @throws ToolException if there is no Jason
- */
-internal fun runWithJason(command: String, classPath: String?, arguments: List<String>): Int {
-    val path = classPathWithJason(classPath) ?: throw ToolException(missingJason())
-    return runJava(QUICK_START + listOf("-Dargo.command=$command", "-cp", path, "argo.tools.MainKt") + arguments)
-}
-
-/**
  * Options of a Java machine for a program of seconds, which ends before a better compilation pays, and which needs no threads for its
  * memory. A Java machine ignores those that it does not have.
  */
@@ -38,7 +23,7 @@ internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:Tiere
 
 /** Returns the class path of this program with [classPath] and Jason; null: there is no Jason. */
 internal fun classPathWithJason(classPath: String?): String? {
-    val jason = if (hasJason()) null else ownJar()?.let(::bundledJason)
+    val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
     if (classPath == null && jason == null && !hasJason()) return null
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
 }
@@ -60,18 +45,4 @@ internal fun missingJason(
     val absent = classPath.split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
     val found = if (absent.isEmpty()) "" else "; these parts of it do not exist: ${absent.joinToString()}"
     return "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as $examples$found"
-}
-
-/**
- * Returns the class path of the samples of a release, beside [jar], or of the source tree in which [jar] was built, with Jason and its
- * dependencies; null: there is none.
- */
-internal fun bundledJason(jar: Path): String? {
-    val file = jar.toAbsolutePath().normalize()
-    val release = file.resolveSibling("samples")
-    val built = file.resolve("../../../samples/target/run.classpath").normalize()
-    fun hasJason(jars: List<Path>) = jars.any { it.name.startsWith("jason-interpreter") }
-    if (release.isDirectory() && hasJason(release.listDirectoryEntries("*.jar"))) return "$release${File.separator}*"
-    if (!built.isRegularFile()) return null
-    return built.readText().trim().takeIf { path -> hasJason(path.split(File.pathSeparator).map(Path::of)) }
 }

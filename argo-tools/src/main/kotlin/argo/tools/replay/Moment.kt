@@ -12,7 +12,6 @@ internal sealed interface Moment {
         override fun toString() = "${BigDecimal.valueOf(ns, NANO_DIGITS)}"
     }
 
-    /** The cycle with Jason's [number]. */
     data class OfCycle(val number: Int) : Moment {
         override fun toString() = "c$number"
     }

@@ -1,8 +1,10 @@
 package argo.tools.replay
 
 import argo.recording.replay.Difference
+import argo.recording.replay.RefusedCycle
 import argo.tools.command.counted
 import argo.tools.command.jsonOf
+import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
 /** The beginning of the replay of an [agent] whose first cycles are missing: after the [cycle] that began at [ns]. */
@@ -14,6 +16,7 @@ internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
  * @property beginnings those of the agents whose first cycles are missing
  * @property recordedNs the time from the first cycle to the last one that was replayed
  * @property elapsedNs the time that the replay took
+ * @property refusals the cycles before which the replay of their agents has ended, since no replay can have them
  * @property beliefs the beliefs of the agents that were asked about
  * @property shown the cycles that are shown
  * @property problems the parts that could not be replayed, a sentence for each
@@ -26,6 +29,7 @@ internal class ReplayReport(
     private val recordedNs: Long,
     private val elapsedNs: Long,
     differences: List<Difference>,
+    private val refusals: List<RefusedCycle>,
     private val beliefs: Map<String, List<String>>,
     private val shown: List<ShownCycle>,
     val problems: List<String>,
@@ -38,6 +42,9 @@ internal class ReplayReport(
     /** True if the agents acted as recorded. */
     val isIdentical: Boolean get() = course.isEmpty()
 
+    /** True if no cycle was refused. */
+    val isWhole: Boolean get() = refusals.isEmpty()
+
     /** True if nothing gave another result. */
     val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
 
@@ -46,16 +53,17 @@ internal class ReplayReport(
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {
             val of = if (agents.size == 1) "" else "agent ${it.agent} "
-            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format((it.ns - firstNs) / NANOS))
+            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format(secondsAt(it.ns)))
         }
-        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(recordedNs / NANOS, elapsedNs / NANOS, pace()))
+        add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
+        refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }
         course.forEach { addAll(described("differs", it)) }
-        if (isIdentical) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
+        if (isIdentical && (cycles > 0 || isWhole)) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
         if (isCheck) {
             results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
             if (isDeterministic) add("nothing in it gave another result")
         }
-        shown.forEach { add("%9.3f s  ".format((it.cycle.ns - firstNs) / NANOS) + it.words()) }
+        shown.forEach { add("%9.3f s  ".format(secondsAt(it.cycle.ns)) + it.words()) }
         for ((agent, believed) in beliefs) {
             add(if (believed.isEmpty()) "$agent believes nothing" else "$agent believes:")
             believed.forEach { add("  $it") }
@@ -64,31 +72,30 @@ internal class ReplayReport(
 
     fun json(): JsonObject = jsonOf(
         "agents" to agents,
-        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to (it.ns - firstNs) / NANOS) },
-        "cycles" to cycles, "seconds" to recordedNs / NANOS, "took" to elapsedNs / NANOS,
+        "begins" to beginnings.map { jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns)) },
+        "cycles" to cycles, "seconds" to secondsIn(recordedNs), "took" to secondsIn(elapsedNs),
         "identical" to isIdentical, "deterministic" to isDeterministic, "problems" to problems,
+        "refused" to refusals.map {
+            jsonOf("agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns), "why" to it.why)
+        },
         "differences" to (course.map { it to 1 } + results).map { (difference, times) -> jsonOf(difference, times) },
-        "shown" to shown.map { it.json((it.cycle.ns - firstNs) / NANOS) },
+        "shown" to shown.map { it.json(secondsAt(it.cycle.ns)) },
         "beliefs" to jsonOf(*beliefs.toList().toTypedArray()),
     )
 
     private fun jsonOf(it: Difference, times: Int) = jsonOf(
-        "agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsOf(it), "what" to it.what, "times" to times,
+        "agent" to it.agent, "cycle" to it.cycle, "seconds" to secondsAt(it.ns), "what" to it.what, "times" to times,
         "recorded" to it.recorded, "now" to it.now, "cause" to it.cause,
     )
 
     private fun described(how: String, it: Difference) = listOf(
-        "$how: agent ${it.agent}, cycle ${it.cycle}, %.3f s, ${it.what.replace("%", "%%")}".format(secondsOf(it)),
+        "$how: agent ${it.agent}, cycle ${it.cycle}, %.3f s, ${it.what.replace("%", "%%")}".format(secondsAt(it.ns)),
         "  recorded: ${it.recorded ?: "nothing"}",
         "  now:      ${it.now ?: "nothing"}",
         "  likely:   ${it.cause}",
     )
 
-    private fun secondsOf(it: Difference) = (it.ns - firstNs) / NANOS
+    private fun secondsAt(ns: Long) = secondsIn(ns - firstNs)
 
     private fun pace() = if (recordedNs > 0 && elapsedNs > 0) ", %.0f times real time".format(recordedNs.toDouble() / elapsedNs) else ""
-
-    private companion object {
-        const val NANOS = 1e9
-    }
 }

@@ -4,7 +4,6 @@ import argo.recording.Cycle
 import argo.tools.command.jsonOf
 import kotlinx.serialization.json.JsonObject
 
-/** A [cycle] of [agent] in the form in which it is shown. */
 internal class ShownCycle(private val agent: String, val cycle: Cycle) {
     private val commands = cycle.input.calls.flatMap { it.commands }
 

@@ -1,6 +1,7 @@
 package argo.tools.samples
 
 import argo.tools.command.ExitStatus
+import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
 import argo.tools.command.runJava
@@ -22,7 +23,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
 
     override fun call(): Int {
         val classPath = try {
-            samplesClassPath(ownJar() ?: Path.of(""), module)
+            Installation(ownJar() ?: Path.of("")).classPathOf(module)
         } catch (missing: ToolException) {
             return if (arguments.any { it in HELP }) help(missing) else throw missing
         }
@@ -41,17 +42,14 @@ internal abstract class SampleProgramCommand(private val module: String, private
     }
 }
 
-/** `demo`: the sample `collision`. */
 @Command(
     name = "demo",
     description = ["A robot drives at a wall and its agent stops it; no hardware needed. --help lists its options."],
 )
 internal class DemoCommand : SampleProgramCommand("samples", "demo")
 
-/** `experiment`: the published experiment. */
 @Command(name = "experiment", description = ["Makes all runs of the published experiment and a report. --help lists its options."])
 internal class ExperimentCommand : SampleProgramCommand("experiment")
 
-/** `sample NAME`: any sample. */
 @Command(name = "sample", description = ["Runs the sample of the name that follows. --help lists the samples."])
 internal class SampleCommand : SampleProgramCommand("samples")

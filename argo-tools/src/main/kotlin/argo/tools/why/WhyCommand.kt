@@ -6,20 +6,17 @@ import argo.recording.why.Answer
 import argo.recording.why.NotAnswer
 import argo.recording.why.Question
 import argo.recording.why.Why
-import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
 import argo.tools.command.printable
 import argo.tools.command.requireFile
-import argo.tools.replay.hasJason
-import argo.tools.replay.runWithJason
+import argo.tools.replay.JasonCommand
 import kotlinx.serialization.json.Json
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
 import java.nio.file.Path
 
-/** `why`: explains why an agent in a recording sent a command, or did not. */
 @Command(
     name = "why",
     description = [
@@ -28,7 +25,7 @@ import java.nio.file.Path
         "#17 is the command that the live view and the timeline call number 17.",
     ],
 )
-internal class WhyCommand : DataCommand() {
+internal class WhyCommand : JasonCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["a recording by an agent's argo_record"])
     private lateinit var file: Path
 
@@ -44,16 +41,13 @@ internal class WhyCommand : DataCommand() {
     @Option(names = ["--of"], paramLabel = "AGENT", description = ["asks about this agent; needed if there are several and --not is given"])
     private var of: String? = null
 
-    @Option(names = ["--class-path"], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
-    private var classPath: String? = null
-
     override fun call(): Int {
         val asked = Question.of(question) ?: misuse("a question is a command such as stop@12.3s, not '$question'")
         if (isNot && had.isNotEmpty()) misuse("--not and --had exclude each other")
         if (isNot && asked.count != null) misuse("--not goes with a time, ${asked.text.ifEmpty { "stop" }}@12.3s, and not with a number")
         requireFile(file)
         if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
-        if (classPath != null || !hasJason()) return runWithJason(spec.root().name(), classPath, arguments())
+        if (!runsHere) return runElsewhere("$file", question)
         return Recording(file).use { recording ->
             val agent = of
             if (agent != null && agent !in recording.agents) {
@@ -78,14 +72,6 @@ internal class WhyCommand : DataCommand() {
         val answer = why.not(agent, asked)
         if (json) out.println(JSON.encodeToString(NotAnswer.serializer(), answer))
         else WhyText().of(answer).forEach { out.println(printable(it)) }
-    }
-
-    private fun arguments(): List<String> = buildList {
-        addAll(listOf("why", "$file", question))
-        if (json) add("--json")
-        if (isNot) add("--not")
-        had.forEach { add("--had=$it") }
-        of?.let { add("--of=$it") }
     }
 
     private companion object {

@@ -112,6 +112,14 @@ class BoardCommandsSpec : FunSpec({
         argo("monitor", "replay:$file", "--mode", "listen", "--count", "1").out shouldContain "1 message in"
     }
 
+    test("monitor that listens to a board which sends nothing unasked says so") {
+        board { it.whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
+            val said = argo("monitor", port, "--mode", "listen", "--seconds", "1", "--boot", "0", "--timeout", "100")
+            said.status shouldBe 1
+            said.err shouldContain "does the board send percepts unasked?"
+        }
+    }
+
     test("monitor prints JSON lines, the summary last") {
         board { it.whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
             val printed = argo("monitor", port, "--count", "2", "--interval", "0", "--json").out

@@ -244,6 +244,8 @@ class MigrationSpec : FunSpec({
         argo("check-agent", "${folder("a.asl" to good)}").status shouldBe 0
         argo("check-agent", "$bad/none.asl").err shouldBe "there is no file $bad/none.asl\n"
         argo("check-agent", "$bad/../").status shouldBe 1
+        val empty = folder("a.txt" to "")
+        argo("check-agent", "$empty").err shouldBe "$empty has no file that can be checked, as .mas2j, .jcm, .gradle, .kts, .asl, .xml\n"
     }
 
     test("the actions that are known are those there are") {

@@ -92,6 +92,8 @@ class RecordingCommandSpec : FunSpec({
         argo("recording", "$file", "--topic", "/x").status shouldBe 2
         argo("recording", "$file", "--messages", "--from", "-1").err shouldContain "-1 is no second of a recording"
         argo("recording", "$file", "--messages", "--file", "a").status shouldBe 2
+        argo("recording", "$file", "--messages", "--from", "3") shouldBe Output(0, "", "$file has no such message in that time\n")
+        argo("recording", "$file", "--messages", "--from", "2", "--until", "1").err shouldContain "--until is later than --from"
     }
 
     test("replay, which runs agents again, names what it is that holds none") {

@@ -129,6 +129,7 @@ class ReplayAgentsSpec : FunSpec({
             status shouldBe 1
             err shouldContain "no agent has a cycle 99999"
         }
+        argo("replay", "$drive", "--from", "99999") shouldBe Output(1, "", "$drive has no cycle in the time of --from and --until\n")
     }
 
     test("--json is data") {

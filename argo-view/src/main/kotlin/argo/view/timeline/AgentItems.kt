@@ -28,7 +28,6 @@ internal class AgentItems(
     private val perceptsOf = HashMap<String, Int>()
     private var lastMail = HashMap<String, Int>()
 
-    /** Adds the events of [cycle]. */
     fun add(cycle: Cycle) {
         perceive(cycle)
         cycle.input.mail.forEach { mail ->

@@ -5,6 +5,7 @@ import argo.recording.replay.Recording
 import argo.view.AgentLanes
 import argo.view.AgentLanesProvider
 import argo.view.HttpResponse
+import argo.view.parametersOf
 import java.io.IOException
 import java.time.Duration
 

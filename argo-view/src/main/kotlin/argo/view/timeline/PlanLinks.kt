@@ -26,7 +26,6 @@ internal class PlanLinks {
     /** Returns the number of the intention of [step]; null: the goal began an intention. */
     fun intentionOf(step: Int): Int? = intentions[step]
 
-    /** Notes that [plan] was chosen for [event]. */
     fun chosen(event: Int, plan: Place, intention: Int?) {
         waiting += Chosen(event, plan, intention)
         if (waiting.size > MOST_WAITING) waiting.removeFirst()

@@ -2,11 +2,7 @@ package argo.view.timeline
 
 import argo.view.HttpResponse
 import argo.view.Site
-import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.builtins.ListSerializer
-import kotlinx.serialization.json.Json
-import java.net.URLDecoder
 
 /**
  * Responds to the requests of the page of [timeline].
@@ -25,10 +21,9 @@ internal class TimelineRoutes(
 ) {
     private val contents = Contents(name, timeline.agents, timeline.seconds, timeline.items.size, problems, number)
 
-    /** Returns the response to a request for [path]. */
     fun respond(path: String, parameters: Map<String, String>): HttpResponse = when (path) {
         "/" -> page()
-        "/recording" -> json(Contents.serializer(), contents)
+        "/recording" -> HttpResponse.json(contents)
         "/items" -> items(parameters)
         "/item" -> item(parameters)
         "/why" -> why.respond(parameters)
@@ -42,7 +37,7 @@ internal class TimelineRoutes(
             return HttpResponse.message(400, "from and until are seconds, as in /items?from=0&until=10")
         }
         val most = parameters["most"]?.toIntOrNull()?.coerceIn(1, MOST_ITEMS) ?: MOST_ITEMS
-        return json(ListSerializer(LanePart.serializer()), timeline.between(from, until, most))
+        return HttpResponse.json(timeline.between(from, until, most))
     }
 
     /** Responds with the item `id`, or the one before or after it, and its links. */
@@ -55,11 +50,8 @@ internal class TimelineRoutes(
             else -> id?.let { timeline.beside(it, isAfter = false) }
         }
         val related = wanted?.let { timeline.related(it, MOST_RELATED) } ?: return HttpResponse.message(404, "there is no such item")
-        return json(Related.serializer(), related)
+        return HttpResponse.json(related)
     }
-
-    private fun <T> json(serializer: KSerializer<T>, value: T) =
-        HttpResponse(200, HttpResponse.JSON, Json.encodeToString(serializer, value).toByteArray())
 
     @Serializable
     private class Contents(
@@ -81,14 +73,4 @@ internal class TimelineRoutes(
             else -> null
         }
     }
-}
-
-/** Returns the names and values in [query], the part of the address behind `?`, which may be missing. */
-internal fun parametersOf(query: String?): Map<String, String> =
-    query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
-
-private fun decoded(value: String) = try {
-    URLDecoder.decode(value, Charsets.UTF_8)
-} catch (_: IllegalArgumentException) {
-    value // not encoded
 }

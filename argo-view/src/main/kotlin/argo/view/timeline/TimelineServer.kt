@@ -1,13 +1,13 @@
 package argo.view.timeline
 
 import argo.view.HttpResponse
-import argo.view.RequestGate
-import argo.view.begin
+import argo.view.localServer
+import argo.view.parametersOf
+import argo.view.refusal
+import argo.view.send
+import argo.view.uri
 import com.sun.net.httpserver.HttpExchange
-import com.sun.net.httpserver.HttpServer
 import java.io.IOException
-import java.net.InetAddress
-import java.net.InetSocketAddress
 import java.net.URI
 import java.nio.file.Path
 import java.util.concurrent.Executors
@@ -28,39 +28,23 @@ internal class TimelineServer(
 ) : AutoCloseable {
     private val routes = TimelineRoutes(timeline, "${file.fileName}", problems, ToldWhy { ask -> ask(file) })
     private val threads = Executors.newFixedThreadPool(THREADS) { work -> Thread(work, "argo-timeline").apply { isDaemon = true } }
-    private val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
+    private val server = localServer(port, threads, ::handle)
 
-    /** Its address for browsers. */
-    val address: URI = URI("http://127.0.0.1:${server.address.port}/")
+    val address: URI = server.uri
 
     init {
-        server.executor = threads
-        server.createContext("/") { exchange -> exchange.use { it.respond() } }
         server.start()
     }
 
-    private fun HttpExchange.respond() {
-        val path = requestURI.path.orEmpty()
-        val (host, origin, fetchSite) = listOf("Host", "Origin", "Sec-Fetch-Site").map(requestHeaders::getFirst)
-        val refusal = RequestGate.refusal(host, origin, fetchSite, isPage = path == "/")
+    private fun handle(exchange: HttpExchange) {
+        val uri = exchange.requestURI
+        val refusal = exchange.refusal(uri.path.orEmpty())
         val response = when {
             refusal != null -> HttpResponse.message(403, refusal)
-            requestMethod != "GET" -> HttpResponse.wrongMethod("GET")
-            else -> routes.respond(path, parametersOf(requestURI.rawQuery))
+            exchange.requestMethod != "GET" -> HttpResponse.wrongMethod("GET")
+            else -> routes.respond(uri.path.orEmpty(), parametersOf(uri.rawQuery))
         }
-        begin(response.status, response.type, response.body.size.toLong())
-        responseBody.use { it.write(response.body) }
-    }
-
-    /** Serves the exchange with [handle], and drops the connection of a browser that has gone. */
-    private fun HttpExchange.use(handle: (HttpExchange) -> Unit) {
-        try {
-            handle(this)
-        } catch (_: IOException) {
-            // the browser has gone
-        } finally {
-            close()
-        }
+        exchange.send(response)
     }
 
     /** Frees the port. */

@@ -4,7 +4,6 @@ import argo.tools.why.Told
 import argo.tools.why.WhyProgram
 import argo.view.HttpResponse
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.json.Json
 import java.io.IOException
 import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
@@ -43,7 +42,7 @@ internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
             return HttpResponse.message(500, "the tool why cannot be run: ${trouble.message}")
         }
         if (told.lines.isEmpty()) return HttpResponse.message(404, told.trouble.ifEmpty { "the tool why has ended without an answer" })
-        return HttpResponse(200, HttpResponse.JSON, Json.encodeToString(Sentences.serializer(), Sentences(told.lines)).toByteArray())
+        return HttpResponse.json(Sentences(told.lines))
     }
 
     @Serializable

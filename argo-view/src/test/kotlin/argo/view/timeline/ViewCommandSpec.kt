@@ -1,5 +1,6 @@
 package argo.view.timeline
 
+import argo.tools.command.refusingInWords
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import picocli.CommandLine
@@ -8,9 +9,11 @@ import java.io.StringWriter
 
 /** `view` without anything to show. */
 class ViewCommandSpec : FunSpec({
-    test("a recording that is not there is a failure, as of the other tools, and no wrong argument") {
-        val err = StringWriter()
-        CommandLine(ViewCommand()).setErr(PrintWriter(err, true)).execute("no-such.mcap") shouldBe 1
-        "$err" shouldBe "there is no file no-such.mcap${System.lineSeparator()}"
+    mapOf("no-such.mcap" to "there is no file no-such.mcap", "src" to "src is a folder, no file").forEach { (file, why) ->
+        test("$file is a failure, as of the other tools, and no wrong argument") {
+            val err = StringWriter()
+            CommandLine(ViewCommand()).refusingInWords("command").setErr(PrintWriter(err, true)).execute(file) shouldBe 1
+            "$err" shouldBe "$why${System.lineSeparator()}"
+        }
     }
 })

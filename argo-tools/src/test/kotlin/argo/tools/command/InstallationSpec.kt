@@ -1,6 +1,5 @@
-package argo.tools.samples
+package argo.tools.command
 
-import argo.tools.command.ToolException
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
@@ -10,11 +9,12 @@ import java.io.File
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
-class SamplesPlaceSpec : FunSpec({
+class InstallationSpec : FunSpec({
     test("a release has the samples beside its jar") {
         val release = tempdir().toPath()
         release.resolve("samples").createDirectories().resolve("samples.jar").writeText("")
-        samplesClassPath(release.resolve("argo.jar"), "samples") shouldBe release.resolve("samples").toString() + File.separator + "*"
+        val samples = release.resolve("samples").toString() + File.separator + "*"
+        Installation(release.resolve("argo.jar")).classPathOf("samples") shouldBe samples
     }
 
     listOf("samples", "experiment").forEach { module ->
@@ -22,7 +22,7 @@ class SamplesPlaceSpec : FunSpec({
             val tree = tempdir().toPath()
             val target = tree.resolve("$module/target").createDirectories()
             target.resolve("run.classpath").writeText("a.jar${File.pathSeparator}b.jar\n")
-            samplesClassPath(tree.resolve("argo-jar/target/argo.jar"), module) shouldBe
+            Installation(tree.resolve("argo-jar/target/argo.jar")).classPathOf(module) shouldBe
                 listOf("${target.resolve("classes")}", "a.jar", "b.jar").joinToString(File.pathSeparator)
         }
     }
@@ -30,7 +30,7 @@ class SamplesPlaceSpec : FunSpec({
     test("where there are none it is said where they were looked for, and how to get them") {
         val alone = tempdir().toPath()
         alone.resolve("samples").createDirectories()
-        val refused = shouldThrow<ToolException> { samplesClassPath(alone.resolve("argo.jar"), "samples") }
+        val refused = shouldThrow<ToolException> { Installation(alone.resolve("argo.jar")).classPathOf("samples") }
         refused.message shouldContain "${alone.resolve("samples")}"
         refused.message shouldContain "mvn package"
     }

@@ -1,0 +1,57 @@
+package argo.tools.command
+
+import java.io.File
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+import kotlin.io.path.readText
+import kotlin.io.path.toPath
+
+/** The parts of ARGO around [jar], its `argo.jar`: beside it in a release, or in Maven's outputs in the source tree that has built it. */
+internal class Installation(jar: Path) {
+    private val file = jar.toAbsolutePath().normalize()
+    private val release = file.resolveSibling("samples")
+    private val releasedJars = if (release.isDirectory()) release.listDirectoryEntries("*.jar") else emptyList()
+
+    /**
+     * Returns the class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason.
+     *
+     * @throws ToolException if it is not there
+     */
+    fun classPathOf(module: String): String {
+        if (releasedJars.isNotEmpty()) return allReleased()
+        val libraries = librariesOf(module) ?: throw ToolException(
+            "the samples are not there. A release has them in the folder samples beside argo.jar (looked for: $release); " +
+                "in the sources of ARGO, \"mvn package -Dmaven.test.skip=true\" builds them",
+        )
+        return outputOf(module).resolve("classes").toString() + File.pathSeparator + libraries
+    }
+
+    /** Returns a class path that holds Jason and its libraries, that of the samples; null: it is not there. */
+    fun jason(): String? =
+        if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
+
+    /** Returns the jar of the test kit; null: it is not there. */
+    fun testKit(): Path? {
+        val built = outputOf("argo-testkit").takeIf { it.isDirectory() }?.listDirectoryEntries("argo-testkit-*.jar").orEmpty()
+        return file.resolveSibling("argo-testkit.jar").takeIf { it.isRegularFile() }
+            ?: built.find { jar -> ASIDE.none { jar.name.endsWith(it) } }
+    }
+
+    private fun allReleased() = "$release${File.separator}*"
+
+    private fun outputOf(module: String) = file.resolve("../../../$module/target").normalize()
+
+    private fun librariesOf(module: String) = outputOf(module).resolve("run.classpath").takeIf { it.isRegularFile() }?.readText()?.trim()
+
+    private companion object {
+        const val JASON = "jason-interpreter"
+        val ASIDE = listOf("-sources.jar", "-javadoc.jar")
+    }
+}
+
+/** Returns the jar from which this program runs; null: it runs from a folder of classes. */
+internal fun ownJar(): Path? =
+    ToolCommand::class.java.protectionDomain.codeSource.location.toURI().toPath().takeIf { it.isRegularFile() }

@@ -1,0 +1,32 @@
+package argo.tools.replay
+
+import argo.tools.command.DataCommand
+import argo.tools.command.ToolException
+import argo.tools.command.runJava
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+
+/** A tool that runs Jason: in another program, unless this one has Jason and all that the tool needs. */
+@Command
+internal abstract class JasonCommand : DataCommand() {
+    @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
+    protected var classPath: String? = null
+
+    /** True if this program can do it. */
+    protected val runsHere: Boolean get() = classPath == null && hasJason()
+
+    /**
+     * Runs this tool with its options and [operands] in another program, and returns its exit status.
+     *
+     * @throws ToolException if there is no Jason
+     */
+    protected fun runElsewhere(vararg operands: String): Int {
+        val path = classPathWithJason(classPath) ?: throw ToolException(missingJason())
+        val program = QUICK_START + listOf("-Dargo.command=${spec.root().name()}", "-cp", path, "argo.tools.MainKt", spec.name())
+        return runJava(program + givenWithout(CLASS_PATH) + "--" + operands)
+    }
+
+    private companion object {
+        const val CLASS_PATH = "--class-path"
+    }
+}
