@@ -282,18 +282,10 @@ static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
 
 /* Bytes wait here since simavr's receiver hands them on more slowly than the line brings them, and drops those that do not
  * fit its queue. */
-static void receiver_full(avr_irq_t *irq, uint32_t value, void *context)
+static void receiver_changed(avr_irq_t *irq, uint32_t value, void *context)
 {
-    (void)irq;
     (void)value;
-    ((board *)context)->receiver_full = true;
-}
-
-static void receiver_ready(avr_irq_t *irq, uint32_t value, void *context)
-{
-    (void)irq;
-    (void)value;
-    ((board *)context)->receiver_full = false;
+    ((board *)context)->receiver_full = irq->irq == UART_IRQ_OUT_XOFF;
 }
 
 unsigned board_room(const board *board)
@@ -400,7 +392,7 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
 {
     elf_firmware_t sketch;
     uint32_t flags = 0;
-    int input, i, port;
+    int port;
     memset(board, 0, sizeof *board);
     memset(board->select_pins, -1, sizeof board->select_pins);
     memset(&sketch, 0, sizeof sketch);
@@ -426,17 +418,14 @@ bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_si
     board->avr->sleep = no_sleep;
     avr_ioctl(board->avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), written, board);
-    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XOFF), receiver_full, board);
-    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XON), receiver_ready, board);
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XOFF), receiver_changed, board);
+    avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUT_XON), receiver_changed, board);
     for (port = 0; port < 3; port++) {
         uint32_t name = AVR_IOCTL_IOPORT_GETIRQ(PORTS[port].letter);
         avr_irq_register_notify(avr_io_getirq(board->avr, name, IOPORT_IRQ_REG_PORT), port_written, board);
         avr_irq_register_notify(avr_io_getirq(board->avr, name, IOPORT_IRQ_DIRECTION_ALL), port_written, board);
     }
     avr_irq_register_notify(avr_io_getirq(board->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_OUT_TRIGGER), conversion, board);
-    for (input = 0; input < BOARD_ANALOGUE; input++)
-        for (i = 0; i < BOARD_CHANNELS; i++)
-            board->millivolts[input][i] = 0;
     return true;
 }
 

@@ -6,9 +6,10 @@
 
 #define WORDS 8
 
-void console_pin(int pin, pin_state state, double ms)
+void console_pin(void *context, int pin, pin_state state, double ms)
 {
     static const char *const NAMES[] = {"input", "low", "high", "pwm"};
+    (void)context;
     printf("pin %d %s", pin, NAMES[state.kind]);
     if (state.kind == PIN_PWM)
         printf(" %d", state.duty);
@@ -124,7 +125,7 @@ bool console_do(board *board, sonar *sonar, char *command)
     if (pin < 0)
         return say_error("there is no such pin", words[1]);
     if (strcmp(words[0], "get") == 0)
-        console_pin(pin, board_state(board, pin), board_ms(board));
+        console_pin(NULL, pin, board_state(board, pin), board_ms(board));
     else
         board_watch(board, pin);
     return true;

@@ -14,7 +14,7 @@
  */
 bool console_do(board *board, sonar *sonar, char *command);
 
-/** Prints the state of a pin: `pin 13 high 1234.567`, the time being milliseconds since power-on. */
-void console_pin(int pin, pin_state state, double ms);
+/** A pin_watcher. Prints the state of a pin: `pin 13 high 1234.567`, the time being milliseconds since power-on. */
+void console_pin(void *context, int pin, pin_state state, double ms);
 
 #endif

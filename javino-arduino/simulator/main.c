@@ -102,9 +102,12 @@ static bool read_options(options *o, int count, char **words)
     for (i = 1; i < count; i++) {
         if (strcmp(words[i], "--link") == 0 && i + 1 < count)
             o->link = words[++i];
-        else if (strcmp(words[i], "--boot-ms") == 0 && i + 1 < count)
-            o->boot_cycles = strtoull(words[++i], NULL, 10) * (BOARD_HZ / 1000);
-        else if (strcmp(words[i], "--soft") == 0 && i + 1 < count) {
+        else if (strcmp(words[i], "--boot-ms") == 0 && i + 1 < count) {
+            char *end;
+            o->boot_cycles = strtoull(words[++i], &end, 10) * (BOARD_HZ / 1000);
+            if (*end || end == words[i])
+                return false;
+        } else if (strcmp(words[i], "--soft") == 0 && i + 1 < count) {
             if (!read_soft(o, words[++i]))
                 return false;
         } else if (strcmp(words[i], "--reset-on-open") == 0)
@@ -119,12 +122,6 @@ static bool read_options(options *o, int count, char **words)
             return false;
     }
     return o->sketch != NULL;
-}
-
-static void pin_changed(void *context, int pin, pin_state state, double ms)
-{
-    (void)context;
-    console_pin(pin, state, ms);
 }
 
 static void byte_sent(void *context, uint8_t byte)
@@ -194,6 +191,23 @@ static void take_soft_bytes(simulator *s)
         soft_receive(&s->soft, bytes[i]);
 }
 
+/* Takes a byte of a command. True: it ends there. One that is too long is refused, and empty then. */
+static bool end_command(simulator *s, char byte)
+{
+    if (byte != '\n') {
+        if (s->command_length < sizeof s->command)
+            s->command[s->command_length++] = byte;
+        return false;
+    }
+    if (s->command_length == sizeof s->command) {
+        printf("error: a command has fewer than %zu characters\n", sizeof s->command);
+        s->command_length = 0;
+    }
+    s->command[s->command_length] = 0;
+    s->command_length = 0;
+    return true;
+}
+
 /* False when there are no more commands to come, or one was quit. */
 static bool take_commands(simulator *s)
 {
@@ -204,17 +218,9 @@ static bool take_commands(simulator *s)
         return false;
     if (s->options.panel)
         return count < 0 || panel_type(&s->panel, bytes, (size_t)count);
-    for (i = 0; i < count; i++) {
-        if (bytes[i] != '\n') {
-            if (s->command_length < sizeof s->command - 1)
-                s->command[s->command_length++] = bytes[i];
-            continue;
-        }
-        s->command[s->command_length] = 0;
-        s->command_length = 0;
-        if (!console_do(&s->board, &s->sonar, s->command))
+    for (i = 0; i < count; i++)
+        if (end_command(s, bytes[i]) && !console_do(&s->board, &s->sonar, s->command))
             return false;
-    }
     return true;
 }
 
@@ -282,7 +288,7 @@ int main(int count, char **words)
         fputs(USAGE, stderr);
         return 2;
     }
-    if (!board_load(&s.board, s.options.sketch, pin_changed, byte_sent, &s) || !line_open(&s.line, s.options.link))
+    if (!board_load(&s.board, s.options.sketch, console_pin, byte_sent, &s) || !line_open(&s.line, s.options.link))
         return 1;
     sonar_connect(&s.sonar, &s.board);
     if (s.options.soft_receives >= 0 && !open_soft(&s))

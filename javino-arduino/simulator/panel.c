@@ -266,7 +266,6 @@ void panel_open(panel *p, board *board, sonar *sonar, const char *port)
 {
     memset(p, 0, sizeof *p);
     p->board = board;
-    p->port = port;
     p->sonar = sonar;
     p->is_drawn = isatty(STDOUT_FILENO) && is_capable();
     p->is_typed = take_keys(&p->keyboard);

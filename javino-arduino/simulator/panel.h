@@ -12,7 +12,6 @@
 /** The members are private. */
 typedef struct {
     board *board;
-    const char *port;
     sonar *sonar;
     bool is_drawn;                   /* on a terminal, as a line that is redrawn */
     bool is_typed;                   /* the keyboard's settings are changed */

@@ -7,23 +7,10 @@
 #include "board.h"
 #include "console.h"
 
-static void pin_changed(void *context, int pin, pin_state state, double ms)
-{
-    (void)context;
-    console_pin(pin, state, ms);
-}
-
 static void byte_sent(void *context, uint8_t byte, uint64_t cycle)
 {
     (void)context;
     printf("byte %" PRIu64 " %02x\n", cycle, byte);
-}
-
-/* Never called: bytes are foretold. */
-static void byte_left(void *context, uint8_t byte)
-{
-    (void)context;
-    (void)byte;
 }
 
 static bool send(board *board, const char *command)
@@ -31,8 +18,10 @@ static bool send(board *board, const char *command)
     uint64_t cycle;
     uint64_t period;
     unsigned byte;
-    int at;
-    if (sscanf(command, "send %" SCNu64 " %" SCNu64 " %n", &cycle, &period, &at) != 2 || !command[at]) {
+    int at = 0;
+    bool is_read = sscanf(command, "send %" SCNu64 " %" SCNu64 " %n", &cycle, &period, &at) == 2;
+    size_t digits = strspn(command + at, "0123456789abcdefABCDEF");
+    if (!is_read || !digits || digits % 2 || command[at + digits]) {
         printf("error: send takes a cycle, the cycles of a byte and bytes in hexadecimal: %s\n", command);
         return false;
     }
@@ -79,12 +68,16 @@ bool stepped_run(const char *sketch)
     static sonar sonar;
     static char command[16384]; /* a send of all bytes that the line holds */
     bool runs = true;
-    if (!board_load(&board, sketch, pin_changed, byte_left, NULL))
+    if (!board_load(&board, sketch, console_pin, NULL, NULL))
         return false;
     sonar_connect(&sonar, &board);
     board_foretell(&board, byte_sent);
-    while (fgets(command, sizeof command, stdin) && carry_out(&board, &sonar, command, &runs))
+    while (fgets(command, sizeof command, stdin)) {
+        command[strcspn(command, "\r\n")] = 0;
+        if (!carry_out(&board, &sonar, command, &runs))
+            break;
         fflush(stdout);
+    }
     fflush(stdout);
     return runs;
 }

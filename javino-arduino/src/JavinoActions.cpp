@@ -4,13 +4,23 @@
 
 #include "javino_literal.h"
 
+/** Returns true if a page of the vocabulary holds the name. */
+static bool fits(const char *name) {
+#ifdef JAVINO_VERSION_1_ONLY
+  (void)name;
+  return true;
+#else
+  return strlen(name) <= JAVINO_NAME_MAX;
+#endif
+}
+
 bool JavinoActions::add(const char *name, Function function, Caller caller, uint8_t arguments) {
-  if (!function)
-    return false;
-  Action *action = static_cast<Action *>(javino_board_take(board_, sizeof(Action)));
   uint8_t count = count_;
-  if (!action || count == JAVINO_ACTIONS_MAX) {
-    board_->link.actions_lost++;
+  Action *action = NULL;
+  if (count < JAVINO_ACTIONS_MAX && fits(name))
+    action = static_cast<Action *>(javino_board_take(board_, sizeof(Action)));
+  if (!action) {
+    leaveOut();
     return false;
   }
   action->named.name = name;
@@ -27,20 +37,35 @@ bool JavinoActions::add(const char *name, Function function, Caller caller, uint
   return true;
 }
 
-const char *JavinoActions::keep(const __FlashStringHelper *name) {
-  const char *text = reinterpret_cast<const char *>(name);
-  uint16_t size = static_cast<uint16_t>(strlen_P(text) + 1);
-  char *kept = static_cast<char *>(javino_board_take_front(board_, size));
-  if (kept)
-    memcpy_P(kept, text, size);
-  else
-    board_->link.actions_lost++;
+void JavinoActions::leaveOut() {
+  uint8_t lost = board_->link.actions_lost + 1;
+  if (lost)
+    board_->link.actions_lost = lost;
+}
+
+const char *JavinoActions::keep(const String &name) {
+  const char *kept = strdup(name.c_str());
+  if (!kept)
+    leaveOut();
   return kept;
 }
 
-void JavinoActions::FlashPlace::operator()() const {
-  JAVINO_COPY(name, name_);
-  Place(actions_, name)();
+const char *JavinoActions::keep(const __FlashStringHelper *name) {
+  const char *text = reinterpret_cast<const char *>(name);
+  size_t size = strlen_P(text) + 1;
+  char *kept = NULL;
+  if (count_ < JAVINO_ACTIONS_MAX && size <= JAVINO_NAME_MAX + 1)
+    kept = static_cast<char *>(javino_board_take_front(board_, static_cast<uint16_t>(size)));
+  if (kept)
+    memcpy_P(kept, text, size);
+  else
+    leaveOut();
+  return kept;
+}
+
+void JavinoActions::carryOut(const __FlashStringHelper *name) const {
+  JAVINO_COPY(copy, name);
+  carryOut(copy);
 }
 
 /** Returns true if a name begins with this text, which may hold any bytes. */

@@ -25,76 +25,50 @@ public:
   /** Any number of arguments. */
   static const uint8_t ANY = JAVINO_ANY;
 
-  /** `act["ledOn"]`: the place of one action. */
-  class Place {
+  /** `act["ledOn"]`: the place of one action. Its name is a text, a String, or a text in flash. */
+  template <typename Name> class Place {
   public:
-    Place(JavinoActions &actions, const char *name) : actions_(actions), name_(name) {}
+    Place(JavinoActions &actions, Name name) : actions_(actions), name_(name) {}
 
     /** Registers the function for the action whose whole text is the name. */
-    void operator=(Function function) { actions_.add(name_, function); }
+    void operator=(Function function) {
+      const char *name = function ? actions_.keep(name_) : NULL;
+      if (name)
+        actions_.add(name, function);
+    }
 
     /** The same. A template, so that NULL is a Function. */
     template <typename = void> void operator=(BoardFunction function) {
-      actions_.addCalled(name_, reinterpret_cast<Function>(function), callWithBoard<void>);
+      const char *name = function ? actions_.keep(name_) : NULL;
+      if (name)
+        actions_.addCalled(name, reinterpret_cast<Function>(function), callWithBoard<void>);
     }
 
     /** Explains, at compile time, what to write for any other function. */
     template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
 
     /** Carries the action out, if there is one of that name. */
-    void operator()() const { actions_.carryOut(name_, static_cast<uint8_t>(strlen(name_)), true); }
+    void operator()() const { actions_.carryOut(name_); }
 
   private:
     JavinoActions &actions_;
-    const char *name_;
-  };
-
-  /** The same, for a name that does not last. */
-  class NamedPlace {
-  public:
-    NamedPlace(JavinoActions &actions, const String &name) : actions_(actions), name_(name) {}
-    void operator=(Function function) { Place(actions_, strdup(name_.c_str())) = function; }
-    template <typename = void> void operator=(BoardFunction function) { Place(actions_, strdup(name_.c_str())) = function; }
-    template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
-    void operator()() const { Place(actions_, name_.c_str())(); }
-
-  private:
-    JavinoActions &actions_;
-    const String &name_;
-  };
-
-  /** The same, for a name in flash. */
-  class FlashPlace {
-  public:
-    FlashPlace(JavinoActions &actions, const __FlashStringHelper *name) : actions_(actions), name_(name) {}
-    void operator=(Function function) { set(function); }
-    template <typename = void> void operator=(BoardFunction function) { set(function); }
-    template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
-    void operator()() const;
-
-  private:
-    template <typename Kind> void set(Kind function) {
-      const char *name = function ? actions_.keep(name_) : NULL;
-      if (name)
-        Place(actions_, name) = function;
-    }
-
-    JavinoActions &actions_;
-    const __FlashStringHelper *name_;
+    Name name_;
   };
 
   explicit JavinoActions(javino_board *board) : board_(board), reader_(NULL), count_(0), described_(true) {}
 
-  Place operator[](const char *name) { return Place(*this, name); }
-  NamedPlace operator[](const String &name) { return NamedPlace(*this, name); }
-  FlashPlace operator[](const __FlashStringHelper *name) { return FlashPlace(*this, name); }
+  Place<const char *> operator[](const char *name) { return Place<const char *>(*this, name); }
+  Place<const String &> operator[](const String &name) { return Place<const String &>(*this, name); }
+  Place<const __FlashStringHelper *> operator[](const __FlashStringHelper *name) {
+    return Place<const __FlashStringHelper *>(*this, name);
+  }
 
   /** The number of actions. */
   uint8_t count() const { return count_; }
 
   /**
    * Returns true if an action has been left out because the memory was full (JavinoSized has more), because there were
-   * JAVINO_ACTIONS_MAX before it, or because percepts had already been written.
+   * JAVINO_ACTIONS_MAX before it, because its name is longer than JAVINO_NAME_MAX, or because percepts had already been written.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 
@@ -132,21 +106,33 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
-  /** Copies a name into the board's memory. @return null if there is no room */
+  /** Counts an action that is left out. */
+  void leaveOut();
+
+  /** Returns the name as a text that lasts: a String's on the heap, one in flash in the board's memory. Null: it is left out. */
+  static const char *keep(const char *name) { return name; }
+  const char *keep(const String &name);
   const char *keep(const __FlashStringHelper *name);
 
   /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
+    if (!function)
+      return false;
     Reader &place = reader();
     if (!place)
       place = callFound;
     return add(name, function, caller);
   }
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
+    if (!function)
+      return false;
     reader() = callByFunctor; /* which does more */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
+  void carryOut(const char *name) const { carryOut(name, static_cast<uint8_t>(strlen(name)), true); }
+  void carryOut(const String &name) const { carryOut(name.c_str()); }
+  void carryOut(const __FlashStringHelper *name) const;
 
   /**
    * Carries out all actions but those whose function takes neither the board nor arguments. `found` is the action with the whole text as

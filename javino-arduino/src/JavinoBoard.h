@@ -138,7 +138,7 @@ public:
    * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that
    *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
    * @param arguments  the number of arguments: with another number the action is refused and the function not called
-   * @return false if there is no memory left for it, or there are JAVINO_ACTIONS_MAX before it
+   * @return false if it is left out: see JavinoActions::full()
    */
   bool onAction(const char *name, void (*function)(const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithArguments<void>, arguments);
@@ -152,7 +152,7 @@ public:
   bool onAction(const char *name, bool (*function)(JavinoBoard &, const JavinoArguments &), uint8_t arguments = JavinoActions::ANY) {
     return act.addWithArguments(name, reinterpret_cast<Callback>(function), JavinoActions::callWithBoth<bool>, arguments);
   }
-  bool onAction(const char *name, Callback function) { return act.add(name, function); }
+  bool onAction(const char *name, Callback function) { return function && act.add(name, function); }
   bool onAction(const char *name, bool (*function)()) {
     return act.addCalled(name, reinterpret_cast<Callback>(function), JavinoActions::callAlone<bool>);
   }

@@ -162,7 +162,6 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
     uint8_t request = l->request;
     if (last) {
         b->part = 0;
-        l->answered = true;
         l->request = 0;
         if (!part) {
             kind = JAVINO_PERCEPTS;
@@ -488,6 +487,7 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
 #endif
     rule(board, JAVINO_RULES_ALL);
     if (JAVINO_IS_2(link)) {
+        link->answered = true;
         for (; length > most; length -= most, text += most)
             send_item(board, false, JAVINO_ITEM_CONTINUED, text, most);
         if (length) {

@@ -185,6 +185,31 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *
 }
 #endif
 
+#ifndef JAVINO_VERSION_2_ONLY
+/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: its bytes are too few. */
+static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t *length)
+{
+    uint8_t i;
+    *length = 0;
+    for (i = 0; i < HEADER; i++) {
+        uint8_t c;
+        if (p == end)
+            return JAVINO_FOLLOWS_UNKNOWN;
+        c = *p++;
+        if (i < PREAMBLE_LENGTH) {
+            if (c != (uint8_t)PREAMBLE[i])
+                return JAVINO_FOLLOWS_OTHER;
+        } else {
+            c = digit_value(c);
+            if (c == NO_DIGIT)
+                return JAVINO_FOLLOWS_OTHER;
+            *length = (uint8_t)(*length << 4) | c;
+        }
+    }
+    return JAVINO_FOLLOWS_HEADER;
+}
+#endif
+
 /* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a frame that is held, a header or silence;
  * FOLLOWS_OTHER: the bytes taken make no frame; FOLLOWS_UNKNOWN: there are no more yet. */
 static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
@@ -193,8 +218,8 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     const uint8_t *end = p + stop;
     const uint8_t *next = p;
 #ifndef JAVINO_VERSION_2_ONLY
-    uint8_t length = 0;
-    uint8_t i;
+    uint8_t length;
+    javino_follows read;
 #endif
     if (d->held) {
         if (IS_FRAME_2(p))
@@ -214,32 +239,17 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (!d->quiet && !d->held)
         return JAVINO_FOLLOWS_OTHER;
 #endif
-    for (i = 0; i < HEADER; i++) {
-        uint8_t c;
-        if (next == end)
-            goto cut;
-        c = *next++;
-        if (i < PREAMBLE_LENGTH) {
-            if (c != (uint8_t)PREAMBLE[i])
-                return JAVINO_FOLLOWS_OTHER;
-        } else {
-            c = digit_value(c);
-            if (c == NO_DIGIT)
-                return JAVINO_FOLLOWS_OTHER;
-            length = (uint8_t)(length << 4) | c;
-        }
-    }
-    if (!d->held) {
+    read = read_header(next, end, &length);
+    if (read == JAVINO_FOLLOWS_HEADER && !d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
             return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with the bytes that must follow it. */
-        if (whole > stop)
-            goto cut;
-        d->taken = whole;
+        if (whole <= stop)
+            d->taken = whole;
+        else
+            read = JAVINO_FOLLOWS_UNKNOWN;
     }
-    return JAVINO_FOLLOWS_HEADER;
-cut:
-    return d->gap ? JAVINO_FOLLOWS_OTHER : JAVINO_FOLLOWS_UNKNOWN;
+    return read == JAVINO_FOLLOWS_UNKNOWN && d->gap ? JAVINO_FOLLOWS_OTHER : read;
 #endif
 }
 

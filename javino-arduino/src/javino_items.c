@@ -36,9 +36,9 @@ static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
             return id;
     if (id == JAVINO_SHAPES)
         return JAVINO_ITEM_TEXT;
+    b->link.shapes++;
     shape->crc = crc;
     shape->sum = sum;
-    b->link.shapes++;
     return id;
 }
 
@@ -69,17 +69,19 @@ void javino_items_code(javino_board *board)
                 row[1]++;
                 for (; length; length--) {
                     uint8_t digit = value_of((char)*in++);
-                    if (digit > 9) {
-                        if (!number)
-                            continue;
+                    if (digit <= 9) {
+                        number = true;
+                    } else if (number) {
+                        number = false;
                         digit = END_OF_NUMBER;
+                    } else {
+                        continue;
                     }
-                    number = digit != END_OF_NUMBER;
-                    half = !half;
                     if (half)
-                        *out++ = (uint8_t)(digit << 4) | END_OF_NUMBER;
-                    else
                         out[-1] &= 0xF0 | digit;
+                    else
+                        *out++ = (uint8_t)(digit << 4) | END_OF_NUMBER;
+                    half = !half;
                 }
                 continue;
             }

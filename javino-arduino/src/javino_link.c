@@ -21,7 +21,11 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    javino_decoder_init(&link->decoder, (uint8_t *)bytes, size, 100);
+    /* As javino_decoder_init does, which would clear it once more. */
+    link->decoder.bytes = (uint8_t *)bytes;
+    link->decoder.size = size;
+    link->decoder.timeout_ms = 100;
+    link->decoder.quiet = true;
     link->encoder.write = write;
     link->encoder.context = context;
 }
@@ -95,7 +99,7 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
-    l->due = l->flags = l->known = l->shapes = l->rules = 0;
+    memset(&l->due, 0, 5); /* and flags, known, shapes, rules */
     javino_decoder_session(&l->decoder, nonce);
 }
 
@@ -111,10 +115,11 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
     uint8_t length = 3;
     uint8_t end;
     for (end = first; end < l->action_count; end++) {
-        size_t bytes = strlen(action_at(l, end)->name) + 2;
-        if (bytes > (uint8_t)(JAVINO_MAX_PAYLOAD - length))
+        uint8_t bytes = (uint8_t)strlen(action_at(l, end)->name) + 2;
+        uint8_t room = JAVINO_MAX_PAYLOAD - length;
+        if (bytes > room)
             break;
-        length += (uint8_t)bytes;
+        length += bytes;
     }
     javino_link_begin(l, JAVINO_VOCABULARY, length);
     put(l, request);

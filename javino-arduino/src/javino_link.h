@@ -37,7 +37,7 @@ typedef uint8_t javino_event;
  * memory.
  */
 typedef struct {
-    const char *name;  /**< Its functor, which lasts. */
+    const char *name;  /**< Its functor, which lasts; at most JAVINO_NAME_MAX bytes. */
     uint8_t arguments; /**< How many it takes, or JAVINO_ANY. */
 } javino_action;
 
@@ -46,6 +46,9 @@ typedef struct {
 
 /** How many actions a board has at most: on the line the next numbers stand for no command and for rules. */
 #define JAVINO_ACTIONS_MAX 126
+
+/** Bytes of an action's name at most, so that a page of the vocabulary holds it. */
+#define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */
 #define JAVINO_ANY 0xFF
@@ -76,14 +79,14 @@ typedef struct {
     uint8_t rules_max;  /* how many the board holds */
     uint8_t revision;
 #endif
-    uint8_t actions_lost; /**< Actions of the program that found no room: the computer is told. */
+    uint8_t actions_lost; /**< Actions of the program that are left out, 255 at most: the computer is told. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t due;        /* number of the command that is carried out next */
-    uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
+    javino_later later; /* the newest */
     uint8_t request;    /* number of the request in hand; 0: there is none, or it is answered */
+    uint8_t due;        /* number of the command that is carried out next. It and the next four begin as 0 in each session. */
+    uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
     uint8_t known;      /* shapes whose text the computer knows */
     uint8_t shapes;     /* shapes that have been sent in this session */
-    javino_later later; /* the newest */
     uint8_t rules;      /* how many are set */
     bool row;           /* the frame in hand holds commands; its length is of those that are left, its number the next one's */
 #endif

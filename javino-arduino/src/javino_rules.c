@@ -173,33 +173,13 @@ static uint8_t without_bit(uint8_t bits, uint8_t bit)
     return below | ((bits >> 1) & (uint8_t)~(bit - 1));
 }
 
-/* Removes the rule of this number, if there is one. */
-static void remove_rule(javino_board *b, uint8_t number)
+/* Returns where the rule of this number begins, or the end of all if there is none. Sets bit to its bit in met. */
+static uint16_t place_of(const struct javino_rules *r, uint8_t number, uint8_t *bit)
 {
-    struct javino_rules *r = b->rules;
-    uint8_t *p = r->texts;
-    uint8_t *end = p + r->used;
-    uint8_t bit = 1;
-    for (; p < end; p += *p + 1, bit = (uint8_t)(bit << 1)) {
-        uint8_t n = *p + 1;
-        if (p[1] != number)
-            continue;
-        memmove(p, p + n, (size_t)(end - p - n));
-        r->used -= n;
-        r->met = without_bit(r->met, bit);
-        b->link.rules--;
-        return;
-    }
-}
-
-/* Returns the bytes that the rule of this number takes. */
-static uint16_t bytes_of(const struct javino_rules *r, uint8_t number)
-{
-    uint16_t at;
-    for (at = 0; at < r->used; at += r->texts[at] + 1u)
-        if (r->texts[at + 1] == number)
-            return r->texts[at] + 1u;
-    return 0;
+    uint16_t at = 0;
+    for (*bit = 1; at < r->used && r->texts[at + 1] != number; at += r->texts[at] + 1u)
+        *bit = (uint8_t)(*bit << 1);
+    return at;
 }
 
 static void forget(struct javino_rules *r)
@@ -215,7 +195,9 @@ static bool set(javino_board *board)
     const char *text = l->text;
     uint8_t length = l->length;
     uint8_t number = (uint8_t)*text;
-    uint16_t before;
+    uint16_t at;
+    uint16_t before; /* bytes of the rule that it replaces */
+    uint8_t bit;
     if (l->rules == 0)
         forget(r); /* A session has begun since. */
     if (number == 0 && length == 1) {
@@ -225,10 +207,16 @@ static bool set(javino_board *board)
     }
     if (number == 0 || (length > 1 && !is_rule(text, text + length)))
         return false;
-    before = bytes_of(r, number);
+    at = place_of(r, number, &bit);
+    before = at < r->used ? r->texts[at] + 1u : 0;
     if (length > 1 && (r->used - before + length + 1u > r->size || l->rules - (before != 0) >= JAVINO_RULES_MAX))
         return false;
-    remove_rule(board, number);
+    if (before) {
+        r->used -= before;
+        memmove(r->texts + at, r->texts + at + before, r->used - at);
+        r->met = without_bit(r->met, bit);
+        l->rules--;
+    }
     if (length > 1) {
         r->texts[r->used] = length;
         memcpy(r->texts + r->used + 1, text, length);

@@ -2,13 +2,14 @@
 from . import frames
 from .clock import ticks_diff, ticks_ms
 from .items import MAX_SHAPES, Shapes
-from .lines import open_line
+from .lines import open_line, tell
 from .literals import functor_of, split, term, to_bytes, to_text, value
 
 ANY = 255
 """Any number of arguments."""
 
 _MAX_ACTIONS = 126
+_MAX_NAME = 250
 _MAX_PARTS = 255
 _PART = 253
 _PART_WITH_RULES = 12
@@ -134,9 +135,10 @@ class Board:
                             % (name, function))
         if function is None:
             return lambda decorated: self.on_action(name, decorated, arguments)
-        data = to_bytes(name)
-        if split(name) != (name, [], True) or len(data) > 200:
+        if split(name) != (name, [], True):
             raise ValueError("%r is no action's name; give the functor alone, and the number of its arguments as arguments=1" % name)
+        if len(to_bytes(name)) > _MAX_NAME:
+            raise ValueError("an action's name has at most %d characters, unlike %r" % (_MAX_NAME, name))
         for i in range(len(self._actions)):
             if self._actions[i][0] == name:
                 self._actions[i] = (name, arguments, function)
@@ -229,7 +231,10 @@ class Board:
             return
         size = _PART_WITH_RULES if self._rules else _PART
         answer = self._shapes.write(texts, self._known)
-        while len(answer) > size * _MAX_PARTS:  # a percept that fits into no answer is left out
+        if len(answer) > size * _MAX_PARTS:
+            tell("an answer has at most %d bytes%s: the last percepts are left out"
+                 % (size * _MAX_PARTS, " with rules" if self._rules else ""))
+        while len(answer) > size * _MAX_PARTS:
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
         if len(answer) <= (size if self._rules else size + 1):

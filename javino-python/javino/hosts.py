@@ -68,6 +68,18 @@ def _pyserial(name, baud):
     return Port(serial.Serial(name, baud, timeout=0))
 
 
+def _write_all(send, target, data):
+    """Writes all bytes to what `select` calls target. Returns false if that takes none for a second: then the rest is lost."""
+    end = time.monotonic() + _PATIENCE
+    while data:
+        try:
+            data = data[send(data):]
+        except BlockingIOError:
+            if not select.select([], [target], [], max(0.0, end - time.monotonic()))[1]:
+                return False
+    return True
+
+
 class Descriptor:
     """Two descriptors of a system, or one for both directions."""
 
@@ -93,15 +105,10 @@ class Descriptor:
 
     def write(self, data):
         """Writes all bytes, unless the far end takes none for a second: then the rest is lost."""
-        end = time.monotonic() + _PATIENCE
-        while data:
-            try:
-                data = data[os.write(self._out, data):]
-            except BlockingIOError:
-                if not select.select([], [self._out], [], max(0.0, end - time.monotonic()))[1]:
-                    return
-            except OSError as e:
-                raise LineGone(f"{self.name} is gone: {e.strerror}") from e
+        try:
+            _write_all(lambda rest: os.write(self._out, rest), self._out, data)
+        except OSError as e:
+            raise LineGone(f"{self.name} is gone: {e.strerror}") from e
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""
@@ -179,15 +186,14 @@ class Listener:
 
     def write(self, data):
         """Writes all bytes, unless the far end has gone or takes none for a second."""
-        end = time.monotonic() + _PATIENCE
-        while data and self._connection:
-            try:
-                data = data[self._connection.send(data):]
-            except BlockingIOError:
-                if not select.select([], [self._connection], [], max(0.0, end - time.monotonic()))[1]:
-                    self._leave()
-            except OSError:
-                self._leave()
+        if not self._connection:
+            return
+        try:
+            is_written = _write_all(self._connection.send, self._connection, data)
+        except OSError:
+            is_written = False
+        if not is_written:
+            self._leave()
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""

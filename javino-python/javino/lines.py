@@ -10,6 +10,13 @@ class LineGone(OSError):
     """The line is gone and does not come back by itself: a cable was pulled, or the input has ended."""
 
 
+def tell(text):
+    """Warns the person at a computer, once. A microcontroller has no other place for words than its line."""
+    if IS_COMPUTER:
+        import warnings
+        warnings.warn(text, RuntimeWarning, stacklevel=2)
+
+
 def open_line(line, baud=None):
     """Returns the line for a name, an open port or None; see `Board`, and `hosts.open_named` for the names."""
     if line is not None and not isinstance(line, str):
@@ -22,13 +29,18 @@ def open_line(line, baud=None):
     return Console()
 
 
-def _sleep_ms(ms):
+def _wait(is_ready, ms):
+    """Looks every millisecond until something is ready, at most so long."""
     try:
         from time import sleep_ms
-        sleep_ms(ms)
     except ImportError:
         from time import sleep
-        sleep(ms / 1000)
+
+        def sleep_ms(ms):
+            sleep(ms / 1000)
+    begin = ticks_ms()
+    while not is_ready() and ticks_diff(ticks_ms(), begin) < ms:
+        sleep_ms(1)
 
 
 class Port:
@@ -58,9 +70,7 @@ class Port:
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""
-        begin = ticks_ms()
-        while not self._count() and ticks_diff(ticks_ms(), begin) < ms:
-            _sleep_ms(1)
+        _wait(self._count, ms)
 
 
 class Console:
@@ -106,9 +116,7 @@ class Console:
 
     def wait(self, ms):
         """Waits until something has arrived, at most so long."""
-        if self._poll or not ms:
+        if self._poll:
             self._is_ready(ms)
-            return
-        begin = ticks_ms()
-        while not self._is_ready(0) and ticks_diff(ticks_ms(), begin) < ms:
-            _sleep_ms(1)
+        else:
+            _wait(lambda: self._is_ready(0), ms)

@@ -94,6 +94,15 @@ class Registering(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "126"):
             board.act["more"] = print
 
+    def test_a_name_that_fits_on_no_page_of_the_vocabulary_is_refused_in_words(self):
+        bench = Bench()
+        bench.board.act["n" * 250] = print
+        with self.assertRaisesRegex(ValueError, "at most 250 characters"):
+            bench.board.act["n" * 251] = print
+        bench.greet()
+        found = bench.hear(frames.DESCRIBE, 1, b"\0")
+        self.assertEqual([f.payload for f in found], [b"\x01\x00\x01\x00\xfa" + b"n" * 250])
+
     def test_an_action_without_the_right_number_of_arguments_is_refused_and_not_called(self):
         bench = Bench()
         bench.board.on_action("speed", bench.carried.append, 1)
@@ -215,7 +224,8 @@ class Perceiving(unittest.TestCase):
         bench = Bench()
         bench.board.perceive(lambda: [bench.board.percept("p%d" % i, "x" * 200) for i in range(400)])
         bench.greet()
-        found = bench.hear(frames.ASK, 1, b"\0")
+        with self.assertWarnsRegex(RuntimeWarning, "at most 64515 bytes: the last percepts are left out"):
+            found = bench.hear(frames.ASK, 1, b"\0")
         self.assertLessEqual(len(found), 255)
         self.assertEqual(found[-1].kind, frames.LAST_PART)
 

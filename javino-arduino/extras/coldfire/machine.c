@@ -2,9 +2,7 @@
  * @file
  * A ColdFire MCF5208 without any library, as `qemu-system-m68k -M mcf5208evb` is: the first byte of a number in memory is its highest one.
  */
-#include "machine.h"
-
-#include "ring.h"
+#include "start.h"
 
 /* ---- Registers ---- */
 
@@ -32,13 +30,10 @@ enum { TIMER_NUMBER = 4, UART_NUMBER = 26 };
 
 /* ---- Interrupts ---- */
 
-static ring received[MACHINE_PORTS];
-static volatile uint32_t ms;
-
 static void receive(uint8_t port)
 {
     while (UART_STATE(port) & RX_READY)
-        ring_put(&received[port], UART_DATA(port));
+        machine_receive(port, UART_DATA(port));
 }
 
 static __attribute__((interrupt)) void receive_line(void)
@@ -54,41 +49,20 @@ static __attribute__((interrupt)) void receive_panel(void)
 static __attribute__((interrupt)) void tick(void)
 {
     TIMER_CONTROL |= TIMER_OVER;
-    ms++;
-}
-
-static void halt(void)
-{
-    for (;;)
-        ;
+    machine_tick();
 }
 
 /* ---- Start ---- */
 
 typedef void (*function)(void);
-extern uint32_t bss_begin[], bss_end[];
-extern const function constructors_begin[], constructors_end[];
-int main(void);
 
 /* Exceptions, then interrupts by their numbers. They begin on a border of a MiB, as their register wants. */
 enum { FIRST = 64, TIMER = FIRST + TIMER_NUMBER, LINE = FIRST + UART_NUMBER, PANEL = LINE + 1, VECTOR_COUNT = 128 };
 
 __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_COUNT] = {
-    [2 ... TIMER - 1] = halt,    [TIMER] = tick,          [TIMER + 1 ... LINE - 1] = halt,
-    [LINE] = receive_line,       [PANEL] = receive_panel, [PANEL + 1 ... VECTOR_COUNT - 1] = halt,
+    [2 ... TIMER - 1] = machine_halt, [TIMER] = tick,          [TIMER + 1 ... LINE - 1] = machine_halt,
+    [LINE] = receive_line,            [PANEL] = receive_panel, [PANEL + 1 ... VECTOR_COUNT - 1] = machine_halt,
 };
-
-__attribute__((used)) static void reset(void)
-{
-    uint32_t *to;
-    const function *constructor;
-    for (to = bss_begin; to < bss_end;)
-        *to++ = 0;
-    for (constructor = constructors_begin; constructor < constructors_end; constructor++)
-        (*constructor)();
-    main();
-    halt();
-}
 
 /* No interrupts yet; a stack; the vectors. */
 __asm__(".text\n"
@@ -97,7 +71,7 @@ __asm__(".text\n"
         "lea stack_top, %sp\n"
         "move.l #VECTORS, %d0\n"
         "movec %d0, %vbr\n"
-        "jmp reset\n");
+        "jmp machine_reset\n");
 
 static void pass_interrupt(uint8_t number, uint8_t level)
 {
@@ -119,16 +93,6 @@ void machine_start(void)
         UART_COMMAND(port) = RX_AND_TX_ON;
     }
     __asm__ volatile("move.w #0x2000, %%sr" ::: "memory");
-}
-
-uint32_t machine_ms(void)
-{
-    return ms;
-}
-
-int machine_take(uint8_t port)
-{
-    return ring_take(&received[port]);
 }
 
 void machine_put(uint8_t port, uint8_t byte)

@@ -1,11 +1,9 @@
 /**
  * @file
  * A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image, as `qemu-system-arm -M mps2-an385` is. On another Cortex-M the
- * vectors, the start and the clock stay as they are; the UART's registers, the rate of the clock and the numbers of interrupts are others.
+ * vectors and the clock stay as they are; the UART's registers, the rate of the clock and the numbers of interrupts are others.
  */
-#include "machine.h"
-
-#include "ring.h"
+#include "start.h"
 
 #define CLOCK_HZ 25000000u
 
@@ -34,14 +32,11 @@ enum { UART0_INTERRUPT = 0, UART1_INTERRUPT = 2 };
 
 /* ---- Interrupts ---- */
 
-static ring received[MACHINE_PORTS];
-static volatile uint32_t ms;
-
 static void receive(uint8_t port)
 {
     UARTS[port]->interrupt = RX_INTERRUPT;
     while (UARTS[port]->state & RX_FULL)
-        ring_put(&received[port], (uint8_t)UARTS[port]->data);
+        machine_receive(port, (uint8_t)UARTS[port]->data);
 }
 
 static void receive_line(void)
@@ -54,38 +49,10 @@ static void receive_panel(void)
     receive(MACHINE_PANEL);
 }
 
-static void tick(void)
-{
-    ms++;
-}
-
-static void halt(void)
-{
-    for (;;)
-        ;
-}
-
 /* ---- Start ---- */
 
-extern uint32_t stack_top[], data_begin[], data_end[], data_source[], bss_begin[], bss_end[];
+extern uint32_t stack_top[];
 typedef void (*function)(void);
-extern const function constructors_begin[], constructors_end[];
-int main(void);
-
-static void reset(void)
-{
-    const uint32_t *from = data_source;
-    uint32_t *to;
-    const function *constructor;
-    for (to = data_begin; to < data_end;)
-        *to++ = *from++;
-    for (to = bss_begin; to < bss_end;)
-        *to++ = 0;
-    for (constructor = constructors_begin; constructor < constructors_end; constructor++)
-        (*constructor)();
-    main();
-    halt();
-}
 
 /* The table that the processor reads at address 0: the stack, the first function, and a function for each exception and interrupt. */
 typedef struct {
@@ -96,7 +63,8 @@ typedef struct {
 
 __attribute__((section(".vectors"), used)) static const vector_table VECTORS = {
     stack_top,
-    {reset, halt, halt, halt, halt, halt, 0, 0, 0, 0, halt, halt, 0, halt, tick},
+    {machine_reset, machine_halt, machine_halt, machine_halt, machine_halt, machine_halt, 0, 0, 0, 0, machine_halt, machine_halt, 0,
+     machine_halt, machine_tick},
     {[UART0_INTERRUPT] = receive_line, [UART1_INTERRUPT] = receive_panel},
 };
 
@@ -111,16 +79,6 @@ void machine_start(void)
     SYSTICK_VALUE = 0;
     SYSTICK_CONTROL = 7; /* the processor's clock, interrupt, on */
     INTERRUPTS_ON = 1u << UART0_INTERRUPT | 1u << UART1_INTERRUPT;
-}
-
-uint32_t machine_ms(void)
-{
-    return ms;
-}
-
-int machine_take(uint8_t port)
-{
-    return ring_take(&received[port]);
 }
 
 void machine_put(uint8_t port, uint8_t byte)

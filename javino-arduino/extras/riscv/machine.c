@@ -1,11 +1,10 @@
 /**
  * @file
  * A RISC-V microcontroller without any library: SiFive's FE310 (RV32IMAC, 16 KB of RAM), as `qemu-system-riscv32 -M sifive_e` is. On
- * another one the start stays as it is; the UART's registers, the clock's address and its rate, and the numbers of interrupts are others.
+ * another one the first instructions stay as they are; the UART's registers, the clock's address and its rate, and the numbers of
+ * interrupts are others.
  */
-#include "machine.h"
-
-#include "ring.h"
+#include "start.h"
 
 #define CLOCK_HZ 16000000u
 
@@ -45,7 +44,6 @@ enum { UART0_INTERRUPT = 3, UART1_INTERRUPT = 4 };
 
 /* ---- Clock ---- */
 
-static volatile uint32_t ms;
 static uint64_t alarm;
 
 static void set_alarm(uint64_t at)
@@ -58,24 +56,17 @@ static void set_alarm(uint64_t at)
 
 static void tick(void)
 {
-    ms++;
+    machine_tick();
     set_alarm(alarm + TICKS_PER_MS);
 }
 
-uint32_t machine_ms(void)
-{
-    return ms;
-}
-
 /* ---- Interrupts ---- */
-
-static ring received[MACHINE_PORTS];
 
 static void receive(uint8_t port)
 {
     uint32_t data;
     while (!((data = UARTS[port]->receive) & EMPTY))
-        ring_put(&received[port], (uint8_t)data);
+        machine_receive(port, (uint8_t)data);
 }
 
 #define TRAP_TIMER 0x80000007u
@@ -95,17 +86,11 @@ __attribute__((interrupt("machine"), aligned(4))) static void trap(void)
             receive(MACHINE_PANEL);
         PLIC_CLAIM = interrupt;
     } else {
-        for (;;) /* a fault of the program */
-            ;
+        machine_halt(); /* a fault of the program */
     }
 }
 
 /* ---- Start ---- */
-
-extern uint32_t data_begin[], data_end[], data_source[], bss_begin[], bss_end[];
-typedef void (*function)(void);
-extern const function constructors_begin[], constructors_end[];
-int main(void);
 
 /* The first instruction. Sets up the stack, and the data that the compiler reaches by gp. */
 __asm__(".section .start, \"ax\"\n"
@@ -118,24 +103,6 @@ __asm__(".section .start, \"ax\"\n"
         "la sp, stack_top\n"
         "j machine_reset\n"
         ".text\n");
-
-__attribute__((noreturn)) void machine_reset(void);
-
-void machine_reset(void)
-{
-    const uint32_t *from = data_source;
-    uint32_t *to;
-    const function *constructor;
-    for (to = data_begin; to < data_end;)
-        *to++ = *from++;
-    for (to = bss_begin; to < bss_end;)
-        *to++ = 0;
-    for (constructor = constructors_begin; constructor < constructors_end; constructor++)
-        (*constructor)();
-    main();
-    for (;;)
-        ;
-}
 
 void machine_start(void)
 {
@@ -154,11 +121,6 @@ void machine_start(void)
     set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* set once: at the start its upper half does not change */
     __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's */
     __asm__ volatile("csrsi mstatus, 8");                        /* all interrupts */
-}
-
-int machine_take(uint8_t port)
-{
-    return ring_take(&received[port]);
 }
 
 void machine_put(uint8_t port, uint8_t byte)

@@ -7,11 +7,12 @@ import argparse
 import os
 import random
 import select
+import subprocess
 import sys
 import termios
 import time
 
-from board import PATIENCE, ROOT, Board, Session, commands, frame1, frames, kind_of, version1
+from board import PATIENCE, ROOT, Board, Session, commands, frame1, frames, kind_of, simulator_of, version1
 from cases import check, damage_one_in_200, equal, texts
 from machine import MACHINES
 
@@ -381,6 +382,19 @@ def set_rate(line, rate):
 
 # ---- time around the board ----
 
+def what_the_simulator_does_not_understand_is_refused():
+    def said(commands, *options):
+        run = subprocess.run(simulator_of("uno", "Blink", *options), input=commands, capture_output=True, text=True, timeout=PATIENCE)
+        return run.returncode, run.stdout + run.stderr
+    status, text = said("send 100 16 6f0\nsend 100 16 6f no\nsend 100 16 6f6E\nsend 100 16 zz\nrun x\nquit\n", "--stepped")
+    equal((status, [line.split(":")[0] for line in text.splitlines()]), (0, ["error", "error", "ok", "error", "error"]))
+    status, text = said(f"set A0 {'1' * 300}\ntime\nquit\n")
+    check("error: a command has fewer than 256 characters" in text and "\nok " in text, text)
+    for wrong in ("soon", "", "12x"):
+        status, text = said("", "--boot-ms", wrong)
+        check(status == 2 and text.startswith("usage"), text)
+
+
 def no_frame_is_lost_while_the_loop_stalls():
     rng = random.Random(5)
     for stall, sent in ((150, 60), (300, 40), (1000, 12)):
@@ -657,6 +671,7 @@ CASES = [
     the_agents_line_may_be_on_two_other_pins,
     two_computers_have_a_conversation_each,
     another_rate_is_heard_as_on_a_wire,
+    what_the_simulator_does_not_understand_is_refused,
     no_frame_is_lost_while_the_loop_stalls,
     a_slow_command_is_carried_out_once,
     an_outcome_is_reported_later_and_the_board_goes_on,

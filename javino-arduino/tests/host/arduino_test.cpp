@@ -606,21 +606,60 @@ TEST_CASE("actions beyond the memory are reported, and those before them still w
   CHECK(done.size() == 1);
 }
 
-TEST_CASE("of more actions than have numbers the others are left out, and told") {
-  JavinoSized<JAVINO_MEMORY + 130 * 4 * sizeof(void *)> javino;
-  for (int i = 0; i < 126; i++)
-    CHECK(javino.onAction("ledOn", ledOn));
-  CHECK(!javino.act.full());
-  for (int i = 0; i < 3; i++)
-    CHECK(!javino.onAction("more", ledOn));
-  CHECK(javino.act.count() == 126);
+/** Returns the payload of the WELCOME with which a board begins a session. */
+std::string welcomeOf(JavinoBoard &board) {
   Serial.in.clear();
   Serial.sent();
   Serial.receive(hello(9));
-  javino.run();
+  board.run();
   auto welcome = frames2(Serial.sent());
   REQUIRE(welcome.size() == 1);
-  CHECK(welcome[0].payload.back() == 3);
+  return welcome[0].payload;
+}
+
+TEST_CASE("of more actions than have numbers the others are left out, and told") {
+  JavinoSized<JAVINO_MEMORY + 126 * 4 * sizeof(void *)> javino;
+  for (int i = 0; i < 126; i++)
+    CHECK(javino.onAction("ledOn", ledOn));
+  CHECK(!javino.act.full());
+  std::string before = welcomeOf(javino);
+  CHECK(before.back() == 0);
+  for (int i = 0; i < 3; i++) {
+    CHECK(!javino.onAction("more", ledOn));
+    javino.act[F("more")] = ledOn;
+  }
+  CHECK(javino.act.count() == 126);
+  std::string after = welcomeOf(javino);
+  CHECK(after.back() == 6);
+  CHECK_MESSAGE(after[2] == before[2], "they take no memory: the longest payload stays");
+}
+
+TEST_CASE("an action whose name fits on no page of the vocabulary is left out, and told") {
+  JavinoSized<JAVINO_MEMORY + 2000> javino;
+  std::string longest(JAVINO_NAME_MAX, 'n'), longer = longest + 'n';
+  CHECK(javino.onAction(longest.c_str(), ledOn));
+  CHECK(!javino.act.full());
+  CHECK(!javino.onAction(longer.c_str(), ledOn));
+  CHECK(!javino.onAction(F(longer.c_str()), ledOn));
+  CHECK(javino.onAction("ledOn", ledOn));
+  CHECK(javino.act.full());
+  CHECK(welcomeOf(javino).back() == 2);
+  Serial.receive(describe(1));
+  javino.run();
+  Serial.receive(describe(2, 1));
+  javino.run();
+  auto pages = frames2(Serial.sent());
+  REQUIRE(pages.size() == 2);
+  CHECK(pages[0].payload == std::string{1, 0, 2, 0, octet(JAVINO_NAME_MAX)} + longest);
+  CHECK(pages[1].payload == std::string{2, 1, 2, 0, 5} + "ledOn");
+}
+
+TEST_CASE("the count of actions that are left out does not wrap") {
+  JavinoSized<JAVINO_MEMORY_MIN> javino;
+  for (int i = 0; i < 300; i++)
+    CHECK(!javino.onAction("more", ledOn));
+  CHECK(javino.act.full());
+  CHECK(octet(255) == welcomeOf(javino).back());
 }
 
 TEST_CASE("any size of memory keeps the actions' table aligned") {

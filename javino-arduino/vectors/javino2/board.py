@@ -18,12 +18,11 @@ class Board:
     `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
     """
 
-    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None,
-                 actions_lost=0):
+    def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None):
         self.program = program
+        self.actions = vocabulary.numbered(program.actions)
         self.credit, self.longest, self.max_rules, self.shapes, self.numbers = credit, longest, max_rules, shapes, numbers
         self.part_size = part_size
-        self.actions_lost = actions_lost  # actions of the program that found no room
         self._begin(0)
 
     def _begin(self, session):
@@ -47,7 +46,7 @@ class Board:
             return self._ask(frame.number, frame.payload[:1], frame.payload[1:])
         if frame.kind == DESCRIBE:
             first = int.from_bytes(frame.payload[:1], "big")
-            return [self._say(VOCABULARY, vocabulary.write_page(frame.number, self.program.actions, first))]
+            return [self._say(VOCABULARY, vocabulary.write_page(frame.number, self.actions, first))]
         self._commands(frame)
         return [self._say(ACK)]
 
@@ -60,7 +59,8 @@ class Board:
         return Frame(kind | flags, self.due, payload)
 
     def _welcome(self):
-        return self._say(WELCOME, bytes([self.session, self.credit, self.longest, self.max_rules, REVISION, self.actions_lost]))
+        left_out = min(255, len(self.program.actions) - len(self.actions))
+        return self._say(WELCOME, bytes([self.session, self.credit, self.longest, self.max_rules, REVISION, left_out]))
 
     # ---- commands ----
 
@@ -98,9 +98,9 @@ class Board:
         if command is commands.NOTHING:
             return DONE
         if isinstance(command, int):
-            if command >= len(self.program.actions) or self.program.actions[command][1] not in (0, vocabulary.ANY_NUMBER):
+            if command >= len(self.actions) or self.actions[command][1] not in (0, vocabulary.ANY_NUMBER):
                 return REFUSES
-            return self.program.carry_out(self.program.actions[command][0])
+            return self.program.carry_out(self.actions[command][0])
         if isinstance(command, commands.Rule):
             return self._set_rule(command.text)
         return self.program.carry_out(command)

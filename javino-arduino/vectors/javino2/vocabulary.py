@@ -1,6 +1,13 @@
 """The actions of a board, in pages."""
 
 ANY_NUMBER = 0xFF  # of arguments
+MAX_ACTIONS = 126
+MAX_NAME = 250
+
+
+def numbered(actions):
+    """Returns the actions that have a number; a board leaves the others out, and says how many they are."""
+    return [action for action in actions if len(action[0]) <= MAX_NAME][:MAX_ACTIONS]
 
 
 def write_page(request, actions, first, room=252):

@@ -45,7 +45,7 @@ internal class ObservedArch(
         return boards.states.all().map { (port, status) ->
             val board = boards.current.find { it.term == port || port in it.port.terms }
             ObservedPort(
-                "$port", status.word, port in inUse, arch.perception.isStale(port),
+                "$port", status.word, port in inUse, boards.current.any { it.isStale(port) },
                 board != null, board?.namespace, board?.intervalMs, board?.filter?.name,
             )
         }

@@ -6,7 +6,6 @@ import javino.wire.BoardAction;
 
 /** Checks commands against the actions that a board has registered. */
 final class ActionCheck {
-    /** The most actions that a message names. */
     private static final int MAX_NAMED = 10;
 
     private ActionCheck() {}

@@ -8,6 +8,7 @@ final class BoardStart {
     private final long startedAt; // from then on a board that has not answered is taken to run
     private volatile boolean isReady;
     private volatile boolean hasHeard;
+    private volatile boolean hasSaidHello;
 
     /** @param bootMillis milliseconds from now for which it may be starting */
     BoardStart(LineClock clock, int bootMillis) {
@@ -21,18 +22,24 @@ final class BoardStart {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
 
-    /** Returns whether something has come from the board in version 1. */
     boolean hasHeard() {
         return hasHeard;
     }
 
-    /** Records that something has come from the board in version 1. */
+    /** Returns whether HELLO has been said, so that a board of version 2 would have answered. */
+    boolean hasSaidHello() {
+        return hasSaidHello;
+    }
+
+    void saidHello() {
+        hasSaidHello = true;
+    }
+
     void heard() {
         hasHeard = true;
         isReady = true;
     }
 
-    /** Records that the board has answered in version 2. */
     void answered() {
         isReady = true;
     }

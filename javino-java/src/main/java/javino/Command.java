@@ -54,12 +54,10 @@ final class Command implements SessionCommand {
         return frame.text();
     }
 
-    /** Returns whether it fails at a time of its own. */
     boolean hasTimeLimit() {
         return options.limitMillis() > 0;
     }
 
-    /** The time of its submission, by the link's clock. */
     long submittedAt() {
         return submittedAt;
     }
@@ -86,7 +84,6 @@ final class Command implements SessionCommand {
         return options.urgent();
     }
 
-    /** Returns whether it takes the place of {@code earlier}, which waits. */
     boolean replaces(Command earlier) {
         return options.latest()
                 && earlier.isWaiting()

@@ -2,7 +2,6 @@ package javino;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalLong;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import javino.wire.CommandItem;
@@ -25,31 +24,19 @@ final class CommandLoop {
     private final Monitor monitor;
     private final FrameWriter writer;
     private final SessionLine line;
-    private final RequestChannel channel;
     private final LineClock clock;
     private final Start start;
-    private final OneWaySender oneWay;
-    private volatile long movedNanos; // time at which commands of version 1 last got through, or could begin to
-    private Long toldNanos; // value of movedNanos() when the log was told that nothing gets through
+    private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
 
     /** @param monitor the one of the writer and the line */
     CommandLoop(
-            Monitor monitor,
-            Transport transport,
-            FrameWriter writer,
-            SessionLine line,
-            RequestChannel channel,
-            LineClock clock,
-            Start start) {
+            Monitor monitor, Transport transport, FrameWriter writer, SessionLine line, LineClock clock, Start start) {
         port = transport.name();
         this.monitor = monitor;
         this.writer = writer;
         this.line = line;
-        this.channel = channel;
         this.clock = clock;
         this.start = start;
-        oneWay = new OneWaySender(port, writer, line.inbox(), clock);
-        movedNanos = clock.nanos();
     }
 
     /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
@@ -89,102 +76,70 @@ final class CommandLoop {
         return command;
     }
 
-    /** Work to be done without the lock. */
-    private interface Writing {
-        void run() throws PortException;
-    }
-
     /** Queues a command. If it may be written now, it is begun under the same lock, so that no thread is woken for it, and written here. */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
-        Writing writing = monitor.get(() -> {
+        SessionLine.Outgoing frame = monitor.get(() -> {
             replaced.addAll(writer.submit(command));
-            return writer.isWritableNow() ? beginAtOnce(command) : null;
+            return writer.isWritableNow() ? line.nextAtOnce() : null;
         });
         replaced.forEach(earlier -> fail(earlier, replaced(earlier, command)));
-        if (writing != null) {
-            writing.run();
-        }
+        line.write(frame);
     }
 
-    private Writing beginAtOnce(Command command) {
-        if (line.isVersion2()) {
-            byte[] frame = line.nextAtOnce();
-            return frame == null ? null : () -> line.write(frame);
-        }
-        return !channel.mustAsk() && writer.beginAtOnce(command) ? () -> writeAtOnce(command) : null;
-    }
-
-    private void writeAtOnce(Command command) throws PortException {
-        try {
-            writer.leaves(oneWay.writeAtOnce(command));
-        } catch (PortException | RuntimeException | Error trouble) {
-            writer.finish();
-            throw trouble;
-        }
-    }
-
-    /** Sends commands until the line ends or the thread is interrupted. */
     void run() throws PortException {
-        movedNanos = clock.nanos();
+        line.sends();
         while (true) {
             giveUpStuck();
-            if (line.isVersion2()) {
-                runVersion2();
-            } else if (writer.awaitWork(null, 0, line::isVersion2)) {
-                sendNext(patienceEnds());
+            ask();
+            try {
+                line.await(line::mustAskFirst, this::patienceEnds, false);
+            } catch (RuntimeException | Error unforeseen) { // a transport's
+                LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
+                line.abandon(unforeseen);
             }
         }
     }
 
-    private void runVersion2() throws PortException {
-        try {
-            line.await(
-                    () -> !line.isVersion2() || writer.isLeaving() || isStuck(),
-                    clock.nanos() + Monitor.FOREVER,
-                    false);
-        } catch (RuntimeException | Error unforeseen) { // a transport's
-            LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
-            line.abandon(unforeseen);
+    /** Asks a board of version 1 for something, if the command whose turn is next waits for that. */
+    private void ask() throws PortException {
+        if (!line.mustAskFirst()) {
+            return;
         }
-        finishLeaving();
-    }
-
-    /** The time at which commands last got through, or, in version 2, at which the board was last heard. */
-    private long movedNanos() {
-        return line.isVersion2() ? line.heardNanos() : movedNanos;
+        try {
+            start.await();
+            line.hasAsked();
+        } catch (PortTimeoutException
+                | RuntimeException
+                | Error trouble) { // the latter is thrown by a transport; the commands behind go on
+            fail(writer.withdrawNext(), trouble);
+        }
     }
 
     /** The time at which to look again whether a waiting command is to be given up, unless one gets through. */
     private long patienceEnds() {
-        long moved = movedNanos();
         long now = clock.nanos();
+        if (writer.head() == null) {
+            return now + Monitor.FOREVER;
+        }
+        long moved = line.movedNanos();
         long since = now - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(now) : moved;
         return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
     }
 
-    /** Returns whether a command without a time limit has waited for {@link #PATIENCE_NANOS}, and none has got through meanwhile. */
-    private boolean isStuck() {
-        long now = clock.nanos();
-        if (now - movedNanos() < PATIENCE_NANOS) {
-            return false;
-        }
-        OptionalLong since = writer.waitingSince();
-        return since.isPresent() && now - since.getAsLong() >= PATIENCE_NANOS;
-    }
-
     /**
-     * Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, so that none goes out late when the
-     * line moves again.
+     * Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, if none has got through meanwhile, so
+     * that none goes out late when the line moves again.
      */
     private void giveUpStuck() {
-        if (!isStuck()) {
+        long now = clock.nanos();
+        if (patienceEnds() - now > 0) {
             return;
         }
-        long before = clock.nanos() - PATIENCE_NANOS;
+        long before = now - PATIENCE_NANOS;
         List<Command> stuck =
                 writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
-        Long moved = movedNanos();
+        Long moved = line.movedNanos();
         if (!stuck.isEmpty() && !moved.equals(toldNanos)) {
             toldNanos = moved;
             LOG.log(
@@ -206,22 +161,18 @@ final class CommandLoop {
     void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
         Command own = submit(frame, options);
         try {
-            if (channel.mustAsk()) {
-                start.await();
-            }
+            ask();
             long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
             while (!own.isOver()) {
                 if (own.isWaiting() && deadline - clock.nanos() <= 0 && writer.withdraw(own)) {
                     fail(own, writer.noTime(frame.length(), timeoutMillis));
-                } else if (line.isVersion2()) {
-                    finishLeaving();
-                    line.await(
-                            () -> own.isOver() || !line.isVersion2(),
-                            own.isWaiting() ? deadline : clock.nanos() + PATIENCE_NANOS,
-                            false);
-                } else if (writer.awaitWork(own, deadline, line::isVersion2)) {
-                    sendNext(deadline);
+                    break;
                 }
+                ask();
+                line.await(
+                        () -> own.isOver() || line.mustAskFirst(),
+                        own.isWaiting() ? deadline : clock.nanos() + PATIENCE_NANOS,
+                        false);
             }
             join(own);
         } finally {
@@ -237,88 +188,6 @@ final class CommandLoop {
                 throw trouble;
             }
             throw e;
-        }
-    }
-
-    /** Sends the command of version 1 whose turn is next, if it comes by {@code deadline}. */
-    private void sendNext(long deadline) throws PortException {
-        if (finishLeaving()) {
-            return;
-        }
-        try {
-            if (channel.mustAsk()) {
-                start.await();
-                movedNanos = channel.mustAsk() ? movedNanos : clock.nanos();
-            }
-        } catch (PortTimeoutException
-                | RuntimeException
-                | Error trouble) { // the latter is thrown by a transport; the commands behind go on
-            fail(writer.withdrawNext(), trouble);
-        }
-        if (line.isVersion2() || line.hasLapsed()) {
-            return;
-        }
-        Command command = writer.awaitCommand(deadline, line::isVersion2);
-        if (command != null) {
-            boolean isHeldBack = writer.isHeldBack(); // then an urgent one has no meaning for the others
-            boolean hasLeft = end(command, () -> oneWay.awaitLeft(command, oneWay.write(command)));
-            movedNanos = hasLeft && !isHeldBack ? clock.nanos() : movedNanos;
-        }
-    }
-
-    /** Waits for the command that its submitter wrote; false: there is none. */
-    private boolean finishLeaving() throws PortException {
-        Command leaving = writer.takeLeaving();
-        if (leaving == null) {
-            return false;
-        }
-        boolean isHeldBack = writer.isHeldBack();
-        boolean hasLeft = end(leaving, () -> oneWay.awaitLeft(leaving, writer.leavesAt()));
-        movedNanos = hasLeft && !isHeldBack ? clock.nanos() : movedNanos;
-        return true;
-    }
-
-    /** The rest of the work on the command under way. */
-    private interface Transmission {
-        void run() throws PortException;
-    }
-
-    /** @return whether it has arrived */
-    private boolean end(Command command, Transmission rest) throws PortException {
-        Throwable failure = failureOf(rest);
-        writer.finish();
-        if (failure == null) {
-            command.outcome().complete(null);
-        } else {
-            fail(command, failure);
-        }
-        if (failure instanceof PortGoneException gone) {
-            throw gone;
-        }
-        return failure == null;
-    }
-
-    private Throwable failureOf(Transmission rest) {
-        try {
-            rest.run();
-            return null;
-        } catch (PortTimeoutException trouble) {
-            return goneOr(trouble);
-        } catch (PortException | RuntimeException | Error trouble) {
-            return trouble; // the commands behind it must go on, whatever a transport throws
-        }
-    }
-
-    /**
-     * Returns the exception of the line if it is gone, since a write that takes too long may be the first sign of that; else
-     * {@code trouble}.
-     */
-    private PortException goneOr(PortTimeoutException trouble) {
-        try {
-            line.inbox().look();
-            return trouble;
-        } catch (PortException gone) {
-            return gone;
         }
     }
 
@@ -345,10 +214,8 @@ final class CommandLoop {
 
     /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */
     void failAll(String reason) {
-        PortGoneException gone = new PortGoneException(port, reason);
         writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
-        fail(writer.takeLeaving(), gone);
-        line.abandon(gone);
+        line.abandon(new PortGoneException(port, reason));
     }
 
     private static void fail(Command command, Throwable failure) {

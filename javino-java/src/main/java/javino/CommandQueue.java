@@ -74,12 +74,10 @@ final class CommandQueue {
         return queue.peek();
     }
 
-    /** Records that the outcome of a command has been reported. */
     void finished() {
         finished++;
     }
 
-    /** Commands submitted so far. */
     long submitted() {
         return submitted;
     }
@@ -103,7 +101,6 @@ final class CommandQueue {
         return true;
     }
 
-    /** Withdraws the commands that wait and that {@code isGivenUp}, and returns them. */
     List<Command> withdrawIf(Predicate<Command> isGivenUp) {
         List<Command> givenUp = waiting().filter(isGivenUp).toList();
         givenUp.forEach(Command::withdraw);

@@ -1,5 +1,6 @@
 package javino;
 
+import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
@@ -35,7 +36,10 @@ public final class FrameDecoder {
         COMPLETE
     }
 
+    private static final int NONE = -1;
+
     private final long interByteTimeoutNanos;
+    private final int other;
     private final Consumer<Frame> sink;
     private final byte[] held = new byte[CAPACITY];
     private int start; // held[start..end) are the bytes not yet decided on
@@ -44,17 +48,30 @@ public final class FrameDecoder {
     private long lastByteNanos;
     private long frames;
     private long discarded;
+    private boolean isAnywhere = true;
+    private boolean isQuiet = true;
 
     /**
      * @param interByteTimeoutNanos nanoseconds of silence after which an unfinished frame is given up, at least 1
      * @param sink receives each frame, on the thread that feeds the decoder
      */
     public FrameDecoder(long interByteTimeoutNanos, Consumer<Frame> sink) {
+        this(interByteTimeoutNanos, NONE, sink);
+    }
+
+    /**
+     * A decoder for a line that frames of another protocol share: it stops at the first byte of one, and the caller {@link #takeOther takes}
+     * that frame.
+     *
+     * @param other the byte with which those begin outside of payloads of version 1; -1: there are none
+     */
+    FrameDecoder(long interByteTimeoutNanos, int other, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
             throw new IllegalArgumentException(
                     "an inter-byte timeout is at least 1 ns, but " + interByteTimeoutNanos + " was given");
         }
         this.interByteTimeoutNanos = interByteTimeoutNanos;
+        this.other = other;
         this.sink = sink;
     }
 
@@ -102,8 +119,7 @@ public final class FrameDecoder {
      * changes nothing. A thread that waits for bytes wakes by then and calls {@code idle}.
      */
     public long nanosUntilIdle(long nowNanos) {
-        boolean undecided = end - start > delivered;
-        return undecided ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
+        return isReading() ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
     }
 
     /** Forgets all bytes held, as if the next one were the line's first. The counts stay. */
@@ -122,6 +138,38 @@ public final class FrameDecoder {
         return discarded;
     }
 
+    /** Sets whether a frame may begin at any byte from now on, or only at one in front of which it was {@link #quiet}. */
+    void anywhere(boolean value) {
+        isAnywhere = value;
+    }
+
+    /** Sets whether a frame may begin with the next byte. */
+    void quiet(boolean value) {
+        isQuiet = value;
+    }
+
+    boolean isReading() {
+        return end - start > delivered;
+    }
+
+    boolean isEmpty() {
+        return start == end;
+    }
+
+    /** Takes the bytes from the first on that begins a frame of the other protocol; empty if there is none. */
+    byte[] takeOther() {
+        if (!isOtherAt(start)) {
+            return new byte[0];
+        }
+        byte[] taken = Arrays.copyOfRange(held, start, end);
+        clear();
+        return taken;
+    }
+
+    private boolean isOtherAt(int place) {
+        return place < end && other != NONE && (held[place] & 0xFF) == other;
+    }
+
     private void append(byte b) {
         if (end == CAPACITY) {
             System.arraycopy(held, start, held, 0, end - start);
@@ -135,14 +183,14 @@ public final class FrameDecoder {
     /** Decides on as many bytes as it can now; the bytes that stay held are the beginning of a frame, or a frame to be confirmed. */
     private void decide() {
         boolean progress = true;
-        while (progress && start < end) {
+        while (progress && start < end && !isOtherAt(start)) {
             progress = delivered > 0 ? confirmOrDoubt() : deliverOrSkip();
         }
     }
 
     /** Returns whether anything was decided, as do the methods that it calls. */
     private boolean confirmOrDoubt() {
-        return switch (headerAt(start + delivered)) {
+        return switch (isOtherAt(start + delivered) ? Header.COMPLETE : headerAt(start + delivered)) {
             case COMPLETE -> confirm();
             case IMPOSSIBLE -> discardFirst();
             case UNFINISHED -> false;
@@ -150,7 +198,7 @@ public final class FrameDecoder {
     }
 
     private boolean deliverOrSkip() {
-        return switch (headerAt(start)) {
+        return switch (isQuiet ? headerAt(start) : Header.IMPOSSIBLE) {
             case COMPLETE -> deliver();
             case IMPOSSIBLE -> discardFirst();
             case UNFINISHED -> false;
@@ -165,6 +213,7 @@ public final class FrameDecoder {
         delivered = length;
         frames++;
         sink.accept(Frame.copyOf(held, start + Frame.HEADER_LENGTH, payloadLength()));
+        isQuiet = isAnywhere;
         return true;
     }
 
@@ -178,17 +227,21 @@ public final class FrameDecoder {
         start++;
         delivered = 0;
         discarded++;
+        isQuiet = isAnywhere;
         return true;
     }
 
     /** Decides after a silence, which leaves an unfinished frame unfinished. */
-    private void giveUp() {
+    void giveUp() {
         while (end > start) {
             decide();
-            if (delivered == end - start) {
-                clear();
-            } else {
+            if (isOtherAt(start)) {
+                return;
+            }
+            if (isReading()) {
                 discardFirst();
+            } else {
+                clear();
             }
         }
     }

@@ -3,6 +3,7 @@ package javino;
 import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
@@ -12,16 +13,16 @@ import javino.session.WaitingCommands;
 /**
  * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames.
  *
- * <p>In version 1 one command at a time is under way, from its turn until its last byte has left; requests go out meanwhile, and before
- * the commands that wait. In version 2 a {@link SessionLine} takes commands and writes its own frames.
+ * <p>A {@link SessionLine} takes the commands from it. In version 1 requests go out before the commands that wait.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
-    /** The purpose of a frame: the pacer treats the two differently. */
+    /** The purpose of a frame, by which the pacer treats it: in version 1 an action or a request, or a frame of version 2. */
     enum Kind {
         ACTION,
-        REQUEST
+        REQUEST,
+        SESSION
     }
 
     /** Makes a frame when its turn has come, right before it is written; null: nothing is to be written any more. */
@@ -41,21 +42,12 @@ final class FrameWriter implements WaitingCommands<Command> {
     private final Pacer pacer;
     private boolean isWriting;
     private int turnsAwaited; // of requests and HELLOs
-    private Command underWay;
-    private boolean
-            isLeaving; // the thread that submitted the command under way wrote it; its last byte leaves at leavesAt
-    private long leavesAt;
     private volatile long outcomeNanos;
     private long writtenBytes;
     private long readBytes; // of the bytes written, those that the far end has proved to have read
-    private boolean isRefused; // the driver has not taken the last frame in time
+    private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
-    FrameWriter(Transport transport, Pacer pacer, LineClock clock) {
-        this(new Monitor(clock, transport.name()), transport, pacer, clock);
-    }
-
-    /** @param monitor guards it */
     FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
         this.monitor = monitor;
         this.transport = transport;
@@ -81,7 +73,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     /** Withdraws the command whose turn is next; null if there is none. */
     Command withdrawNext() {
         return monitor.get(() -> {
-            Command next = next();
+            Command next = commands.head();
             if (next != null) {
                 next.withdraw();
             }
@@ -89,7 +81,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Withdraws the commands that wait and that {@code isGivenUp}. */
     List<Command> withdrawIf(Predicate<Command> isGivenUp) {
         return monitor.get(() -> commands.withdrawIf(isGivenUp));
     }
@@ -97,10 +88,6 @@ final class FrameWriter implements WaitingCommands<Command> {
     /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return monitor.get(commands::waitingSince);
-    }
-
-    private Command next() {
-        return underWay == null ? commands.head() : null;
     }
 
     @Override
@@ -114,51 +101,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Waits until there is something to do with commands of version 1: until one waits and none is under way, or one leaves.
-     *
-     * @param own the wait ends when this command is over; null: it has no such end
-     * @param deadline until when {@code own} may wait for its turn
-     * @param isElsewhere ends the wait too
-     * @return whether there is something to do
-     */
-    boolean awaitWork(Command own, long deadline, BooleanSupplier isElsewhere) throws PortException {
-        return monitor.getInterruptibly(() -> {
-            awaitZero(() -> own != null && own.isOver() || isElsewhere.getAsBoolean() || hasWork()
-                    ? 0
-                    : own != null && own.isWaiting() ? deadline - clock.nanos() : Monitor.FOREVER);
-            return (own == null || !own.isOver()) && hasWork();
-        });
-    }
-
-    private boolean hasWork() {
-        return isLeaving || next() != null;
-    }
-
-    /**
-     * Waits for the turn of the next command, which is under way from then on until {@link #finish}, and must be written with
-     * {@link #writeNow}.
-     *
-     * @param isElsewhere ends the wait too, without a command
-     * @return null if its turn has not come by {@code deadline}, or there is none, or another thread has it
-     */
-    Command awaitCommand(long deadline, BooleanSupplier isElsewhere) throws PortException {
-        return monitor.getInterruptibly(() -> {
-            awaitZero(() -> next() == null || isElsewhere.getAsBoolean()
-                    ? 0
-                    : Math.min(nanosUntilNext(), deadline - clock.nanos()));
-            return isElsewhere.getAsBoolean() ? null : beginNext();
-        });
-    }
-
-    /** Begins the next command if that waits for nothing and is {@code own}; as {@link #awaitCommand}. */
-    boolean beginAtOnce(Command own) {
-        return monitor.get(() -> endReason == null && next() == own && beginNext() != null);
-    }
-
-    /**
      * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true until the frame is
-     * written if the thread begins it under the same lock, with {@link #beginAtOnce} or {@link #beginFrame}. The caller holds the monitor's
-     * lock.
+     * written if the thread begins it under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();
@@ -168,7 +112,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         return transport.isWritableNow(writtenBytes - readBytes);
     }
 
-    /** Bytes handed to the driver so far. */
     long written() {
         return monitor.get(() -> writtenBytes);
     }
@@ -178,23 +121,16 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> readBytes = Math.max(readBytes, bytes));
     }
 
-    private Command beginNext() {
-        Command next = next();
-        if (next == null || nanosUntilNext() > 0) {
-            return null;
+    /** Nanoseconds until the next of the waiting commands may be written in version 1. The caller holds the monitor's lock. */
+    long nanosUntilCommand() {
+        Command next = commands.head();
+        if (next == null || isWriting || turnsAwaited > 0) {
+            return Monitor.FOREVER;
         }
-        next.begin(writtenBytes);
-        underWay = next;
-        isWriting = true;
-        return next;
-    }
-
-    private long nanosUntilNext() {
-        return isWriting || turnsAwaited > 0
-                ? Monitor.FOREVER
-                : isHeldBack() && !next().isUrgent()
-                        ? pacer.nanosHeld(clock.nanos())
-                        : pacer.nanosUntilAction(next().frame().length(), clock.nanos());
+        long now = clock.nanos();
+        return pacer.holdsActions(now) && !next.isUrgent()
+                ? pacer.nanosHeld(now)
+                : pacer.nanosUntilAction(next.frame().length(), now);
     }
 
     /** Returns whether only urgent commands of version 1 are written until the board answers. */
@@ -207,44 +143,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(pacer::isSlow);
     }
 
-    /**
-     * Records that the command under way has been written, and leaves it to {@link #takeLeaving}.
-     *
-     * @throws PortGoneException if the line has ended meanwhile, so that nobody takes it any more
-     */
-    void leaves(long at) throws PortGoneException {
-        monitor.change(() -> {
-            requireLine();
-            isLeaving = true;
-            leavesAt = at;
-        });
-    }
-
-    /** Returns whether {@link #takeLeaving} has a command. */
-    boolean isLeaving() {
-        return monitor.get(() -> isLeaving);
-    }
-
-    /** Takes the command that its submitter wrote, unless another thread has taken it; null: there is none. */
-    Command takeLeaving() {
-        return monitor.get(() -> {
-            boolean wasLeaving = isLeaving;
-            isLeaving = false;
-            return wasLeaving ? underWay : null;
-        });
-    }
-
-    /** The time at which the last byte of the command that {@link #takeLeaving} returned leaves. */
-    long leavesAt() {
-        return monitor.get(() -> leavesAt);
-    }
-
-    /** Records that the command under way has arrived, or failed: the next one may go. */
-    void finish() {
-        monitor.change(() -> underWay = null);
-    }
-
-    /** Records that the outcome of a command has been reported. */
     void reported() {
         monitor.change(() -> {
             commands.finished();
@@ -287,7 +185,15 @@ final class FrameWriter implements WaitingCommands<Command> {
             awaitTurn(kind, bytes, timeoutMillis);
             return null;
         });
-        return writeNow(kind, timeoutMillis, content);
+        byte[] frame = null;
+        try {
+            frame = content.make();
+        } finally {
+            if (frame == null) {
+                monitor.change(() -> isWriting = false);
+            }
+        }
+        return frame == null ? clock.nanos() : writeFrame(kind, frame, timeoutMillis, left -> {});
     }
 
     private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
@@ -311,7 +217,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         }
     }
 
-    /** The exception of a frame whose turn did not come. */
     PortTimeoutException noTime(int bytes, long timeoutMillis) {
         return new PortTimeoutException(
                 transport.name(),
@@ -319,68 +224,61 @@ final class FrameWriter implements WaitingCommands<Command> {
                         + " ms; " + whyNoTime());
     }
 
-    /** The likely reason why nothing gets through. */
     String whyNoTime() {
         return isHeldBack()
                 ? "the board does not answer, and would lose commands, which wait until it does"
                 : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
     }
 
-    /** Writes a frame whose turn has come; as {@link #write}. {@code timeoutMillis} may be 0 if it {@link #isWritableNow}. */
-    long writeNow(Kind kind, int timeoutMillis, Content content) throws PortException {
-        try {
-            byte[] frame = content.make();
-            if (frame == null) {
-                return clock.nanos();
-            }
-            return hand(
-                    frame,
-                    timeoutMillis,
-                    (start, now) -> kind == Kind.ACTION
-                            ? pacer.wroteAction(frame.length, start, now)
-                            : pacer.wroteRequest(frame.length, start, now));
-        } finally {
-            monitor.change(() -> isWriting = false);
-        }
+    /** Records that a frame goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
+    void beginFrame() {
+        isWriting = true;
     }
 
-    /** Records when a frame was handed to the driver, and when the driver had taken it; returns when its last byte leaves. */
-    private interface Written {
-        long at(long start, long now);
-    }
-
-    private long hand(byte[] frame, int timeoutMillis, Written written) throws PortException {
+    /**
+     * Writes a frame that has begun, and gives {@code whenWritten} the time at which its last byte leaves, also if the driver has not taken
+     * all of it. The caller does not hold the monitor's lock.
+     *
+     * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
+     * @return that time
+     */
+    long writeFrame(Kind kind, byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         long start = clock.nanos();
         boolean waits = monitor.get(() -> {
             boolean isTight = timeoutMillis > 0 && !hasRoom();
             writtenBytes += frame.length;
             return isTight;
         });
-        boolean isTaken = false;
         try {
             transport.write(frame, 0, frame.length, waits ? timeoutMillis : 0);
-            isTaken = true;
-        } catch (PortTimeoutException refused) {
-            warnOnce(refused);
-            throw refused;
-        } finally {
-            if (!isTaken) {
-                monitor.get(() -> written.at(start, clock.nanos())); // some bytes may have left
+        } catch (PortException | RuntimeException | Error failure) {
+            left(kind, frame.length, start, whenWritten); // some bytes may have left
+            if (failure instanceof PortTimeoutException refused) {
+                warnOnce(refused);
             }
+            throw failure;
         }
+        isRefused.set(false);
+        return left(kind, frame.length, start, whenWritten);
+    }
+
+    private long left(Kind kind, int bytes, long start, LongConsumer whenWritten) {
         return monitor.get(() -> {
-            isRefused = false;
-            return written.at(start, clock.nanos());
+            isWriting = false;
+            long now = clock.nanos();
+            long left =
+                    switch (kind) {
+                        case ACTION -> pacer.wroteAction(bytes, start, now);
+                        case REQUEST -> pacer.wroteRequest(bytes, start, now);
+                        case SESSION -> pacer.wroteFrame(bytes, start, now);
+                    };
+            whenWritten.accept(left);
+            return left;
         });
     }
 
     private void warnOnce(PortTimeoutException refused) {
-        boolean isNews = monitor.get(() -> {
-            boolean wasRefused = isRefused;
-            isRefused = true;
-            return !wasRefused;
-        });
-        if (isNews) {
+        if (!isRefused.getAndSet(true)) {
             LOG.log(
                     System.Logger.Level.WARNING,
                     refused.getMessage() + "; this is not reported again until it takes bytes again");
@@ -397,33 +295,10 @@ final class FrameWriter implements WaitingCommands<Command> {
         return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
     }
 
-    /** Records that a frame of version 2 goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
-    void beginFrame() {
-        isWriting = true;
-    }
-
-    /**
-     * Writes a frame of version 2, and gives {@code whenWritten} the time at which its last byte leaves. The caller does not hold the
-     * monitor's lock.
-     */
-    void writeFrame(byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
-        try {
-            hand(frame, timeoutMillis, (start, now) -> {
-                long left = pacer.wroteFrame(frame.length, start, now);
-                whenWritten.accept(left);
-                return left;
-            });
-        } finally {
-            monitor.change(() -> isWriting = false);
-        }
-    }
-
-    /** Records that all that was written has arrived. */
     void allArrived(long now) {
         monitor.change(() -> pacer.allArrived(now));
     }
 
-    /** Waits until the clock shows {@code nanos}. */
     void awaitTime(long nanos) throws PortException {
         monitor.getInterruptibly(() -> {
             awaitZero(() -> nanos - clock.nanos());
@@ -437,7 +312,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         requireLine();
     }
 
-    /** Records that {@code bytes} have been read at {@code now}. */
     void received(int bytes, long now) {
         monitor.change(() -> pacer.received(bytes, now));
     }

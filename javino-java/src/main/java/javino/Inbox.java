@@ -13,27 +13,21 @@ import javino.wire.WireFrame;
  * ends.
  */
 final class Inbox {
-    /** Is called whenever bytes have arrived. */
-    interface ReadListener {
-        /** Records that {@code bytes} have been read at {@code now}, in nanoseconds of the line's clock. */
-        void received(int bytes, long now);
-    }
+    /** Takes what arrives, while the monitor's lock is held; times are nanoseconds of the line's clock. */
+    interface Listener {
+        void receiving(int bytes, long now);
 
-    /** Takes the frames of version 2, and the events that concern it, while the monitor's lock is held. */
-    interface FrameListener {
-        void received(WireFrame frame, long now);
-
-        /** Bytes have come. */
-        void receiving(long now);
+        default void received(WireFrame frame, long now) {}
 
         /** The nonce of the session to which frames belong, see {@link WireDecoder}. */
-        int nonce();
+        default int nonce() {
+            return 0;
+        }
 
-        /** A frame's checksum was wrong. */
-        void damaged();
+        default void damaged() {}
 
         /** A frame of version 1 goes out. */
-        void sendsVersion1(long now);
+        default void sendsVersion1(long now) {}
     }
 
     private static final int BUFFER = 1024;
@@ -45,25 +39,6 @@ final class Inbox {
      */
     private static final int READS = 64;
 
-    private static final FrameListener NOBODY = new FrameListener() {
-        @Override
-        public void received(WireFrame frame, long now) {}
-
-        @Override
-        public void receiving(long now) {}
-
-        @Override
-        public int nonce() {
-            return 0;
-        }
-
-        @Override
-        public void damaged() {}
-
-        @Override
-        public void sendsVersion1(long now) {}
-    };
-
     private final Monitor monitor;
     private final Deque<Reply> messages = new ArrayDeque<>();
     private final byte[] buffer = new byte[BUFFER]; // belongs to the thread that reads
@@ -73,42 +48,20 @@ final class Inbox {
     private final WireDecoder version2;
     private final LocalEchoFilter localEchoes = new LocalEchoFilter();
     private final StrayBytes.Gatherer stray = new StrayBytes.Gatherer();
-    private final ReadListener received;
-    private final FrameListener frames;
+    private final Listener listener;
     private boolean isBeingRead;
     private Protocol protocol;
     private volatile long lastByteNanos;
 
-    /**
-     * An inbox for version 1.
-     *
-     * @param received called whenever bytes have arrived
-     */
-    Inbox(Transport transport, LineClock clock, ReadListener received) {
-        this(new Monitor(clock, transport.name()), transport, clock, received, Protocol.V1, NOBODY);
-    }
-
-    /**
-     * @param monitor guards it
-     * @param received called whenever bytes have arrived
-     * @param frames takes the frames of version 2
-     */
-    Inbox(
-            Monitor monitor,
-            Transport transport,
-            LineClock clock,
-            ReadListener received,
-            Protocol protocol,
-            FrameListener frames) {
+    Inbox(Monitor monitor, Transport transport, LineClock clock, Protocol protocol, Listener listener) {
         this.monitor = monitor;
         this.transport = transport;
         this.clock = clock;
-        this.received = received;
         this.protocol = protocol;
-        this.frames = frames;
+        this.listener = listener;
         long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
         version1 = new FrameDecoder(timeout, this::keep);
-        version2 = new WireDecoder(true, timeout, frames::nonce, this::handOn);
+        version2 = new WireDecoder(true, timeout, listener::nonce, this::handOn);
         lastByteNanos = clock.nanos();
     }
 
@@ -144,12 +97,10 @@ final class Inbox {
         return protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - clock.nanos());
     }
 
-    /** Returns whether messages of version 1 can come. */
     boolean isReadingVersion1() {
         return monitor.get(() -> protocol != Protocol.V2);
     }
 
-    /** Returns whether a message of version 1 waits to be taken. */
     boolean hasMessage() {
         return monitor.get(() -> !messages.isEmpty());
     }
@@ -190,7 +141,7 @@ final class Inbox {
     void sends(Frame frame) {
         monitor.change(() -> {
             localEchoes.sends(frame);
-            frames.sendsVersion1(clock.nanos());
+            listener.sendsVersion1(clock.nanos());
         });
     }
 
@@ -199,7 +150,6 @@ final class Inbox {
         return monitor.get(() -> stray.soFar(transport.line().baud()));
     }
 
-    /** The time at which the last byte arrived. */
     long lastByteNanos() {
         return lastByteNanos;
     }
@@ -245,7 +195,7 @@ final class Inbox {
         lastByteNanos = now;
         stray.add(buffer, count);
         long corrupt = version2.corrupt();
-        frames.receiving(now);
+        listener.receiving(count, now);
         if (protocol != Protocol.V1) {
             version2.acceptUnbroken(buffer, 0, count, now);
         }
@@ -253,14 +203,13 @@ final class Inbox {
             version1.acceptUnbroken(buffer, 0, count, now);
         }
         if (version2.corrupt() > corrupt) {
-            frames.damaged();
+            listener.damaged();
         }
-        received.received(count, now);
     }
 
     private void handOn(WireFrame frame) {
         stray.clear();
-        frames.received(frame, lastByteNanos);
+        listener.received(frame, lastByteNanos);
     }
 
     private void keep(Frame frame) {

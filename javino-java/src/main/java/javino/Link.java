@@ -62,7 +62,7 @@ public final class Link implements AutoCloseable {
         line = new SessionLine(monitor, transport, clock, writer, settings);
         channel = new RequestChannel(line, writer, clock, settings);
         answeredNanos = clock.nanos();
-        commands = new CommandLoop(monitor, transport, writer, line, channel, clock, this::awaitStart);
+        commands = new CommandLoop(monitor, transport, writer, line, clock, this::awaitStart);
     }
 
     /**
@@ -169,7 +169,7 @@ public final class Link implements AutoCloseable {
     public Reply request(String message, int timeoutMillis) throws PortException {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
-        if (line.protocol() == Protocol.V1 && !channel.mustAsk()) {
+        if (line.protocol() == Protocol.V1 && !line.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         return isCommand(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
@@ -405,8 +405,11 @@ public final class Link implements AutoCloseable {
 
     /** Returns when something has come from the board, or it must have started. */
     private void awaitStart() throws PortException {
+        if (channel.sayHelloToListener()) {
+            return;
+        }
         try {
-            if (!reading.tryLock(Math.max(channel.nanosUntilStarted(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+            if (!reading.tryLock(Math.max(line.start().nanosLeft(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
                 // another call waited for it meanwhile, or listens for so long that the action must not wait for it
                 return;
             }
@@ -426,7 +429,6 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Work on an open line. */
     private interface LineWork<T> {
         T run() throws PortException;
     }

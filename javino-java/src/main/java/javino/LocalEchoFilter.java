@@ -18,7 +18,6 @@ final class LocalEchoFilter {
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first
     private boolean known;
 
-    /** Records that a frame is about to go out. */
     void sends(Frame frame) {
         if (sent.size() == MAX) {
             sent.poll();
@@ -26,7 +25,6 @@ final class LocalEchoFilter {
         sent.add(frame);
     }
 
-    /** Returns whether a frame that came is one that was sent. */
     boolean isEcho(Frame frame) {
         if (!sent.contains(frame)) {
             return false;

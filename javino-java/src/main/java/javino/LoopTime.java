@@ -32,7 +32,6 @@ final class LoopTime {
 
     private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
     private static final int OUTLIER_AMONG = 64;
-    /** Of so many delays one can be left out. */
     private static final int MANY = 16;
 
     private static final int LEARNING_REQUESTS = 32;
@@ -92,7 +91,6 @@ final class LoopTime {
         requests = 0;
     }
 
-    /** Records that a request was written. */
     void asked() {
         requests++;
     }
@@ -106,7 +104,6 @@ final class LoopTime {
         return (long) (probe * GOLDEN_RATIO % 1 * Math.max(MIN_PROBE_NANOS, longest));
     }
 
-    /** The estimate. */
     long nanos() {
         return count < MIN_SAMPLES ? MAX_NANOS : estimate;
     }

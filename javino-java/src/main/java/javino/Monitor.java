@@ -14,12 +14,10 @@ final class Monitor {
     /** Longer than any wait. */
     static final long FOREVER = Long.MAX_VALUE / 4;
 
-    /** Work under the lock. */
     interface Work<T, E extends Exception> {
         T run() throws E;
     }
 
-    /** Work under the lock without a result. */
     interface Change<E extends Exception> {
         void run() throws E;
     }
@@ -37,13 +35,11 @@ final class Monitor {
         lock = clock.newLock(false);
     }
 
-    /** Does {@code work} under the lock. */
     <T, E extends Exception> T get(Work<T, E> work) throws E {
         lock.lock();
         return run(work);
     }
 
-    /** Makes {@code change} under the lock. */
     <E extends Exception> void change(Change<E> change) throws E {
         get(() -> {
             change.run();
@@ -125,7 +121,6 @@ final class Monitor {
         }
     }
 
-    /** A thread that waits. */
     private final class Waiter {
         private final Condition woken = lock.newCondition();
         private final LongSupplier nanosLeft;

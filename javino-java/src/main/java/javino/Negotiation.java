@@ -20,7 +20,6 @@ final class Negotiation {
     private final SessionLine line;
     private final FrameWriter writer;
     private final Version1Requests version1;
-    private final ResponseCorrelator answers;
     private final BoardStart start;
     private final LineClock clock;
     private final long helloNanos;
@@ -30,14 +29,12 @@ final class Negotiation {
             SessionLine line,
             FrameWriter writer,
             Version1Requests version1,
-            ResponseCorrelator answers,
             BoardStart start,
             LineClock clock,
             LinkSettings settings) {
         this.line = line;
         this.writer = writer;
         this.version1 = version1;
-        this.answers = answers;
         this.start = start;
         this.clock = clock;
         helloNanos = Math.max(HELLO_NANOS, HELLO_BYTES * settings.line().byteNanos());
@@ -63,7 +60,7 @@ final class Negotiation {
         while (true) {
             long sent = version1.ask(request, timeoutMillis);
             long wait = mayBeStarting ? Math.min(timeoutNanos, REPEAT_NANOS - helloNanos) : timeoutNanos;
-            Reply first = answers.by(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
+            Reply first = version1.awaitAnswer(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
             if (first != null) {
                 Reply answer = version1.completed(first, timeoutMillis);
                 if (isWelcomed(hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0, timeoutMillis)) {
@@ -83,7 +80,6 @@ final class Negotiation {
         return isWelcomed(2, timeoutMillis);
     }
 
-    /** Sends HELLO until WELCOME comes, at most so many times. */
     private boolean isWelcomed(int hellos, int timeoutMillis) throws PortException {
         for (int i = 0; i < hellos; i++) {
             if (isWelcomed(timeoutMillis)) {
@@ -93,7 +89,6 @@ final class Negotiation {
         return false;
     }
 
-    /** Sends HELLO, and waits for WELCOME. */
     private boolean isWelcomed(int timeoutMillis) throws PortException {
         long left = writer.write(
                 FrameWriter.Kind.ACTION,

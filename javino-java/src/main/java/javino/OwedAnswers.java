@@ -18,7 +18,6 @@ final class OwedAnswers {
     private int asked; // requests since the line was last known to owe no answer
     private long firstAskedAt;
 
-    /** Records that a request was written whose last byte leaves at {@code nanos}. */
     void asked(long nanos) {
         if (asked == 0) {
             firstAskedAt = nanos;

@@ -138,7 +138,6 @@ final class Pacer {
         return wroteFrame(bytes, start, now);
     }
 
-    /** Records that a request was written; as {@link #wroteAction}. */
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
@@ -160,7 +159,6 @@ final class Pacer {
         lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
     }
 
-    /** Records that a frame of version 2 was written; as {@link #wroteAction}. */
     long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
@@ -220,7 +218,6 @@ final class Pacer {
         unanswered = 0;
     }
 
-    /** The inter-frame gap. */
     private long gap() {
         if (minGapNanos == 0) {
             return 0;

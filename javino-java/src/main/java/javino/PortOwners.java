@@ -17,7 +17,6 @@ final class PortOwners {
 
     private PortOwners() {}
 
-    /** One owner's hold on a port. */
     static final class Claim {
         private final String canonicalName;
         private final String owner;

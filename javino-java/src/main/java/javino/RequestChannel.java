@@ -1,6 +1,7 @@
 package javino;
 
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Lock;
 
 /**
  * Asks and listens in the version that the board speaks, and finds that version out. One thread at a time, except for methods marked "Any
@@ -9,7 +10,7 @@ import java.util.concurrent.TimeUnit;
 final class RequestChannel {
     /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
-    /** Bytes of a request and of a frame before it. */
+
     private static final int REQUEST_BYTES = 50;
 
     private final SessionLine line;
@@ -17,36 +18,18 @@ final class RequestChannel {
     private final BoardStart start;
     private final Version1Requests version1;
     private final Negotiation negotiation;
+    private final Lock negotiating;
     private final long byteNanos;
-    private volatile boolean hasSaidHello;
+    private volatile boolean isListening;
 
-    /** @param settings their {@link LinkSettings#bootMillis()} count from now */
     RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.clock = clock;
-        start = new BoardStart(clock, settings.bootMillis());
-        ResponseCorrelator answers = new ResponseCorrelator(line.inbox(), clock);
-        version1 = new Version1Requests(line.inbox(), writer, clock, start, answers);
-        negotiation = new Negotiation(line, writer, version1, answers, start, clock, settings);
+        start = line.start();
+        version1 = new Version1Requests(line.inbox(), writer, clock, start);
+        negotiation = new Negotiation(line, writer, version1, start, clock, settings);
+        negotiating = clock.newLock(false);
         byteNanos = settings.line().byteNanos();
-    }
-
-    /** Nanoseconds for which the board may still be starting; 0 once something has come from it, or it must have started. Any thread. */
-    long nanosUntilStarted() {
-        return start.nanosLeft();
-    }
-
-    /**
-     * Returns whether the board has to be asked for something before it is sent an action of version 1: see {@link #awaitStart}. Any
-     * thread.
-     */
-    boolean mustAsk() {
-        return !line.isVersion2() && (mustAnswer() || line.protocol() == Protocol.AUTO && !hasSaidHello);
-    }
-
-    /** Returns whether an action of version 1 has to wait for an answer, and not only for WELCOME. */
-    private boolean mustAnswer() {
-        return start.nanosLeft() > 0 || line.protocol() == Protocol.AUTO && (start.hasHeard() || line.hasLapsed());
     }
 
     /**
@@ -54,21 +37,56 @@ final class RequestChannel {
      * run is sent no request, only HELLO.
      */
     void awaitStart() throws PortException {
-        if (!mustAsk()) {
+        if (!line.mustAsk()) {
             return;
         }
         version1.askForAction(true);
         try {
-            if (line.protocol() == Protocol.AUTO && !mustAnswer()) {
-                negotiation.sayHello(Version1Requests.REPEAT_MILLIS);
+            if (line.protocol() == Protocol.AUTO && !line.mustAnswer()) {
+                sayHello();
             } else if (line.protocol() == Protocol.AUTO) {
-                negotiation.run(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
+                negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             } else {
                 version1.askUntil(clock.nanos() + start.nanosLeft(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            hasSaidHello = true;
             version1.askForAction(false);
+        }
+    }
+
+    /**
+     * Like {@link #awaitStart}, if another thread {@linkplain #listen listens} and HELLO is all that is to be said: the listener reads the
+     * answer, so an action need not wait until it has heard something. Any thread.
+     *
+     * @return whether HELLO has been said
+     */
+    boolean sayHelloToListener() throws PortException {
+        if (!isListening || line.protocol() != Protocol.AUTO || line.mustAnswer()) {
+            return false;
+        }
+        sayHello();
+        return true;
+    }
+
+    private void sayHello() throws PortException {
+        negotiating.lock();
+        try {
+            if (!start.hasSaidHello()) {
+                negotiation.sayHello(Version1Requests.REPEAT_MILLIS);
+            }
+        } finally {
+            start.saidHello();
+            negotiating.unlock();
+        }
+    }
+
+    private Reply negotiate(Frame request, int timeoutMillis) throws PortException {
+        negotiating.lock();
+        try {
+            return negotiation.run(request, timeoutMillis);
+        } finally {
+            start.saidHello();
+            negotiating.unlock();
         }
     }
 
@@ -82,8 +100,7 @@ final class RequestChannel {
         }
         Reply answer = null;
         if (line.protocol() == Protocol.AUTO) {
-            answer = negotiation.run(request, timeoutMillis);
-            hasSaidHello = true;
+            answer = negotiate(request, timeoutMillis);
         }
         if (answer == null && line.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
@@ -113,8 +130,13 @@ final class RequestChannel {
     /** The newest message that the board sends of its own accord, or null if none comes in time. */
     Reply listen(int timeoutMillis) throws PortException {
         long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        Reply message = line.isVersion2() ? null : version1.listen(deadline);
-        return message == null && line.isVersion2() ? line.listen(deadline) : message;
+        isListening = true;
+        try {
+            Reply message = line.isVersion2() ? null : version1.listen(deadline);
+            return message == null && line.isVersion2() ? line.listen(deadline) : message;
+        } finally {
+            isListening = false;
+        }
     }
 
     /** Reads until the clock shows {@code deadline}, and keeps the messages that come. */

@@ -57,4 +57,13 @@ public final class Services {
             LOG.log(System.Logger.Level.WARNING, "a " + service.getName() + " cannot be used", e);
         }
     }
+
+    /** Reports once that a service is left out since another has its name. */
+    public static void leftOut(Class<?> service, String name, Class<?> other) {
+        if (TOLD.add(service.getName() + ' ' + name)) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    service.getName() + " is left out: its name \"" + name + "\" is that of " + other.getName());
+        }
+    }
 }

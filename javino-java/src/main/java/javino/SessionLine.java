@@ -4,10 +4,13 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.SplittableRandom;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import javino.session.CommandOutcome;
 import javino.session.ComputerSession;
 import javino.session.SessionListener;
@@ -19,19 +22,17 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * A line on which version 2 is spoken, or may be: carries the frames of a {@link ComputerSession}. Each thread that waits for something
+ * Carries the frames of a line: those of a {@link ComputerSession}, and the commands of version 1. Each thread that waits for something
  * here works for all: it writes the frame that is due, and reads if no other thread does.
  *
  * <p>Safe on any thread. Outcomes and reports are passed on outside of the lock, by the thread that has found them out. No lock is held
  * while bytes are written or awaited.
  */
-final class SessionLine implements SessionListener<Command>, Inbox.FrameListener {
+final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
-    /** The interval at which a waiting thread checks whether a command has waited for too long. */
-    private static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(1);
     /** The longest single read while a frame is being written, behind which another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-    /** The longest single read. */
+
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /** The shortest time limit of a write: with less, a late thread would pass for a driver that takes nothing. */
@@ -45,14 +46,18 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private final FrameWriter writer;
     private final Inbox inbox;
     private final ComputerSession<Command> session;
+    private final Version1Commands version1;
+    private final CommandFailures failures;
+    private final BoardStart start;
     private final Protocol wanted;
     private final int answerLimit;
-    private final Deque<Runnable> reports = new ArrayDeque<>(); // to be passed on when the lock is free
+    private final Queue<Runnable> reports = new ConcurrentLinkedQueue<>(); // to be passed on when the lock is free
     private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
     private volatile Protocol protocol;
     private volatile BoardListener listener; // null: nobody is called
     private volatile long heardNanos; // time at which the board was last known to be there
-    private boolean hasLapsed;
+    private volatile boolean
+            hasLapsed; // the board spoke version 2 and then fell silent, so that another one may be there
     private int rules; // number of rules that the board can hold, in this session
     private Reply answer;
     private boolean hasDropped; // an answer was dropped, and none has come since
@@ -63,8 +68,16 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     private volatile int otherRevision = NONE; // revision of version 2 that the board speaks
     private volatile int actionsLost;
     private boolean hasToldLostActions;
+    private boolean hasToldSlowBoard;
+    private boolean hasToldUnreadable;
 
-    /** @param monitor guards it, with the inbox and the writer */
+    /** A frame that goes out, and the command of version 1 that it is; null: it belongs to the session. */
+    record Outgoing(byte[] frame, Command command) {}
+
+    /**
+     * @param monitor guards it, with the inbox and the writer
+     * @param settings their {@link LinkSettings#bootMillis()} count from now
+     */
     SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
         this.monitor = monitor;
         this.transport = transport;
@@ -74,15 +87,17 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         answerLimit = settings.messageLimit();
         protocol = wanted;
         heardNanos = clock.nanos();
-        inbox = new Inbox(monitor, transport, clock, writer::received, wanted, this);
+        start = new BoardStart(clock, settings.bootMillis());
+        version1 = new Version1Commands(writer, clock.nanos(), this::mustAsk);
+        inbox = new Inbox(monitor, transport, clock, wanted, this);
         session = new ComputerSession<>(
                 settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
+        failures = new CommandFailures(transport.name(), session);
         if (wanted == Protocol.V2) {
             session.open(clock.nanos());
         }
     }
 
-    /** The inbox, which reads the line. */
     Inbox inbox() {
         return inbox;
     }
@@ -92,7 +107,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return protocol;
     }
 
-    /** Returns whether a session has begun and not ended. */
     boolean isOpen() {
         return monitor.get(session::isOpen);
     }
@@ -109,9 +123,34 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         });
     }
 
-    /** Returns whether the board spoke version 2 and then fell silent, so that another one may be there. */
-    boolean hasLapsed() {
-        return monitor.get(() -> hasLapsed);
+    BoardStart start() {
+        return start;
+    }
+
+    /** Returns whether the board has to be asked for something before it is sent a command of version 1. Any thread. */
+    boolean mustAsk() {
+        return !isVersion2() && (mustAnswer() || protocol == Protocol.AUTO && !start.hasSaidHello());
+    }
+
+    /** Returns whether a command of version 1 has to wait for an answer, and not only for WELCOME. */
+    boolean mustAnswer() {
+        return start.nanosLeft() > 0 || protocol == Protocol.AUTO && (start.hasHeard() || hasLapsed);
+    }
+
+    /** Returns whether a command waits until the board has been asked for something. */
+    boolean mustAskFirst() {
+        return monitor.get(() -> !isVersion2() && version1.mustAskFirst());
+    }
+
+    /** Records that commands of version 1 can begin to get through, or that the next may go out although the board did not answer. */
+    void hasAsked() {
+        monitor.change(() -> {
+            if (!mustAsk()) {
+                version1.moved(clock.nanos());
+            } else if (!hasLapsed) {
+                version1.goUnasked();
+            }
+        });
     }
 
     /** A HELLO to a board that may speak version 2. */
@@ -119,12 +158,16 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return monitor.get(() -> session.hello().toBytes(0));
     }
 
-    /** The time at which a frame of version 2 last came, or the line was opened. */
-    long heardNanos() {
-        return heardNanos;
+    /** The time at which commands last got through, or could begin to; in version 2, at which the board was last heard. */
+    long movedNanos() {
+        return isVersion2() ? heardNanos : version1.movedNanos();
     }
 
-    /** The board's actions; empty while they are not known. */
+    /** Records that a thread sends commands from now on. */
+    void sends() {
+        version1.moved(clock.nanos());
+    }
+
     Optional<List<BoardAction>> vocabulary() {
         return isVersion2() ? monitor.get(session::vocabulary) : Optional.empty();
     }
@@ -140,22 +183,28 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         }
     }
 
+    /** Like {@link #await(BooleanSupplier, LongSupplier, boolean)}, with a deadline that stays. */
+    boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+        return await(isDone, () -> deadline, reads);
+    }
+
     /**
-     * Writes and reads on this thread until {@code isDone}, which is asked under the lock, or until the clock shows {@code deadline}.
+     * Writes and reads on this thread until {@code isDone}, or until the clock shows {@code deadline}; both are asked under the lock.
      *
-     * @param reads whether this thread reads although nothing is expected
+     * @param reads whether this thread reads although nothing is expected; then it leaves the commands of version 1 to other threads, since
+     *     a driver may take longer over one than this thread waits
      * @return whether it is done
      */
-    boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+    boolean await(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         try {
             while (true) {
-                byte[] frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
+                Outgoing frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
                 report();
                 if (frame != null) {
-                    write(frame, deadline - clock.nanos(), true);
+                    write(frame, deadline.getAsLong() - clock.nanos(), true);
                 } else if (monitor.get(isDone::getAsBoolean)) {
                     return true;
-                } else if (deadline - clock.nanos() <= 0) {
+                } else if (monitor.get(() -> deadline.getAsLong() - clock.nanos() <= 0)) {
                     return false;
                 }
             }
@@ -165,19 +214,21 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     /** Reads or waits until a frame is to be written now, and returns it; null: the wait is over, or something is to be passed on. */
-    private byte[] nextUnless(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+    private Outgoing nextUnless(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
-            long now = clock.nanos();
-            if (isDone.getAsBoolean() || deadline - now <= 0 || !reports.isEmpty()) {
+            long left = deadline.getAsLong() - clock.nanos();
+            if (isDone.getAsBoolean() || left <= 0 || !reports.isEmpty()) {
                 return null;
             }
-            byte[] frame = nextAtOnce();
-            if (frame != null) {
+            Outgoing frame = isVersion2() || !reads ? nextAtOnce() : null;
+            if (frame != null || !reports.isEmpty()) {
                 return frame;
             }
-            if (mustRead(reads)) {
-                inbox.readFor(Math.min(deadline - now, nanosToRead(now)));
+            if (version1.mustLook(clock.nanos())) {
+                inbox.look();
+            } else if (mustRead(reads)) {
+                inbox.readFor(Math.min(left, nanosToRead()));
             } else {
                 follow(isDone, deadline, reads);
             }
@@ -188,21 +239,20 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
      * Nanoseconds for one read. A read cannot be ended, but meanwhile a follower may go, and a frame may go out whose sender waits for
      * nothing; so the reader looks again and again for frames that are due. A follower writes them, and is left the time for that.
      */
-    private long nanosToRead(long now) {
+    private long nanosToRead() {
         if (writer.isWriting()) {
             return LOOK_WHILE_WRITING_NANOS;
         }
-        long untilNext = Math.min(nanosUntilNext(now + LOOK_NANOS), MAX_READ_NANOS);
+        long untilNext = Math.min(nanosUntilNext(true), MAX_READ_NANOS);
         return followers > 0 ? untilNext + LOOK_WHILE_WRITING_NANOS : untilNext;
     }
 
-    private void follow(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
-        long lookAt = clock.nanos() + LOOK_NANOS;
+    private void follow(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         followers++;
         try {
             monitor.await(() -> isDone.getAsBoolean() || mustRead(reads) || !writer.hasLine()
                     ? 0
-                    : Math.min(deadline - clock.nanos(), nanosUntilNext(lookAt)));
+                    : Math.min(deadline.getAsLong() - clock.nanos(), nanosUntilNext(reads)));
         } finally {
             followers--;
         }
@@ -213,16 +263,38 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
 
-    /** Nanoseconds until a frame is to be written, or the time of commands that wait is to be looked at. */
-    private long nanosUntilNext(long lookAt) {
+    /** Nanoseconds until there is a frame to be written, or an outcome to be passed on, by a thread that {@code reads} or not. */
+    private long nanosUntilNext(boolean reads) {
+        if (reads && !isVersion2()) {
+            return Monitor.FOREVER;
+        }
         long now = clock.nanos();
-        long untilFrame = Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
-        return writer.head() == null ? untilFrame : Math.min(untilFrame, lookAt - now);
+        long untilFrame = isVersion2()
+                ? Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer))
+                : version1.nanosUntilBegin();
+        return Math.min(untilFrame, version1.nanosUntilArrived(now));
     }
 
-    /** Returns the frame to be written now, as bytes of the current session, even if another begins before they are written; null: none. */
-    private byte[] next(long now) {
-        WireFrame frame = session.next(now, writer);
+    /** The frame that may be written now, which {@link #write} follows; null: there is none. The caller holds the monitor's lock. */
+    Outgoing nextAtOnce() {
+        if (!writer.hasLine()) {
+            return null;
+        }
+        long now = clock.nanos();
+        Command arrived = version1.takeArrived(now);
+        if (arrived != null) {
+            reports.add(() -> arrived.outcome().complete(null));
+        }
+        Outgoing next = isVersion2() ? nextOfSession(now) : nextOfVersion1();
+        if (next != null) {
+            writer.beginFrame();
+        }
+        return next;
+    }
+
+    /** The bytes are those of the current session, even if another begins before they are written. */
+    private Outgoing nextOfSession(long now) {
+        WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
             return null;
         }
@@ -230,9 +302,49 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             isAsked = true;
             askedBehind = writer.written();
         }
-        byte[] bytes = frame.toBytes(session.nonce());
-        writer.beginFrame();
-        return bytes;
+        return new Outgoing(frame.toBytes(session.nonce()), null);
+    }
+
+    private Outgoing nextOfVersion1() {
+        Command command = version1.begin();
+        if (command == null) {
+            return null;
+        }
+        if (command.rule() != null) {
+            failUnderWay(failures.takesNoRules());
+            return null;
+        }
+        if (writer.isBoardSlow() && !hasToldSlowBoard) {
+            hasToldSlowBoard = true;
+            reports.add(this::tellSlowBoard);
+        }
+        inbox.sends(command.frame());
+        return new Outgoing(command.frame().toBytes(), command);
+    }
+
+    private void tellSlowBoard() {
+        LOG.log(
+                System.Logger.Level.WARNING,
+                "the board at port " + transport.name() + " begins its answers more than " + LoopTime.MAX_MILLIS
+                        + " ms late: a board of version 1 loses commands that come while its loop() does something else;"
+                        + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
+    }
+
+    /** Fails the command of version 1 that is under way, if there is one. The caller holds the monitor's lock. */
+    private void failUnderWay(Throwable failure) {
+        Command command = version1.takeUnderWay();
+        if (command != null) {
+            reports.add(() -> command.outcome().completeExceptionally(failure));
+        }
+    }
+
+    /** Writes a frame that {@link #nextAtOnce} has returned, if it is not null, and passes outcomes on. The caller holds no lock. */
+    void write(Outgoing frame) throws PortException {
+        try {
+            write(frame, Long.MAX_VALUE, false);
+        } finally {
+            report();
+        }
     }
 
     /**
@@ -241,44 +353,72 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
      * @param mayWait whether the driver may be waited for; else the first has been found to be {@linkplain FrameWriter#isWritableNow
      *     writable now}
      */
-    private void write(byte[] first, long left, boolean mayWait) throws PortException {
-        for (byte[] frame = first; frame != null; frame = nextBehind(mayWait)) {
-            writeOne(
-                    frame,
-                    mayWait
-                            ? Math.max(
-                                    LEAST_WRITE_MILLIS,
-                                    Math.min(FrameWriter.PATIENCE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)))
-                            : 0);
+    private void write(Outgoing first, long left, boolean mayWait) throws PortException {
+        for (Outgoing next = first; next != null; next = nextBehind(mayWait)) {
+            if (next.command() == null) {
+                writeOfSession(next.frame(), mayWait ? limitMillis(left) : 0);
+            } else {
+                writeCommand(next, mayWait ? FrameWriter.PATIENCE_MILLIS : 0);
+            }
         }
     }
 
-    private byte[] nextBehind(boolean mayWait) {
-        return monitor.get(() -> mayWait || writer.isWritableNow() ? nextAtOnce() : null);
+    private static int limitMillis(long left) {
+        return (int) Math.max(
+                LEAST_WRITE_MILLIS, Math.min(FrameWriter.PATIENCE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
     }
 
-    private void writeOne(byte[] frame, long millis) throws PortException {
+    private Outgoing nextBehind(boolean mayWait) {
+        return monitor.get(() -> isVersion2() && (mayWait || writer.isWritableNow()) ? nextAtOnce() : null);
+    }
+
+    private void writeOfSession(byte[] frame, int millis) throws PortException {
         try {
-            writer.writeFrame(frame, (int) millis, session::wrote);
+            writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
             inbox.look(); // the line may be gone; if not, the frame is repeated
         }
     }
 
-    /** The frame that may be written now, which {@link #write} follows; null: there is none. The caller holds the monitor's lock. */
-    byte[] nextAtOnce() {
-        return writer.hasLine() && writer.nanosUntilFrame() == 0 ? next(clock.nanos()) : null;
+    /** Writes a command of version 1. Those behind it go on, whatever a transport throws. */
+    private void writeCommand(Outgoing next, int millis) throws PortGoneException {
+        Throwable failure;
+        try {
+            long left = writer.writeFrame(FrameWriter.Kind.ACTION, next.frame(), millis, at -> {});
+            monitor.change(() -> version1.written(next.command(), left, clock.nanos()));
+            return;
+        } catch (PortTimeoutException trouble) {
+            failure = goneOr(trouble);
+        } catch (PortException | RuntimeException | Error trouble) {
+            failure = trouble;
+        }
+        Throwable why = failure;
+        monitor.change(() -> {
+            if (version1.isUnderWay(next.command())) {
+                failUnderWay(why);
+            }
+        });
+        if (why instanceof PortGoneException gone) {
+            throw gone;
+        }
     }
 
-    /** Writes a frame that {@link #nextAtOnce} has returned. The caller holds no lock. */
-    void write(byte[] frame) throws PortException {
-        write(frame, Long.MAX_VALUE, false);
-        report();
+    /**
+     * Returns the exception of the line if it is gone, since a write that takes too long may be the first sign of that; else
+     * {@code trouble}.
+     */
+    private PortException goneOr(PortTimeoutException trouble) {
+        try {
+            inbox.look();
+            return trouble;
+        } catch (PortException gone) {
+            return gone;
+        }
     }
 
     /** Passes outcomes and reports on. The caller holds no lock. */
     void report() {
-        for (Runnable next = monitor.get(reports::poll); next != null; next = monitor.get(reports::poll)) {
+        for (Runnable next = reports.poll(); next != null; next = reports.poll()) {
             next.run();
         }
     }
@@ -309,7 +449,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
         });
     }
 
-    /** Forgets percepts that came unasked. */
     void forgetHeard() {
         monitor.change(heard::clear);
     }
@@ -317,6 +456,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     /** Fails the commands that are out, and begins another session if the line is still there. */
     void abandon(Throwable why) {
         monitor.change(() -> {
+            failUnderWay(why);
             long now = clock.nanos();
             failure = why;
             session.close(now);
@@ -340,8 +480,9 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
     }
 
     @Override
-    public void receiving(long now) {
+    public void receiving(int bytes, long now) {
         session.receiving(now);
+        writer.received(bytes, now);
     }
 
     @Override
@@ -413,8 +554,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                     "port " + transport.name() + ": " + actionsLost
                             + " actions of the board's program found no room, and it refuses them; a board has "
                             + (CommandItem.MAX_ACTION + 1)
-                            + " at most, and fewer in little memory: give it more memory, as JavinoSized<600> javino; does, "
-                            + "or fewer actions");
+                            + " at most, of names with at most 250 characters, and fewer in little memory: give it more "
+                            + "memory, as JavinoSized<600> javino; does, or fewer actions");
         }
         rules = welcome.rules();
         notify(called -> called.sessionBegan(welcome.rules()));
@@ -426,7 +567,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
             writer.provedRead(command.beganBehind());
         }
         Throwable why =
-                outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failureOf(command, outcome);
+                outcome == CommandOutcome.UNCONFIRMED && failure != null ? failure : failures.of(command, outcome);
         reports.add(() -> {
             if (why == null) {
                 command.outcome().complete(null);
@@ -434,46 +575,6 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                 command.outcome().completeExceptionally(why);
             }
         });
-    }
-
-    private PortException failureOf(Command command, CommandOutcome outcome) {
-        String port = transport.name();
-        String text = command.text();
-        return switch (outcome) {
-            case DONE -> null;
-            case REFUSED ->
-                new ActionRefusedException(
-                        port,
-                        command.rule() == null
-                                ? "the board at port " + port + " refuses \"" + text + "\": "
-                                        + ActionCheck.refusal(
-                                                text, session.vocabulary().orElse(List.of()))
-                                : "the board at port " + port + " refuses " + text
-                                        + ": it has no room for it, or cannot watch it");
-            case FAILED ->
-                new ActionRefusedException(
-                        port,
-                        "the board at port " + port + " began \"" + text
-                                + "\", and has reported that it could not carry it out");
-            case UNCONFIRMED ->
-                new ActionUnconfirmedException(
-                        port,
-                        "port " + port + " did not say that it acted on \"" + text
-                                + "\"; it may have, or the board does not run any more");
-            case TOO_LONG -> new ActionRefusedException(port, tooLong(command));
-        };
-    }
-
-    private String tooLong(Command command) {
-        boolean isRule = command.rule() != null;
-        String sent = isRule ? command.rule().text() : command.text();
-        int most = session.longestText(isRule);
-        return "the board at port " + transport.name() + " takes no " + (isRule ? "rule" : "command") + " of "
-                + sent.length() + " bytes, " + most + " at most"
-                + (most < CommandItem.MAX_TEXT
-                        ? ", as much as its memory holds: give the board more, as JavinoSized<600> javino; does"
-                        : "")
-                + ": " + (isRule ? command.text() : Frame.quoted(sent));
     }
 
     @Override
@@ -500,6 +601,18 @@ final class SessionLine implements SessionListener<Command>, Inbox.FrameListener
                             + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
         }
         hasDropped = true;
+    }
+
+    @Override
+    public void unreadable(FrameKind kind) {
+        if (!hasToldUnreadable) {
+            hasToldUnreadable = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + " sent a frame " + kind
+                            + " that cannot be read here, so it is dropped, as are others without a further warning;"
+                            + " does the board run the library of this version of ARGO?");
+        }
     }
 
     @Override

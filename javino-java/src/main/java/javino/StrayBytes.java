@@ -54,7 +54,6 @@ public record StrayBytes(long count, String first, int baud) {
         return text.toString();
     }
 
-    /** Gathers stray bytes. One thread at a time. */
     static final class Gatherer {
         private final byte[] first = new byte[MAX_FIRST];
         private long count;
@@ -66,7 +65,6 @@ public record StrayBytes(long count, String first, int baud) {
             count += length;
         }
 
-        /** Forgets the bytes, since a message has come. */
         void clear() {
             count = 0;
         }

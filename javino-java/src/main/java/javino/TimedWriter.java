@@ -22,7 +22,6 @@ import java.util.function.ToIntFunction;
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
 
-    /** The outcome of a write. */
     enum Outcome {
         WRITTEN,
         FAILED,

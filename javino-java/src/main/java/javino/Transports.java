@@ -96,9 +96,17 @@ public final class Transports {
         for (ServiceLoader.Provider<TransportProvider> service : services) {
             TransportProvider found = Services.make(service);
             if (found != null) {
-                providers.putIfAbsent(found.scheme(), found);
+                TransportProvider other = providers.putIfAbsent(found.scheme(), found);
+                if (other != null && !isSame(other, found)) {
+                    Services.leftOut(found.getClass(), found.scheme(), other.getClass());
+                }
             }
         }
         return providers;
+    }
+
+    /** Returns whether both are of one class, which two class loaders may see. */
+    private static boolean isSame(TransportProvider one, TransportProvider other) {
+        return one.getClass().getName().equals(other.getClass().getName());
     }
 }

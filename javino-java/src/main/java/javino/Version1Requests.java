@@ -2,26 +2,30 @@ package javino;
 
 import java.util.concurrent.TimeUnit;
 
-/** Asks and listens in version 1: sends requests, and tells answers from other messages. One thread at a time. */
+/**
+ * Asks and listens in version 1: sends requests, and finds the answer to the last one among the messages that come. Times are nanoseconds
+ * of the link's clock. One thread at a time.
+ */
 final class Version1Requests {
     /** Milliseconds after which a board that may be starting is asked again. */
     static final int REPEAT_MILLIS = 250;
+
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(Pacer.QUIET_MILLIS);
 
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
     private final BoardStart start;
-    private final ResponseCorrelator answers;
+    private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
     private Reply overheard; // the newest message that came meanwhile, for a caller that listens; null: none
 
-    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start, ResponseCorrelator answers) {
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
         this.start = start;
-        this.answers = answers;
     }
 
     /** Sets whether requests from now on are made for the sake of an action. */
@@ -53,7 +57,7 @@ final class Version1Requests {
                 answer == null && left > 0 && inbox.isReadingVersion1();
                 left = giveUp - clock.nanos()) {
             long sent = ask(request, timeoutMillis);
-            answer = answers.by(sent, sent + Math.min(left, repeatNanos), giveUp);
+            answer = awaitAnswer(sent, sent + Math.min(left, repeatNanos), giveUp);
         }
         return answer == null ? null : completed(answer, timeoutMillis);
     }
@@ -71,7 +75,7 @@ final class Version1Requests {
             return request.toBytes();
         });
         if (inbox.isReadingVersion1()) {
-            answers.asked(sent);
+            owed.asked(sent);
         }
         return sent;
     }
@@ -79,7 +83,7 @@ final class Version1Requests {
     /** Brings the exchange whose first message has come to its end, and returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
         start.heard();
-        Reply answer = answers.last(first, timeoutMillis);
+        Reply answer = last(first, timeoutMillis);
         if (isForAction && isListening) {
             overheard = answer;
         }
@@ -97,6 +101,59 @@ final class Version1Requests {
         }
         start.heard();
         writer.answered(clock.nanos()); // a board that speaks is not busy with a request that nobody waits for any more
-        return answers.newest(message);
+        return newest(message);
+    }
+
+    /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
+    Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
+        Reply answer = inbox.next(deadline);
+        while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop the part that has come
+        }
+        return answer;
+    }
+
+    private boolean isComing(long sent) {
+        return inbox.isReadingVersion1()
+                && inbox.lastByteNanos() - sent > 0
+                && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
+    }
+
+    /**
+     * The answer to the last request, when the first message behind it has come.
+     *
+     * @param first that message
+     */
+    private Reply last(Reply first, int timeoutMillis) throws PortException {
+        if (owed.mayBeLate()) {
+            return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+        }
+        owed.answered(clock.nanos());
+        return newest(first); // behind a frame that was cut comes the intact one
+    }
+
+    /** The newest message that is there already: {@code message}, unless others have come behind it. */
+    private Reply newest(Reply message) throws PortException {
+        Reply newer = inbox.newest();
+        return newer == null ? message : newer;
+    }
+
+    /** The last message before the line falls silent. */
+    private Reply lastBeforeSilence(Reply first, long timeoutNanos) throws PortException {
+        long now = clock.nanos();
+        long giveUp = now + timeoutNanos;
+        long settlingNanos = owed.settlingNanos(now, timeoutNanos);
+        Reply last = first;
+        while (giveUp - clock.nanos() > 0 && inbox.isReadingVersion1()) {
+            long left = Math.min(inbox.lastByteNanos() + settlingNanos, giveUp) - clock.nanos();
+            Reply later = inbox.next(clock.nanos() + left);
+            if (later != null) {
+                last = later;
+            } else if (clock.nanos() - inbox.lastByteNanos() >= settlingNanos) {
+                owed.settled();
+                return last;
+            }
+        }
+        return last; // the line does not rest: the next answer may be late too
     }
 }

@@ -5,73 +5,104 @@ import io.kotest.core.spec.style.FunSpec
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
 import java.util.concurrent.ConcurrentLinkedQueue
-import java.util.concurrent.locks.Condition
-
-/** Time that passes when a thread waits for it. */
-private class PassingTime : LineClock {
-    @Volatile
-    private var now = 0L
-
-    override fun nanos() = now
-
-    override fun await(condition: Condition, nanos: Long) {
-        now += nanos
-    }
-}
+import java.util.concurrent.atomic.AtomicInteger
 
 /** A line that takes each frame at once. */
 private class TakingLine : Transport {
+    private val writes = AtomicInteger()
+    val taken = ConcurrentLinkedQueue<String>()
+
+    @Volatile
+    var isWritable = false
+
     override fun name() = "taking"
 
     override fun line() = LineSettings(115_200)
 
-    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int): Int = error("nothing is read")
+    override fun isWritableNow(unread: Long) = isWritable
 
-    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = Unit
+    override fun read(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) = 0
+
+    override fun write(b: ByteArray, off: Int, len: Int, timeoutMillis: Int) {
+        check(writes.incrementAndGet() == 1) { "two frames are written at once" }
+        taken += b.decodeToString(off + HEADER, off + len)
+        writes.decrementAndGet()
+    }
 
     override fun close() = Unit
+
+    private companion object {
+        const val HEADER = 6
+    }
+}
+
+/** The commands of a line of version 1 without pauses; no time passes, so each wait ends with a signal or never. */
+private class CommandLine {
+    private val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withPaced(false).withBootMillis(0)
+    private val time = LineTime()
+    val transport = TakingLine()
+    private val monitor = Monitor(time, transport.name())
+    val writer = FrameWriter(monitor, transport, Pacer(settings, 0), time)
+    val line = SessionLine(monitor, transport, time, writer, settings)
+    val commands = CommandLoop(monitor, transport, writer, line, time) { }
+
+    val taken get() = transport.taken.toList()
+
+    fun submit(text: String, urgent: Boolean = false): Command = commands.submit(Frame.of(text), SendOptions(urgent, 0))
+
+    fun await(isDone: () -> Boolean) = line.await(isDone, LIMIT_NANOS, false)
+
+    private companion object {
+        const val LIMIT_NANOS = 10_000_000_000
+    }
 }
 
 @Tags("Thorough")
 class CommandInterleavingsSpec : FunSpec({
-    val settings = LinkSettings.defaults().withProtocol(Protocol.V1)
-
-    fun command(text: String, urgent: Boolean = false) = Command(Frame.of(text), SendOptions(urgent, 0), 0)
-
     test("a command is either withdrawn or written") {
         inEachInterleaving {
-            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
-            val command = command("stop")
-            writer.submit(command)
+            val session = CommandLine()
+            val command = session.submit("stop")
             var isWithdrawn = false
-            var written: Command? = null
-            concurrently({ isWithdrawn = writer.withdraw(command) }, { written = writer.awaitCommand(1_000_000_000) { false } })
-            check(isWithdrawn == (written == null)) { "withdrawn: $isWithdrawn, written: ${written != null}" }
+            concurrently(
+                { isWithdrawn = session.writer.withdraw(command) },
+                { session.await { command.isOver || command.isWithdrawn } },
+            )
+            check(isWithdrawn == session.taken.isEmpty()) { "withdrawn: $isWithdrawn, written: ${session.taken}" }
         }
     }
 
     test("one command at a time is under way, and an urgent one is not overtaken by the others") {
         inEachInterleaving {
-            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
-            writer.submit(command("on"))
-            val taken = ConcurrentLinkedQueue<String>()
+            val session = CommandLine()
+            val ordinary = listOf("on", "off", "walk").map { session.submit(it) }
+            var urgent: Command? = null
+            var before = 0
             val write = {
-                writer.awaitCommand(1_000_000_000) { false }?.let { taken += it.frame().text() }
+                session.await { ordinary.all(Command::isOver) }
                 Unit
             }
-            concurrently({ writer.submit(command("stop", urgent = true)) }, write, write)
-            check(taken.size == 1) { "under way: $taken" }
-            writer.writeNow(FrameWriter.Kind.ACTION, 1000) { Frame.of("x").toBytes() }
-            writer.finish()
-            val next = writer.awaitCommand(10_000_000_000) { false }?.frame()?.text()
-            check(setOf(taken.single(), next) == setOf("on", "stop")) { "taken: $taken, then $next" }
+            concurrently({ urgent = session.submit("stop", urgent = true).also { before = session.taken.size } }, write, write)
+            session.await { checkNotNull(urgent).isOver }
+            check(session.taken.sorted() == listOf("off", "on", "stop", "walk")) { "written: ${session.taken}" }
+            check(session.taken.filter { it != "stop" } == listOf("on", "off", "walk")) { "written: ${session.taken}" }
+            check(session.taken.indexOf("stop") <= before + 1) { "behind $before: ${session.taken}" }
+        }
+    }
+
+    test("two threads that send have each command written once and learn its outcome") {
+        inEachInterleaving {
+            val session = CommandLine()
+            val send = { text: String -> session.commands.sendAndAwait(Frame.of(text), SendOptions.defaults(), 60_000) }
+            concurrently({ send("on") }, { send("off") })
+            check(session.taken.sorted() == listOf("off", "on")) { "written: ${session.taken}" }
         }
     }
 
     test("a command that is submitted while the line ends is refused, or withdrawn with those that waited") {
         inEachInterleaving {
-            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
-            val command = command("stop")
+            val writer = CommandLine().writer
+            val command = Command(Frame.of("stop"), SendOptions.defaults(), 0)
             var isRefused = false
             var withdrawn = emptyList<Command>()
             val submit = {
@@ -91,27 +122,17 @@ class CommandInterleavingsSpec : FunSpec({
         }
     }
 
-    test("a command that its own thread has written while the line ends is left to who ends the line, or fails") {
+    test("a command that its own thread writes while the line ends fails") {
         inEachInterleaving {
-            val writer = FrameWriter(TakingLine(), Pacer(settings, 0), PassingTime())
-            val command = command("stop")
-            writer.submit(command)
-            check(writer.beginAtOnce(command)) { "the line is free" }
-            var hasFailed = false
-            var leaving: Command? = null
-            val write = {
-                try {
-                    writer.leaves(writer.writeNow(FrameWriter.Kind.ACTION, 1000) { command.frame().toBytes() })
-                } catch (_: PortGoneException) {
-                    hasFailed = true
-                }
-            }
+            val session = CommandLine()
+            session.transport.isWritable = true
+            var command: Command? = null
             val end = {
-                writer.end("it was closed")
-                leaving = writer.takeLeaving()
+                session.writer.end("it was closed")
+                session.commands.failAll("it was closed")
             }
-            concurrently(write, end)
-            check(hasFailed != (leaving == command)) { "failed: $hasFailed, left: ${leaving != null}" }
+            concurrently({ command = session.submit("stop") }, end)
+            check(command?.outcome()?.isCompletedExceptionally == true) { "$command has no outcome; written: ${session.taken}" }
         }
     }
 })

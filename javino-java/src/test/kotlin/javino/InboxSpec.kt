@@ -16,7 +16,7 @@ private class InboxProbe {
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
     val receivedAt = mutableListOf<Long>()
-    val inbox = Inbox(line.computer(), clock) { _, now -> receivedAt.add(now) }
+    val inbox = Inbox(Monitor(clock, "probe"), line.computer(), clock, Protocol.V1) { _, now -> receivedAt.add(now) }
 
     fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
 
@@ -96,7 +96,7 @@ class InboxSpec : FunSpec({
                 return count
             }
         }
-        val inbox = Inbox(computer, clock) { _, _ -> }
+        val inbox = Inbox(Monitor(clock, "probe"), computer, clock, Protocol.V1) { _, _ -> }
         arrives("fffe05he")
         inbox.look()
         inbox.look()
@@ -128,7 +128,7 @@ class InboxSpec : FunSpec({
                 return 0
             }
         }
-        val inbox = Inbox(line, LineClock.system()) { _, _ -> }
+        val inbox = Inbox(Monitor(LineClock.system(), "slow"), line, LineClock.system(), Protocol.V1) { _, _ -> }
         val clearing = async { inbox.clear() }
         reading.await()
         async { inbox.next(LineClock.system().nanos() + 1_000_000) }.get(20, TimeUnit.SECONDS).shouldBeNull()

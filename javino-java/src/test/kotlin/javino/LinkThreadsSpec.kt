@@ -110,6 +110,18 @@ class LinkThreadsSpec : FunSpec({
         }
     }
 
+    test("the first command finds out the version while another thread listens").config(timeout = 60.seconds, blockingTest = true) {
+        FakeBoard.plugIn("threads${boards.incrementAndGet()}").version2().lenient().use { board ->
+            Link.open(board.port(), Bench.FAST.withProtocol(Protocol.AUTO).withBootMillis(0), "the test").use { link ->
+                val listener = thread(isDaemon = true) { runCatching { link.listen(LONG_MILLIS) } }
+                eventually(20.seconds) { listener.stackTrace.any { it.methodName == "read" } shouldBe true }
+                link.sendAndAwait("on", LONG_MILLIS)
+                link.protocol() shouldBe Protocol.V2
+                listener.isAlive shouldBe true
+            }
+        }
+    }
+
     robot("requests and actions do not wait for each other, and each action is carried out once, in its order") { board, link ->
         val actions = (1..100).map { "speed($it)" }
         val sender = async { actions.forEach { link.sendAndAwait(it, LONG_MILLIS) } }

@@ -10,11 +10,13 @@ import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.doubles.shouldBeLessThan
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.ints.shouldBeInRange
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
+import javino.sim.count
 import javino.virtual.LineEnd
 import javino.wire.FrameKind
 import javino.wire.Welcome
@@ -78,6 +80,8 @@ private fun olderDraft(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, wel
 
 private fun newerRevision(welcome: WireFrame) =
     WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().replaceRange(4, 5, "${(Welcome.REVISION + 1).toChar()}"))
+
+private fun cut(frame: WireFrame) = WireFrame.of(frame.kind(), frame.number(), frame.payload().take(1))
 
 private fun actionsLost(welcome: WireFrame) = WireFrame.of(FrameKind.WELCOME, welcome.number(), welcome.payload().dropLast(1) + '3')
 
@@ -460,6 +464,21 @@ class LinkVersionSpec : FunSpec({
         warnings.single() shouldContain "51 actions of the board's program found no room"
     }
 
+    test("frames that arrive whole and cannot be read are told once") {
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.VOCABULARY) cut(it) else it) } }
+        val warnings = logged("javino.SessionLine") {
+            bench(board).use { bench ->
+                repeat(40) {
+                    bench.link.request(REQUEST, 500)
+                    bench.link.watch(100)
+                }
+                bench.link.vocabulary().isEmpty shouldBe true
+            }
+        }
+        warnings.single() shouldContain "a frame VOCABULARY that cannot be read here"
+        board.count(FrameKind.DESCRIBE) shouldBeGreaterThan 1
+    }
+
     test("of a simulated board's actions the first 126 are known, and it is told that there are others") {
         FakeBoard.plugIn("many").version2().lenient().knows(*Array(130) { "a$it" }).use { board ->
             val warnings = logged("javino.SessionLine") {
@@ -473,6 +492,20 @@ class LinkVersionSpec : FunSpec({
                 }
             }
             warnings.single() shouldContain "4 actions of the board's program found no room, and it refuses them; a board has 126 at most"
+        }
+    }
+
+    test("a simulated board leaves out an action whose name fits on no page, and has the others") {
+        FakeBoard.plugIn("long").version2().lenient().knows("n".repeat(251), "stop").use { board ->
+            val warnings = logged("javino.SessionLine") {
+                Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
+                    link.request(REQUEST, 20_000)
+                    while (link.vocabulary().isEmpty) link.request(REQUEST, 20_000)
+                    link.vocabulary().get().map { it.name() } shouldBe listOf("stop")
+                    link.actionsLost() shouldBe 1
+                }
+            }
+            warnings.single() shouldContain "1 actions of the board's program found no room"
         }
     }
 

@@ -74,7 +74,7 @@ private class Session {
     private val monitor = Monitor(time, transport.name())
     private val writer = FrameWriter(monitor, transport, Pacer(settings, 0), time)
     private val line = SessionLine(monitor, transport, time, writer, settings)
-    private val commands = CommandLoop(monitor, transport, writer, line, RequestChannel(line, writer, time, settings), time) { }
+    private val commands = CommandLoop(monitor, transport, writer, line, time) { }
 
     val carriedOut get() = board.carriedOut.toList()
 

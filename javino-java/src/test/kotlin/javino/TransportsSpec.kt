@@ -51,6 +51,20 @@ open class EchoBoard : SimulatedBoard {
 /** Another board that a program adds. */
 class ParrotBoard : EchoBoard()
 
+/** A scheme that this library has. */
+class SecondTcpProvider : TransportProvider {
+    override fun scheme() = "tcp"
+
+    override fun open(address: String, line: LineSettings): Transport = error("never opened")
+}
+
+/** A board of a name that another has too. */
+open class FirstTwin : EchoBoard() {
+    override fun name() = "twin"
+}
+
+class SecondTwin : FirstTwin()
+
 class TransportsSpec : FunSpec({
     val line = LineSettings.defaults()
 
@@ -108,6 +122,19 @@ class TransportsSpec : FunSpec({
         }
     }
 
+    test("a service whose name another one has is left out, with one line of log") {
+        val warnings = logged("javino.Services") {
+            withServices(
+                TransportProvider::class.java.name to SecondTcpProvider::class.java.name,
+                SimulatedBoard::class.java.name to "${FirstTwin::class.java.name}\n${SecondTwin::class.java.name}",
+            ) {
+                repeat(2) { Transports.ports() }
+            }
+        }
+        warnings.single { "SecondTcpProvider" in it } shouldContain "its name \"tcp\" is that of javino.tcp.TcpTransportProvider"
+        warnings.single { "SecondTwin" in it } shouldContain "its name \"sim:twin\" is that of javino.FirstTwin"
+    }
+
     test("names of simulated boards are their own canonical names") {
         Transports.canonicalName("sim:robot") shouldBe "sim:robot"
         Transports.canonicalName("SIM:robot") shouldBe "sim:robot"
@@ -142,7 +169,7 @@ internal fun withServices(vararg services: Pair<String, String>, work: () -> Uni
         try {
             inContext(loader, work)
         } finally {
-            listOf("echoboard", "parrotboard").forEach(SimulatedBoards::unplug)
+            listOf("echoboard", "parrotboard", "twin").forEach(SimulatedBoards::unplug)
         }
     }
     File(directory.toString()).deleteRecursively()

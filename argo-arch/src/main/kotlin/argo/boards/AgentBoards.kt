@@ -1,6 +1,5 @@
 package argo.boards
 
-import argo.acting.CommandLedger
 import argo.acting.CommandOptions
 import argo.acting.Transmission
 import argo.acting.ended
@@ -228,7 +227,7 @@ internal class AgentBoards(
         if (issued == null) return transmission
         return Transmission { left, outcome ->
             transmission.follow(left) { failure ->
-                observers.commandEnded(issued, failure)
+                observers.each { it.commandEnded(issued, failure) }
                 outcome(failure)
             }
         }

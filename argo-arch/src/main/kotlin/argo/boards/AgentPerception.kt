@@ -7,7 +7,6 @@ import argo.observing.WatchedRule
 import argo.platform.nowMs
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
-import jason.asSyntax.Term
 import jason.bb.BeliefBase
 import java.util.concurrent.TimeUnit
 
@@ -41,9 +40,6 @@ internal class AgentPerception(private val boards: AgentBoards) {
     /** Returns true if [update] has something to do now. Any thread. */
     fun hasNews(): Boolean =
         boards.areOthers || boards.states.hasNews() || boards.current.any(Board::hasNews) || boards.ready.areThere()
-
-    /** Returns true if the agent believes that [port] is stale. Any thread. */
-    fun isStale(port: Term): Boolean = boards.current.any { it.isStale(port) }
 
     /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {

@@ -270,8 +270,8 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports for good; a port that is being opened now is closed at once. Another agent that asks for one of them waits until it is
-     * closed. May be called twice.
+     * Closes all ports for good; a port that is being opened now is closed at once. Another agent that asks for one of them waits until it
+     * is closed. May be called twice.
      */
     fun stop() {
         lock.withLock {

@@ -17,15 +17,10 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
     private val guarded = observers.map(::Guarded)
     private val commands = AtomicLong()
 
-    /** Reports that [text] is to be sent on [port]. Returns the command, for [commandEnded]; null: nobody observes. */
+    /** Reports that [text] is to be sent on [port]. Returns the command; null: nobody observes. */
     fun commandIssued(port: String, text: String): IssuedCommand? {
         if (guarded.isEmpty()) return null
         return IssuedCommand(commands.incrementAndGet(), port, text, nanos()).also { command -> each { it.commandIssued(command) } }
-    }
-
-    /** Reports the end of [command], which [commandIssued] has returned. */
-    fun commandEnded(command: IssuedCommand?, failure: CommandFailure?) {
-        if (command != null) each { it.commandEnded(command, failure) }
     }
 
     fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: CommandFailure?) {

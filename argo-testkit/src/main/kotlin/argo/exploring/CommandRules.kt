@@ -8,122 +8,100 @@ import kotlin.time.Duration.Companion.seconds
  * No command gets lost in silence: each has an outcome within [within], and within [within] of a failure its agent sends a command, prints
  * something or sends a message. A command that a later one has replaced has not failed.
  */
-fun losesNoCommand(within: Duration = 5.seconds): Rule = LosesNoCommand(within)
+fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoCommand", "loses no command", within) { run, agent ->
+    val entries = run.of(agent)
+    listOfNotNull(unfinished(entries, run.ended, within), unnoticed(entries, run.ended, within)).minByOrNull { it.at }
+}
 
 /**
  * If one of [commands] fails, the agent sends it or another of them within [within] of the time when it perceives the board again, as long
  * as it perceives the same of that board as when it sent the command: an agent that wrongly believes that it has stopped drives on.
  */
-fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule = SendsAgain(commands, within)
-
-/** The plans of an agent send at most [most] commands in any second. */
-fun neverFloods(most: Int = 20): Rule = NeverFloods(most)
-
-/**
- * An agent does not change to and fro between two commands: A, B, A counts as one change back, and there are at most [most] of them in any
- * second.
- */
-fun neverOscillates(most: Int = 3): Rule = NeverOscillates(most)
-
-/**
- * Agents send only these [actions], which are written as in the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number
- * of arguments.
- */
-fun sendsOnly(actions: List<String>): Rule = SendsOnly(actions)
-
-/** An agent that has sent commands sends one again within [within] of the end of the last event. */
-fun actsAgain(within: Duration = 5.seconds): Rule = ActsAgain(within)
-
-private class LosesNoCommand(private val within: Duration) : ReadyRule("loses no command", within) {
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val entries = run.of(agent)
-        return listOfNotNull(unfinished(entries, run.ended), unnoticed(entries, run.ended)).minByOrNull { it.at }
-    }
-
-    private fun unfinished(entries: List<AgentEntry>, ended: Duration): Breach? {
-        val outcomes = entries.filterIsInstance<Ended>().associateBy { it.number }
-        return entries.filterIsInstance<Issued>().firstNotNullOfOrNull { command ->
-            val late = (outcomes[command.number]?.at ?: ended) - command.at
-            if (late <= within) null
-            else Breach(command.at + within, "${command.command}, which ${command.agent} sent at ${inMs(command.at)}, has no outcome")
-        }
-    }
-
-    private fun unnoticed(entries: List<AgentEntry>, ended: Duration): Breach? =
-        entries.filterIsInstance<Ended>().filter { it.error != null && it.error != "act_replaced" && it.at + within <= ended }
-            .firstNotNullOfOrNull { lost ->
-                val isNoticed = entries.any {
-                    it.at in lost.at..lost.at + within && (it is Issued && it.number > lost.number || it is Printed || it is Said)
-                }
-                if (isNoticed) null
-                else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and nothing came of that")
-            }
-}
-
-private class SendsAgain(private val commands: List<String>, private val within: Duration) :
-    ReadyRule("sends ${commands.joinToString(" or ")} again", commands, within) {
-    override fun breachIn(run: Run, agent: String): Breach? {
+fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
+    ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->
         val entries = run.of(agent)
         val sent = entries.filterIsInstance<Issued>().filter { commands.hasCommand(it.command) }
-        return entries.filterIsInstance<Ended>().filter { it.error != null && it.error !in FINAL }.mapNotNull { lost ->
+        entries.filterIsInstance<Ended>().filter { it.error != null && it.error !in FINAL }.mapNotNull { lost ->
             val command = sent.find { it.number == lost.number } ?: return@mapNotNull null
-            val limit = wantedUntil(entries.filterIsInstance<Perceived>().filter { it.port == command.port }, command, lost)
+            val limit = wantedUntil(entries.filterIsInstance<Perceived>().filter { it.port == command.port }, command, lost, within)
             if (limit == null || limit > run.ended || sent.any { it.number > command.number && it.at <= limit }) null
             else Breach(limit, "${command.command} of $agent failed with ${lost.error} at ${inMs(lost.at)}, and is not sent again")
         }.minByOrNull { it.at }
     }
 
-    /** Returns the time by which [command] should have been sent again; null: its reason has gone, or its board. */
-    private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended): Duration? {
-        val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
-        val again = perceived.firstOrNull { it.received > lost.at } ?: return null
-        val limit = again.at + within
-        val meanwhile = perceived.filter { it.at > command.at && it.at <= limit }
-        return limit.takeIf { meanwhile.all { it.percepts.toSet() == reason.percepts.toSet() } }
-    }
-
-    private companion object {
-        /** Errors after which it makes no sense to send the command again. */
-        val FINAL = setOf("act_replaced", "act_refused")
-    }
+/** The plans of an agent send at most [most] commands in any second. */
+fun neverFloods(most: Int = 20): Rule = ReadyRule("neverFloods", "never floods", most) { run, agent ->
+    run.planned(agent).map { it.at }.windowed(most + 1).firstOrNull { it.last() - it.first() < 1.seconds }
+        ?.let { Breach(it.last(), "$agent sends ${it.size} commands between ${inMs(it.first())} and ${inMs(it.last())}") }
 }
 
-private class NeverFloods(private val most: Int) : ReadyRule("never floods", most) {
-    override fun breachIn(run: Run, agent: String): Breach? =
-        run.planned(agent).map { it.at }.windowed(most + 1).firstOrNull { it.last() - it.first() < 1.seconds }
-            ?.let { Breach(it.last(), "$agent sends ${it.size} commands between ${inMs(it.first())} and ${inMs(it.last())}") }
+/**
+ * An agent does not change to and fro between two commands: A, B, A counts as one change back, and there are at most [most] of them in any
+ * second.
+ */
+fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never oscillates", most) { run, agent ->
+    run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
+        .windowed(most + 1).firstOrNull { it.last().last().at - it.first().first().at < 1.seconds }
+        ?.let { changes ->
+            val (one, other) = changes.first()
+            val ends = changes.last().last().at
+            val often = "${changes.size} times between ${one.command} and ${other.command}"
+            Breach(ends, "$agent changes $often, from ${inMs(one.at)} to ${inMs(ends)}")
+        }
 }
 
-private class NeverOscillates(private val most: Int) : ReadyRule("never oscillates", most) {
-    override fun breachIn(run: Run, agent: String): Breach? =
-        run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
-            .windowed(most + 1).firstOrNull { it.last().last().at - it.first().first().at < 1.seconds }
-            ?.let { changes ->
-                val (one, other) = changes.first()
-                val ends = changes.last().last().at
-                val often = "${changes.size} times between ${one.command} and ${other.command}"
-                Breach(ends, "$agent changes $often, from ${inMs(one.at)} to ${inMs(ends)}")
-            }
-}
-
-private class SendsOnly(private val actions: List<String>) : ReadyRule("sends only known commands", actions) {
-    override fun breachIn(run: Run, agent: String): Breach? = run.planned(agent).firstOrNull { !isKnown(it.command) }
+/**
+ * Agents send only these [actions], which are written as in the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number
+ * of arguments.
+ */
+fun sendsOnly(actions: List<String>): Rule = ReadyRule("sendsOnly", "sends only known commands", actions) { run, agent ->
+    run.planned(agent).firstOrNull { !isKnown(it.command, actions) }
         ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
+}
 
-    private fun isKnown(command: String): Boolean {
-        val (name, count) = literalIn(command)?.let { it.functor to it.arity } ?: (command to 0)
-        return "$name/$count" in actions || "$name/*" in actions || count == 0 && name in actions
+/** An agent that has sent commands sends one again within [within] of the end of the last event. */
+fun actsAgain(within: Duration = 5.seconds): Rule = ReadyRule("actsAgain", "acts again", within) { run, agent ->
+    val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
+    val last = run.planned(agent).lastOrNull()
+    if (last == null || quiet + within > run.ended || last.at >= quiet) null
+    else Breach(quiet + within, "$agent has sent no command since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
+}
+
+private fun unfinished(entries: List<AgentEntry>, ended: Duration, within: Duration): Breach? {
+    val outcomes = entries.filterIsInstance<Ended>().associateBy { it.number }
+    return entries.filterIsInstance<Issued>().firstNotNullOfOrNull { command ->
+        val late = (outcomes[command.number]?.at ?: ended) - command.at
+        if (late <= within) null
+        else Breach(command.at + within, "${command.command}, which ${command.agent} sent at ${inMs(command.at)}, has no outcome")
     }
 }
 
-private class ActsAgain(private val within: Duration) : ReadyRule("acts again", within) {
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
-        val last = run.planned(agent).lastOrNull() ?: return null
-        if (quiet + within > run.ended || last.at >= quiet) return null
-        return Breach(quiet + within, "$agent has sent no command since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
-    }
+private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Duration): Breach? =
+    entries.filterIsInstance<Ended>().filter { it.error != null && it.error != "act_replaced" && it.at + within <= ended }
+        .firstNotNullOfOrNull { lost ->
+            val isNoticed = entries.any {
+                it.at in lost.at..lost.at + within && (it is Issued && it.number > lost.number || it is Printed || it is Said)
+            }
+            if (isNoticed) null
+            else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and nothing came of that")
+        }
+
+/** Errors after which it makes no sense to send the command again. */
+private val FINAL = setOf("act_replaced", "act_refused")
+
+/** Returns the time by which [command] should have been sent again; null: its reason has gone, or its board. */
+private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {
+    val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
+    val again = perceived.firstOrNull { it.received > lost.at } ?: return null
+    val limit = again.at + within
+    val meanwhile = perceived.filter { it.at > command.at && it.at <= limit }
+    return limit.takeIf { meanwhile.all { it.percepts.toSet() == reason.percepts.toSet() } }
+}
+
+private fun isKnown(command: String, actions: List<String>): Boolean {
+    val (name, count) = literalIn(command)?.let { it.functor to it.arity } ?: (command to 0)
+    return "$name/$count" in actions || "$name/*" in actions || count == 0 && name in actions
 }
 
 /** Returns the commands that plans of [agent] have sent. */
-private fun Run.planned(agent: String) = of(agent).filterIsInstance<Issued>().filter { it.plan != null }
+internal fun Run.planned(agent: String) = of(agent).filterIsInstance<Issued>().filter { it.plan != null }

@@ -9,48 +9,38 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @param except goals that may wait so: `patrol` stands for `patrol(3)` too
  */
-fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule = NeverWaitsForever(longest, except)
+fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule =
+    ReadyRule("neverWaitsForever", "never waits for ever", longest, except) { run, agent ->
+        run.of(agent).filterIsInstance<Waits>()
+            .filter { it.at - it.since > longest && except.none { goal -> isCommand(it.goal, goal) } }.minByOrNull { it.since }
+            ?.let { Breach(it.since + longest, "$agent waits since ${inMs(it.since)} with ${it.intention}") }
+    }
+
+private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
 /** For each plan that fails there is a plan for its failure. */
-fun handlesFailures(): Rule = HandlesFailures()
+fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
+    run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
+}
 
 /**
  * After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait.
  */
-fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule = StaysSmall(intentions, beliefs, events)
+fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule =
+    ReadyRule("staysSmall", "stays small", intentions, beliefs, events) { run, agent ->
+        run.of(agent).filterIsInstance<MindSize>()
+            .firstOrNull { it.intentions > intentions || it.beliefs > beliefs || it.events > events }
+            ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
+    }
 
 /** Agents rest now and then, so that time goes on, and are not stopped. */
-fun staysAlive(): Rule = StaysAlive()
+fun staysAlive(): Rule = ReadyRule("staysAlive", "stays alive") { run, agent ->
+    run.trace.firstOrNull { it is NeverRests || it is Stopped && it.agent == agent }
+        ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }
+}
 
 /** The rules that fit any agent; [explore] checks them unless others are given. */
 fun usualRules(): List<Rule> = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(), neverFloods(), neverOscillates(),
     perceivesAgain(),
 )
-
-private class NeverWaitsForever(private val longest: Duration, private val except: List<String>) :
-    ReadyRule("never waits for ever", longest, except) {
-    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<Waits>()
-        .filter { it.at - it.since > longest && except.none { goal -> isCommand(it.goal, goal) } }.minByOrNull { it.since }
-        ?.let { Breach(it.since + longest, "$agent waits since ${inMs(it.since)} with ${it.intention}") }
-
-    private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
-}
-
-private class HandlesFailures : ReadyRule("handles failures") {
-    override fun breachIn(run: Run, agent: String): Breach? =
-        run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
-}
-
-private class StaysSmall(private val intentions: Int, private val beliefs: Int, private val events: Int) :
-    ReadyRule("stays small", intentions, beliefs, events) {
-    override fun breachIn(run: Run, agent: String): Breach? = run.of(agent).filterIsInstance<MindSize>()
-        .firstOrNull { it.intentions > intentions || it.beliefs > beliefs || it.events > events }
-        ?.let { Breach(it.at, "$agent has ${it.intentions} intentions, ${it.beliefs} beliefs and ${it.events} events that wait") }
-}
-
-private class StaysAlive : ReadyRule("stays alive") {
-    override fun breachIn(run: Run, agent: String): Breach? =
-        run.trace.firstOrNull { it is NeverRests || it is Stopped && it.agent == agent }
-            ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }
-}

@@ -13,7 +13,9 @@ import kotlin.time.Duration.Companion.seconds
  * @param except commands that are right at any time, such as `stop`; `drive` stands for `drive(3)` too
  */
 fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> = emptyList()): Rule =
-    NeverActsOnStalePercepts(maxAge, except)
+    ReadyRule("neverActsOnStalePercepts", "never acts on stale percepts", maxAge, except) { run, agent ->
+        actionOnStalePercepts(run.of(agent), maxAge, except)
+    }
 
 /**
  * An agent that gets no percepts stops its motion. It is blind from [blindAfter] after its newest message until the next one. While it is
@@ -24,7 +26,11 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
 fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.seconds, within: Duration = 1.seconds): Rule =
-    StopsWhenBlind(safe, moving, blindAfter, within)
+    ReadyRule("stopsWhenBlind", "stops when blind", safe, moving, blindAfter, within) { run, agent ->
+        val messages = run.of(agent).filterIsInstance<Received>().map { it.at }
+        messages.zip(messages.drop(1) + run.ended).filter { (last, next) -> next - last > blindAfter }
+            .firstNotNullOfOrNull { (last, next) -> BlindTime(run, agent, last, next, last + blindAfter).breach(safe, moving, within) }
+    }
 
 /**
  * Each time [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time of
@@ -33,7 +39,25 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if it is none
  */
-fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule = ReactsTo(percept, commands, within)
+fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule {
+    val condition = PerceivedFormula(percept)
+    return ReadyRule("reactsTo", "reacts to $percept", percept, commands, within) { run, agent ->
+        val entries = run.of(agent)
+        condition.periodsIn(entries).firstOrNull { (begins, ends) ->
+            begins.received + within <= (ends?.received ?: run.ended) && !reacts(entries, begins.received, commands, within)
+        }?.let { (begins) ->
+            val received = begins.received
+            Breach(received + within, "$agent has perceived $percept at ${inMs(received)} and sent none of ${commands.joinToString()}")
+        }
+    }
+}
+
+private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List<String>, within: Duration): Boolean {
+    val issued = entries.filterIsInstance<Issued>()
+    val last = issued.lastOrNull { it.at <= received }
+    return last != null && commands.hasCommand(last.command) ||
+        issued.any { it.at in received..received + within && commands.hasCommand(it.command) }
+}
 
 /**
  * While [percept] holds in the agent's percepts, and has held for [after], no plan sends one of [commands].
@@ -41,47 +65,55 @@ fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.secon
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if it is none
  */
-fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seconds): Rule = NeverSends(commands, percept, after)
+fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seconds): Rule {
+    val condition = PerceivedFormula(percept)
+    val name = "never sends ${commands.joinToString()} while $percept"
+    return ReadyRule("neverSends", name, commands, percept, after) { run, agent ->
+        val sent = run.planned(agent).filter { commands.hasCommand(it.command) }
+        condition.periodsIn(run.of(agent)).firstNotNullOfOrNull { (begins, ends) ->
+            val since = begins.received
+            sent.firstOrNull { it.at > since + after && (ends == null || it.at < ends.received) }
+                ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it perceives $percept since ${inMs(since)}") }
+        }
+    }
+}
 
 /**
  * An agent that has perceived something perceives again within [within] of the end of the last event.
  */
-fun perceivesAgain(within: Duration = 5.seconds): Rule = PerceivesAgain(within)
-
-private class NeverActsOnStalePercepts(private val maxAge: Duration, private val except: List<String>) :
-    ReadyRule("never acts on stale percepts", maxAge, except) {
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val newest = LinkedHashMap<String, Duration>()
-        for (entry in run.of(agent)) {
-            if (entry is Received) newest[entry.port] = entry.at
-            if (entry !is Issued || entry.plan == null || except.hasCommand(entry.command)) continue
-            val (port, received) = newest.minByOrNull { it.value } ?: continue
-            val age = entry.at - received
-            if (age > maxAge) {
-                return Breach(entry.at, "$agent sends ${entry.command} by ${entry.plan}, though what it knows of $port is ${inMs(age)} old")
-            }
-        }
-        return null
-    }
+fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
+    val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
+    val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
+    if (last == null || quiet + within > run.ended || last.at >= quiet) null
+    else Breach(quiet + within, "$agent has perceived nothing since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
 }
 
-private class StopsWhenBlind(
-    private val safe: String,
-    private val moving: List<String>,
-    private val blindAfter: Duration,
-    private val within: Duration,
-) : ReadyRule("stops when blind", safe, moving, blindAfter, within) {
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val entries = run.of(agent)
-        val messages = entries.filterIsInstance<Received>().map { it.at }
-        return messages.zip(messages.drop(1) + run.ended).filter { (last, next) -> next - last > blindAfter }
-            .firstNotNullOfOrNull { (last, next) -> breachIn(entries, agent, run.ended, last, next) }
+private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, except: List<String>): Breach? {
+    val newest = LinkedHashMap<String, Duration>()
+    for (entry in entries) {
+        if (entry is Received) newest[entry.port] = entry.at
+        if (entry !is Issued || entry.plan == null || except.hasCommand(entry.command)) continue
+        val (port, received) = newest.minByOrNull { it.value } ?: continue
+        val age = entry.at - received
+        if (age <= maxAge) continue
+        val known = "what it knows of $port is ${inMs(age)} old"
+        return Breach(entry.at, "${entry.agent} sends ${entry.command} by ${entry.plan}, though $known")
     }
+    return null
+}
 
-    /** Returns the breach by an agent that perceived no message between [last] and [next]; null: it kept the rule. */
-    private fun breachIn(entries: List<AgentEntry>, agent: String, ended: Duration, last: Duration, next: Duration): Breach? {
-        val blind = last + blindAfter
-        val commands = entries.filterIsInstance<Issued>().filter { it.plan != null && (isMoving(it) || isCommand(it.command, safe)) }
+/** The time in which [agent] perceives no message: between [last] and [next]; it counts as blind from [blind] on. */
+private class BlindTime(
+    private val run: Run,
+    private val agent: String,
+    private val last: Duration,
+    private val next: Duration,
+    private val blind: Duration,
+) {
+    fun breach(safe: String, moving: List<String>, within: Duration): Breach? {
+        fun isMoving(command: Issued) = moving.hasCommand(command.command)
+        val entries = run.of(agent)
+        val commands = run.planned(agent).filter { isMoving(it) || isCommand(it.command, safe) }
         commands.firstOrNull { isMoving(it) && it.at > blind && it.at < next }
             ?.let { return Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it has perceived nothing since ${inMs(last)}") }
         if (next <= blind + within) return null
@@ -89,47 +121,9 @@ private class StopsWhenBlind(
         val off = entries.any { it is PortChanged && it.status == "off" && it.at in last..next }
         val seeingAgain = entries.firstOrNull { it is PortChanged && it.status == "on" && it.at > last }?.at
         val deadline = (if (off) seeingAgain ?: return null else blind) + within
-        if (deadline > ended || commands.any { isCommand(it.command, safe) && it.at in before.at..deadline }) return null
+        if (deadline > run.ended || commands.any { isCommand(it.command, safe) && it.at in before.at..deadline }) return null
         val sent = "$agent has sent ${before.command} at ${inMs(before.at)}"
         return Breach(deadline, "$sent, perceives nothing since ${inMs(last)}, and has not sent $safe")
-    }
-
-    private fun isMoving(command: Issued) = moving.hasCommand(command.command)
-}
-
-private class ReactsTo(private val percept: String, private val commands: List<String>, private val within: Duration) :
-    ReadyRule("reacts to $percept", percept, commands, within) {
-    private val condition = PerceivedFormula(percept)
-
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val entries = run.of(agent)
-        val late = condition.periodsIn(entries).firstOrNull { (begins, ends) ->
-            begins.received + within <= (ends?.received ?: run.ended) && !reacts(entries, begins, begins.received + within)
-        } ?: return null
-        val received = late.first.received
-        return Breach(received + within, "$agent has perceived $percept at ${inMs(received)} and sent none of ${commands.joinToString()}")
-    }
-
-    private fun reacts(entries: List<AgentEntry>, message: Perceived, deadline: Duration): Boolean {
-        val issued = entries.filterIsInstance<Issued>()
-        val last = issued.lastOrNull { it.at <= message.received }
-        return last != null && commands.hasCommand(last.command) ||
-            issued.any { it.at in message.received..deadline && commands.hasCommand(it.command) }
-    }
-}
-
-private class NeverSends(private val commands: List<String>, private val percept: String, private val after: Duration) :
-    ReadyRule("never sends ${commands.joinToString()} while $percept", commands, percept, after) {
-    private val condition = PerceivedFormula(percept)
-
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val entries = run.of(agent)
-        return condition.periodsIn(entries).firstNotNullOfOrNull { (begins, ends) ->
-            val since = begins.received
-            entries.filterIsInstance<Issued>().filter { it.plan != null && commands.hasCommand(it.command) }
-                .firstOrNull { it.at > since + after && (ends == null || it.at < ends.received) }
-                ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it perceives $percept since ${inMs(since)}") }
-        }
     }
 }
 
@@ -154,15 +148,5 @@ private class PerceivedFormula(text: String) {
         bb.clear()
         percepts.forEach { runCatching { bb.add(ASSyntax.parseLiteral(it)) } } // the agent leaves out unreadable percepts, too
         return formula.logicalConsequence(this, Unifier()).hasNext()
-    }
-}
-
-private class PerceivesAgain(private val within: Duration) : ReadyRule("perceives again", within) {
-    override fun breachIn(run: Run, agent: String): Breach? {
-        val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
-        val messages = run.of(agent).filterIsInstance<Perceived>()
-        if (messages.isEmpty() || quiet + within > run.ended || messages.last().at >= quiet) return null
-        val last = inMs(messages.last().at)
-        return Breach(quiet + within, "$agent has perceived nothing since $last, though nothing is wrong since ${inMs(quiet)}")
     }
 }

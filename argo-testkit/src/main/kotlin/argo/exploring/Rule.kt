@@ -31,22 +31,24 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
     override fun toString() = name
 }
 
-/** A rule of this package, which can be printed as a program: `toString` is the call that makes it. */
-internal abstract class ReadyRule(override val name: String, private vararg val arguments: Any) : Rule {
-    /** The name of the function that makes it. */
-    val function: String get() = javaClass.simpleName.replaceFirstChar(Char::lowercase)
-
-    final override fun toString() =
-        function + arguments.joinToString(prefix = "(", postfix = ")", transform = ::argument)
+/**
+ * A rule of this package, which can be printed as a program: `toString` is the call that makes it.
+ *
+ * @property function makes it, from [arguments]
+ * @property breachOf returns where an agent breaks it first in a run; null: it keeps the rule
+ */
+internal class ReadyRule(
+    val function: String,
+    override val name: String,
+    private vararg val arguments: Any,
+    private val breachOf: (run: Run, agent: String) -> Breach?,
+) : Rule {
+    override fun toString() = function + arguments.joinToString(prefix = "(", postfix = ")", transform = ::argument)
 
     private fun argument(value: Any): String =
         if (value is Collection<*>) "listOf(${value.joinToString { kotlinOf(it as Any) }})" else kotlinOf(value)
 
-    /** Returns the first breach of all agents in [run]. */
-    final override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachIn(run, it) }.minByOrNull { it.at }
-
-    /** Returns where [agent] breaks it first. */
-    protected abstract fun breachIn(run: Run, agent: String): Breach?
+    override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachOf(run, it) }.minByOrNull { it.at }
 }
 
 /** Returns true if [command] is [pattern], or begins with it as its name: `drive` stands for `drive(3)`. */
@@ -54,5 +56,4 @@ internal fun isCommand(command: String, pattern: String) = command == pattern ||
 
 internal fun List<String>.hasCommand(command: String) = any { isCommand(command, it) }
 
-/** Writes [time] in whole milliseconds. */
 internal fun inMs(time: Duration) = "${time.inWholeMilliseconds} ms"

@@ -41,7 +41,6 @@ public final class SerialPorts {
         }
     }
 
-    /** The names of the serial devices there are now, in alphabetical order. */
     static List<String> names() {
         return present().stream().map(SerialPortInfo::name).toList();
     }

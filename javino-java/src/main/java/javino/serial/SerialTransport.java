@@ -48,7 +48,6 @@ final class SerialTransport extends DriverTransport {
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
-    /** The time at which bytes were last read or written. */
     private volatile long stillSince = System.nanoTime();
     /** True once the driver has shown that it knows how many bytes wait in it. */
     private volatile boolean countsWaiting;

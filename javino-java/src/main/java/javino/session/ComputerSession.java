@@ -8,6 +8,7 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
+import javino.wire.VocabularyPage;
 import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
@@ -157,12 +158,14 @@ public final class ComputerSession<C extends SessionCommand> {
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
-            if (said != null && state == State.OPEN) {
+            if (said == null) {
+                listener.unreadable(FrameKind.WELCOME);
+            } else if (state == State.OPEN) {
                 heard(now);
                 if (said.nonce() != nonce) {
                     end(State.OPENING, now);
                 }
-            } else if (said != null && nonce != 0) {
+            } else if (nonce != 0) {
                 welcomed(said, frame, now);
             }
             return;
@@ -215,10 +218,19 @@ public final class ComputerSession<C extends SessionCommand> {
                     vocabulary.want(now);
                 }
             }
-            case VOCABULARY -> vocabulary.accept(frame.payload(), now);
+            case VOCABULARY -> {
+                VocabularyPage page = VocabularyPage.read(frame.payload());
+                if (page == null) {
+                    listener.unreadable(frame.kind());
+                } else {
+                    vocabulary.accept(page, now);
+                }
+            }
             case CRITICAL -> {
                 CriticalReport report = CriticalReport.read(frame.payload());
-                if (report != null) {
+                if (report == null) {
+                    listener.unreadable(frame.kind());
+                } else {
                     listener.reported(report);
                 }
             }
@@ -432,7 +444,6 @@ public final class ComputerSession<C extends SessionCommand> {
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
     }
 
-    /** Commands of one frame. */
     private final class Row {
         private final boolean isFirst; // it is the first that is out, so it may be longer than the credit
         private String payload = "";

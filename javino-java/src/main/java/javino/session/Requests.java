@@ -13,7 +13,6 @@ import javino.wire.WireFrame;
 final class Requests {
     private static final int NUMBERS = 255;
     private static final long MIN_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
-    /** The timeout while no answer has been timed. */
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final int MAX_DOUBLINGS = 4;
@@ -46,7 +45,6 @@ final class Requests {
         quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);
     }
 
-    /** Begins to ask for percepts of {@code functors}. */
     void want(String functors, long now) {
         wanted = functors;
         isOut = false;
@@ -92,7 +90,6 @@ final class Requests {
         return at - lastByteAt >= quietNanos ? at : Math.min(lastByteAt + quietNanos, at + MAX_POSTPONED_NANOS);
     }
 
-    /** The request that is due. */
     WireFrame next(int longestPayload, int nonce) {
         int number = (int) (asked++ % NUMBERS) + 1;
         if (isOut) {
@@ -107,14 +104,12 @@ final class Requests {
         return frame;
     }
 
-    /** Records when the last byte of the newest request leaves. */
     void left(long at) {
         leftAt = at;
         long timeout = smoothedNanos == 0 ? FIRST_TIMEOUT_NANOS : Math.max(MIN_TIMEOUT_NANOS, 2 * smoothedNanos);
         dueAt = at + (timeout << doublings);
     }
 
-    /** Records that a byte has come. */
     void receiving(long now) {
         lastByteAt = now;
     }

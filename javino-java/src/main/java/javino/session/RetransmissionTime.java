@@ -9,7 +9,6 @@ import java.util.concurrent.TimeUnit;
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
     private static final long MAX_DOUBLED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-    /** The timeout while no round trip has been measured. */
     private static final long FIRST_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
 
     private static final int SMOOTHING = 8;
@@ -24,12 +23,10 @@ final class RetransmissionTime {
                 smoothedNanos == 0 ? atLeast1 : Math.max(1, smoothedNanos + (atLeast1 - smoothedNanos) / SMOOTHING);
     }
 
-    /** Records that there is news. */
     void news() {
         doublings = 0;
     }
 
-    /** Records that the timeout was over. */
     void timedOut() {
         doublings++;
     }

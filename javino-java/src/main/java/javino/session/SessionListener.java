@@ -1,6 +1,7 @@
 package javino.session;
 
 import javino.wire.CriticalReport;
+import javino.wire.FrameKind;
 import javino.wire.Welcome;
 
 /** Receives the reports of a session, while one of the session's methods runs; it does not call the session back. */
@@ -25,6 +26,9 @@ public interface SessionListener<C> {
 
     /** An answer of more bytes than the limit was dropped. */
     void dropped();
+
+    /** A frame was dropped that has arrived whole: its payload says nothing that is known here. */
+    void unreadable(FrameKind kind);
 
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);

@@ -36,7 +36,6 @@ final class Vocabulary {
         complete = Optional.empty();
     }
 
-    /** Begins to ask. */
     void want(long now) {
         if (!isWanted) {
             isWanted = true;
@@ -71,12 +70,10 @@ final class Vocabulary {
         return asks() && doublings == 1;
     }
 
-    /** Nanoseconds until the next page is asked for. */
     long nanosUntilDue(long now) {
         return asks() ? Math.max(0, dueAt - now) : Long.MAX_VALUE;
     }
 
-    /** The request for the next page. */
     WireFrame next(long now) {
         request = request % REQUESTS + 1;
         dueAt = now + (FIRST_TIMEOUT_NANOS << doublings);
@@ -84,13 +81,8 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page. */
-    void accept(String payload, long now) {
-        VocabularyPage page = VocabularyPage.read(payload);
-        if (page == null
-                || !asks()
-                || page.first() != actions.size()
-                || page.actions().isEmpty() && page.total() > actions.size()) {
+    void accept(VocabularyPage page, long now) {
+        if (!asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
             return;
         }
         for (BoardAction action : page.actions()) {

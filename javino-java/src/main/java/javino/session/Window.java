@@ -8,10 +8,8 @@ import java.util.OptionalLong;
 
 /** The commands that are out, and the frames that carry them. */
 final class Window<C> {
-    /** Commands that are out at most. */
     static final int SIZE = 16;
 
-    /** A command that is out. */
     static final class Entry<C> {
         final C command;
         private boolean isVoid;
@@ -61,7 +59,6 @@ final class Window<C> {
         return out.get(place);
     }
 
-    /** Bytes of the frames that carry the commands that are out. */
     int bytes() {
         int bytes = 0;
         for (Sent frame : frames) {
@@ -70,7 +67,6 @@ final class Window<C> {
         return bytes;
     }
 
-    /** Adds a command behind those that are out. */
     void add(C command) {
         out.add(new Entry<>(command));
     }

@@ -3,11 +3,13 @@ package javino.sim;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
+import javino.BoardReceiver;
 import javino.Frame;
 import javino.FrameDecoder;
 import javino.LineClock;
@@ -26,6 +28,7 @@ import javino.wire.WireFrame;
  * <p>One loop serves one opening of the port. Its thread, the board's, calls all methods; {@link #say} and {@link #write} are safe on any.
  */
 public final class BoardLoop {
+    private static final System.Logger LOG = System.getLogger(BoardLoop.class.getName());
     private static final int WRITE_MILLIS = 10_000;
     private static final int READ_MILLIS = 100;
     private static final int LOOK_MILLIS = 5;
@@ -47,6 +50,7 @@ public final class BoardLoop {
     private long listenedNanos; // since the last byte
     private long lookedNanos;
     private boolean isLooking;
+    private boolean hasToldLeftOut;
     private boolean isHandlingCommands; // of which others may follow
     private boolean isAnswering;
     private int requestBytes;
@@ -204,7 +208,6 @@ public final class BoardLoop {
         }
     }
 
-    /** The number of messages that have arrived and were not handled. */
     int waiting() {
         return arrived.size();
     }
@@ -214,7 +217,6 @@ public final class BoardLoop {
         return Optional.ofNullable(arrived.remove().version1());
     }
 
-    /** Reads the bytes that have arrived, and ignores them. */
     void ignore() throws PortException {
         read += line.read(buffer, 0, buffer.length, 0);
     }
@@ -226,7 +228,6 @@ public final class BoardLoop {
         }
     }
 
-    /** The session that computers of version 2 have with the board. */
     BoardSession session() {
         return session;
     }
@@ -262,6 +263,22 @@ public final class BoardLoop {
         } else {
             send(Frame.of(text).toBytes());
         }
+    }
+
+    /** Sends the messages that a text needs in {@link #version}, but for the last, and returns that one. */
+    String sayBeginning(String text) throws PortException, InterruptedException {
+        List<String> messages = version == 1 ? MessageParts.of(text) : List.of(text);
+        if (!hasToldLeftOut && messages.stream().mapToInt(String::length).sum() < text.length()) {
+            hasToldLeftOut = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "the board at port " + line.name() + " has a percept of more than " + Frame.MAX_PAYLOAD
+                            + " bytes, which version 1 cannot carry; it is left out, as are others without a further warning");
+        }
+        for (String message : messages.subList(0, messages.size() - 1)) {
+            say(message);
+        }
+        return messages.get(messages.size() - 1);
     }
 
     /** The session's frames, on the thread that causes them. */

@@ -258,8 +258,10 @@ public final class BoardSession {
 
     /** The actions of the program that have a number; the computer is told how many others there are. */
     private List<BoardAction> actions() {
-        List<BoardAction> all = program.vocabulary();
-        return all.subList(0, Math.min(all.size(), CommandItem.MAX_ACTION + 1));
+        return program.vocabulary().stream()
+                .filter(action -> action.name().length() <= VocabularyPage.MAX_NAME)
+                .limit(CommandItem.MAX_ACTION + 1)
+                .toList();
     }
 
     private static int firstByte(WireFrame frame) {

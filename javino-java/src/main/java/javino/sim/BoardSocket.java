@@ -25,7 +25,6 @@ final class BoardSocket {
         this.board = board;
     }
 
-    /** Starts the board on a line of its own and returns the computer's end. */
     Transport open(LineSettings settings) throws PortException {
         opening.lock();
         try {
@@ -55,6 +54,10 @@ final class BoardSocket {
             run.line.unplug();
             run.thread.interrupt();
         }
+    }
+
+    Class<?> boardClass() {
+        return board.getClass();
     }
 
     boolean isRunning() {

@@ -26,7 +26,6 @@ import javino.PerceptsRequest;
  * @param entries the messages; their times never go back
  */
 public record LineRecording(List<Entry> entries) {
-    /** The first line of a file. */
     static final String HEADER = "javino-recording 1";
 
     private static final String HEADER_WORD = "javino-recording ";

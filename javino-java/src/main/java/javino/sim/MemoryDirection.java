@@ -51,12 +51,10 @@ final class MemoryDirection {
         return moved;
     }
 
-    /** The number of bytes taken so far. */
     long taken() {
         return taken;
     }
 
-    /** Bytes that it can take. */
     int room() {
         return bytes.length - count;
     }
@@ -65,7 +63,6 @@ final class MemoryDirection {
         return count == 0;
     }
 
-    /** Takes all bytes off the line. */
     void clear() {
         count = 0;
     }

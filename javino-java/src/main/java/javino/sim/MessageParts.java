@@ -5,7 +5,6 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import javino.Frame;
 
-/** Percepts in as many messages of version 1 as they need. */
 final class MessageParts {
     /** The rest of a message if it fits into a frame, else as many whole percepts as do, else one that is too long. */
     private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");

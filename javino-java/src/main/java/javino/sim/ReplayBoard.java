@@ -94,7 +94,6 @@ public final class ReplayBoard implements SimulatedBoard {
                 - said.get(0).millis();
     }
 
-    /** One use of the port. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
         private final long openedNanos = clock.nanos();
@@ -131,7 +130,7 @@ public final class ReplayBoard implements SimulatedBoard {
 
         private void speak() throws PortException, InterruptedException {
             while (!isOver(next) && offsetMillis(next) <= millisSince(openedNanos)) {
-                say(message(next++));
+                loop.say(loop.sayBeginning(message(next++)));
             }
         }
 
@@ -150,11 +149,7 @@ public final class ReplayBoard implements SimulatedBoard {
             if (!asked) {
                 return null;
             }
-            List<String> messages = messages(answer());
-            for (String message : messages.subList(0, messages.size() - 1)) {
-                loop.say(message);
-            }
-            return messages.get(messages.size() - 1);
+            return loop.sayBeginning(answer());
         }
 
         private String answer() {
@@ -168,16 +163,6 @@ public final class ReplayBoard implements SimulatedBoard {
                 next++;
             }
             return message(next);
-        }
-
-        private void say(String message) throws PortException, InterruptedException {
-            for (String part : messages(message)) {
-                loop.say(part);
-            }
-        }
-
-        private List<String> messages(String text) {
-            return loop.version() == 1 ? MessageParts.of(text) : List.of(text);
         }
     }
 }

@@ -90,12 +90,19 @@ public final class SimulatedBoards {
         return SCHEME + ':' + name;
     }
 
+    private static void plugInService(SimulatedBoard board) {
+        BoardSocket other = SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
+        if (other != null) {
+            Services.leftOut(board.getClass(), portName(board.name()), other.boardClass());
+        }
+    }
+
     private static synchronized void plugInServices() {
         for (ServiceLoader.Provider<SimulatedBoard> service : Services.providers(SimulatedBoard.class)) {
             if (SERVICES_SEEN.add(service.type())) {
                 SimulatedBoard board = Services.make(service);
                 if (board != null) {
-                    SOCKETS.putIfAbsent(board.name(), new BoardSocket(portName(board.name()), board));
+                    plugInService(board);
                 }
             }
         }

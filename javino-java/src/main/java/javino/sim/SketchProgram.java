@@ -1,6 +1,5 @@
 package javino.sim;
 
-import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import javino.LineClock;
@@ -35,10 +34,6 @@ final class SketchProgram implements BoardProgram {
                 .filter(percept -> functors.isEmpty()
                         || functors.contains(PerceptTerm.of(percept).functor()))
                 .collect(Collectors.joining());
-        List<String> messages = loop.version() == 1 ? MessageParts.of(answer) : List.of(answer);
-        for (String message : messages.subList(0, messages.size() - 1)) {
-            loop.say(message);
-        }
-        return messages.get(messages.size() - 1);
+        return loop.sayBeginning(answer);
     }
 }

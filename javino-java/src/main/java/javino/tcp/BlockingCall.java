@@ -7,7 +7,6 @@ import java.util.concurrent.FutureTask;
 final class BlockingCall {
     private BlockingCall() {}
 
-    /** Begins the call. {@code name} is the thread's. */
     static <T> FutureTask<T> start(String name, Callable<T> call) {
         FutureTask<T> task = new FutureTask<>(call);
         Thread thread = new Thread(task, name);

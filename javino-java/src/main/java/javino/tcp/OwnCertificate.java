@@ -15,17 +15,14 @@ final class OwnCertificate extends X509ExtendedKeyManager {
     private final Optional<TlsFolder.Identity> own;
     private volatile boolean asked;
 
-    /** @param own empty if the computer has none */
     OwnCertificate(Optional<TlsFolder.Identity> own) {
         this.own = own;
     }
 
-    /** Returns whether the board has asked for the computer's certificate. */
     boolean isAskedFor() {
         return asked;
     }
 
-    /** Returns whether there is one. */
     boolean isPresent() {
         return own.isPresent();
     }

@@ -20,7 +20,6 @@ class TcpTransport extends DriverTransport {
     private final Socket socket;
     private final InputStream in;
 
-    /** A transport over a connected socket, which becomes its own. */
     TcpTransport(Socket socket, String name, LineSettings line) throws IOException {
         this(socket, socket.getInputStream(), name, line);
     }
@@ -83,7 +82,6 @@ class TcpTransport extends DriverTransport {
         return "the connection broke"; // known better by then
     }
 
-    /** The reason of a lost connection. */
     String broken(IOException e) {
         return "the connection broke (" + e.getMessage() + ")";
     }

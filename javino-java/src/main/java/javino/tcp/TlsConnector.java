@@ -113,7 +113,6 @@ final class TlsConnector {
         }
     }
 
-    /** The reason of a failed handshake, in words for a person. */
     private IOException refusal(Throwable cause) {
         for (Throwable each = cause; each != null; each = each.getCause()) {
             if (each instanceof java.security.cert.CertificateException) {
@@ -149,7 +148,6 @@ final class TlsConnector {
                         + ", and its key beside it into computer.key";
     }
 
-    /** The reason of a connection that was lost later. */
     private String broken(IOException e) {
         return e instanceof SSLException && own.isAskedFor()
                 ? refusedByBoard(e.getMessage())

@@ -51,7 +51,6 @@ record TlsFolder(Path path) {
         return Files.exists(file) ? Optional.of(certificates(file)[0]) : Optional.empty();
     }
 
-    /** Keeps the certificate as that of the board at {@code address}. */
     void keep(TcpAddress address, X509Certificate certificate) throws IOException, GeneralSecurityException {
         Files.createDirectories(path);
         Path part = Files.createTempFile(path, "new", ".crt");
@@ -120,7 +119,6 @@ record TlsFolder(Path path) {
                 + " -----BEGIN PRIVATE KEY-----; \"" + KEY_COMMAND + "\" writes it");
     }
 
-    /** The text of a PEM file. */
     static String pem(String what, byte[] bytes) {
         return "-----BEGIN " + what + "-----\n"
                 + Base64.getMimeEncoder(64, new byte[] {'\n'}).encodeToString(bytes) + "\n-----END " + what + "-----\n";

@@ -10,7 +10,6 @@ import java.util.function.Function;
 import javax.net.ssl.SSLSocket;
 import javino.LineSettings;
 
-/** A TLS connection to a board on the network. */
 final class TlsTransport extends TcpTransport {
     /** The time limit for telling a far end that does not read that the connection ends. */
     private static final int FAREWELL_MILLIS = 100;

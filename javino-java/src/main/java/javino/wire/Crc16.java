@@ -26,12 +26,10 @@ final class Crc16 {
         value = START ^ nonce << 8;
     }
 
-    /** Takes one more byte, of which the lower eight bits count. */
     void add(int octet) {
         value = (value << 8 ^ TABLE[(value >> 8 ^ octet) & 0xFF]) & 0xFFFF;
     }
 
-    /** The checksum of the bytes so far. */
     int value() {
         return value;
     }

@@ -44,7 +44,6 @@ public enum FrameKind {
         this.code = code;
     }
 
-    /** The control byte without flags. */
     int code() {
         return code;
     }

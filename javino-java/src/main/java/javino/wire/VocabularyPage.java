@@ -14,6 +14,9 @@ import java.util.List;
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
     private static final int HEADER = 3;
 
+    /** The longest name of an action that a page holds. */
+    public static final int MAX_NAME = WireFrame.MAX_PAYLOAD - HEADER - 2;
+
     public VocabularyPage {
         actions = List.copyOf(actions);
     }

@@ -1,6 +1,7 @@
 package javino.session
 
 import javino.wire.CriticalReport
+import javino.wire.FrameKind
 import javino.wire.Welcome
 import javino.wire.WireFrame
 import java.util.SplittableRandom
@@ -25,6 +26,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
     var lapses = 0
     val otherRevisions = mutableListOf<Int>()
     var dropped = 0
+    val unreadable = mutableListOf<FrameKind>()
     val session = ComputerSession(BYTE_NANOS, answerLimit, SplittableRandom(seed), this)
 
     fun offer(vararg texts: String): List<Order> = texts.map(::Order).also(waiting::addAll)
@@ -54,6 +56,10 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     override fun found() {
         boards++
+    }
+
+    override fun unreadable(kind: FrameKind) {
+        unreadable += kind
     }
 
     override fun otherRevision(revision: Int) {

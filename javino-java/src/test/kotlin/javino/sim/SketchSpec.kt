@@ -14,6 +14,7 @@ import javino.PortException
 import javino.Protocol
 import javino.Transport
 import javino.Transports
+import javino.logged
 
 private const val LIMIT_MS = 10_000
 private val SETTINGS = LinkSettings.defaults().withBaud(1_000_000).withBootMillis(0)
@@ -65,6 +66,15 @@ class SketchSpec : FunSpec({
             link.sendAndAwait("fly", LIMIT_MS)
             link.request("getPercepts", LIMIT_MS).text() shouldBe ""
         }
+    }
+
+    test("a percept too long for a message of version 1 is left out, with one line of log") {
+        val warnings = logged("javino.sim.BoardLoop") {
+            plugged(Wall { listOf("text(\"${"x".repeat(300)}\")", "light(3)") }, Protocol.V1) { link ->
+                repeat(2) { link.request("getPercepts", LIMIT_MS).text() shouldBe "light(3);" }
+            }
+        }
+        warnings.single() shouldContain "a percept of more than 255 bytes"
     }
 
     test("a request for some functors is answered with those") {

@@ -1,5 +1,6 @@
 package javino.sim
 
+import javino.BoardReceiver
 import javino.Frame
 import javino.Protocol
 import javino.Transport

@@ -13,6 +13,7 @@ import argo.tools.command.secondsIn
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonPrimitive
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
@@ -76,7 +77,7 @@ internal class RecordingCommand : DataCommand() {
         if (unknown.isNotEmpty()) {
             throw ToolException("$file has no topic ${unknown.first()}; those that it has: ${recording.channels.joinToString { it.topic }}")
         }
-        val start = recording.times?.first ?: return
+        val start = recording.times?.first ?: return err.println("$file has no message")
         val begin = start.after(from) ?: start
         val end = start.after(until) ?: Long.MAX_VALUE
         if (end <= begin) misuse("--until is later than --from")
@@ -94,10 +95,10 @@ internal class RecordingCommand : DataCommand() {
         }
     }
 
-    private fun parsed(message: McapMessage): JsonElement? = try {
+    private fun parsed(message: McapMessage): JsonElement = try {
         Json.parseToJsonElement(message.text)
     } catch (_: SerializationException) {
-        null // of another program's recording
+        JsonPrimitive(message.text) // of another program's recording
     }
 
     /** Returns the time [seconds] after this one; null if [seconds] is null. */

@@ -58,7 +58,9 @@ internal class ReplayReport(
         add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
         refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }
         course.forEach { addAll(described("differs", it)) }
-        if (isIdentical && (cycles > 0 || isWhole)) add("identical: the same events, plans, steps, calls, actions and messages in each of them")
+        if (isIdentical && (cycles > 0 || isWhole)) {
+            add("identical: the same events, plans, steps, calls, actions and messages in each of them")
+        }
         if (isCheck) {
             results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
             if (isDeterministic) add("nothing in it gave another result")

@@ -68,6 +68,17 @@ class RecordingCommandSpec : FunSpec({
             """{"topic":"/robot/cycle","seconds":0.0,"ns":7000000000,"message":{"cycle":0}}""" + "\n"
     }
 
+    test("messages of another program that are no JSON are texts, and a recording without messages is told") {
+        val other = tempfile(suffix = ".mcap").toPath()
+        McapWriter(FileChannel.open(other, StandardOpenOption.WRITE)).use { writer ->
+            writer.message(writer.channel("/log", writer.schema("Text", "")), SECOND, 0, "on [".encodeToByteArray())
+        }
+        argo("recording", "$other", "--messages", "--json").out shouldBe
+            """{"topic":"/log","seconds":0.0,"ns":1000000000,"message":"on ["}""" + "\n"
+        McapWriter(FileChannel.open(other, StandardOpenOption.WRITE, StandardOpenOption.TRUNCATE_EXISTING)).close()
+        argo("recording", "$other", "--messages") shouldBe Output(0, "", "$other has no message\n")
+    }
+
     test("--file prints a file of the program") {
         argo("recording", "$file", "--file", "program/robot.asl") shouldBe Output(0, "!start.\n", "")
         argo("recording", "$file", "--file", "robot.asl").err shouldBe

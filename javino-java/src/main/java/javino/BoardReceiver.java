@@ -1,10 +1,8 @@
-package javino.sim;
+package javino;
 
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
-import javino.Frame;
-import javino.Protocol;
 import javino.wire.FrameKind;
 import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
@@ -13,11 +11,11 @@ import javino.wire.WireFrame;
  * Finds the frames that a computer sends to a board on a line that both versions of the protocol may share. Times are nanoseconds of any
  * one clock. One thread at a time.
  */
-final class BoardReceiver {
+public final class BoardReceiver {
     /** A frame, of one of the two versions. */
-    record Found(Frame version1, WireFrame version2) {
+    public record Found(Frame version1, WireFrame version2) {
         /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
-        OptionalInt nonceBehind() {
+        public OptionalInt nonceBehind() {
             if (version2 == null) {
                 return OptionalInt.of(0);
             }
@@ -29,7 +27,7 @@ final class BoardReceiver {
     private final long timeoutNanos;
     private final IntSupplier nonce;
     private final WireDecoder version2;
-    private final Version1Window version1;
+    private final FrameDecoder version1;
     private long lastNanos;
 
     /**
@@ -39,13 +37,14 @@ final class BoardReceiver {
      * @param nonce that of the session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only; 0: there
      *     is none
      */
-    BoardReceiver(Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
+    public BoardReceiver(
+            Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
         this.reads = reads;
         this.timeoutNanos = timeoutNanos;
         this.nonce = nonce;
         version2 = new WireDecoder(
                 false, timeoutNanos, longestPayload, nonce, frame -> found.accept(new Found(null, frame)));
-        version1 = new Version1Window(reads == Protocol.V1 ? -1 : WireFrame.START, frame -> {
+        version1 = new FrameDecoder(timeoutNanos, reads == Protocol.V1 ? -1 : WireFrame.START, frame -> {
             found.accept(new Found(frame, null));
             setAnywhere();
         });
@@ -60,7 +59,7 @@ final class BoardReceiver {
      *
      * @param silenceNanos silence before it
      */
-    void accept(byte octet, long now, long silenceNanos) {
+    public void accept(byte octet, long now, long silenceNanos) {
         idle(now);
         lastNanos = now;
         if (silenceNanos > timeoutNanos / 4 && !version1.isReading()) {
@@ -70,17 +69,18 @@ final class BoardReceiver {
     }
 
     /** Notes that nothing has arrived since the last byte. */
-    void idle(long now) {
+    public void idle(long now) {
         if (now - lastNanos > timeoutNanos) {
             while (!version1.isEmpty()) {
-                readAgain(version1.giveUp());
+                version1.giveUp();
+                readAgain(version1.takeOther());
             }
         }
         version2.idle(now);
     }
 
     /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has not. */
-    long nanosUntilIdle(long now) {
+    public long nanosUntilIdle(long now) {
         return version1.isReading() || version2.isInFrame()
                 ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
                 : Long.MAX_VALUE;
@@ -91,17 +91,18 @@ final class BoardReceiver {
             put2(octet);
         } else {
             setAnywhere();
-            readAgain(version1.put(octet));
+            version1.acceptUnbroken(new byte[] {octet}, 0, 1, lastNanos);
+            readAgain(version1.takeOther());
         }
     }
 
     /** Takes bytes that version 1 leaves, the first of which begins a frame of version 2. */
-    private void readAgain(String rest) {
-        for (int i = 0; i < rest.length(); i++) {
+    private void readAgain(byte[] rest) {
+        for (int i = 0; i < rest.length; i++) {
             if (i == 0) {
-                put2((byte) rest.charAt(i));
+                put2(rest[i]);
             } else {
-                put((byte) rest.charAt(i));
+                put(rest[i]);
             }
         }
     }
