@@ -95,18 +95,23 @@ def answers_acts_and_refuses_in_both_versions(python):
 
 def an_outcome_is_reported_later(python):
     with Board(python) as board:
-        for ok, refused in (("true", False), ("false", True)):
-            row = commands.write_row([b"grip(%s)" % ok.encode()])
-            frame = frames.Frame(frames.COMMANDS_RESUME, board.session.due, row)
-            board.line.send(frame)
-            equal([(f.kind, f.number) for f in board.line.frames(5.0)], [(frames.ACK | frames.BUSY, board.session.due)])
-            equal(board.session.ask("(dist)"), "dist(f,100);")
-            board.line.send(frame)  # as if the acknowledgement had been lost
-            found = [f for _ in range(2) for f in board.line.frames(5.0)]
-            equal((kind_of(found[-1]), found[-1].number), (frames.ACK, board.session.due + 1))
-            equal(bool(found[-1].kind & frames.REFUSED), refused)
-            equal(board.next(), f"grip({ok})")
-            board.session.due += 1
+        session = board.session
+        for ends, refused in (("kept", False), ("dropped", True)):
+            row = commands.write_row([b"grip(%s)" % ends.encode()])
+            for _ in range(2):  # as if the acknowledgement had been lost
+                begun = session.exchange(frames.Frame(frames.COMMANDS_RESUME, session.due, row), is_acknowledgement)
+                equal((begun.kind, begun.number), (frames.ACK | frames.BUSY, session.due))
+                equal(session.ask("(dist)"), "dist(f,100);")
+            session.request += 1
+            closing = frames.Frame(frames.ASK, session.request, b"\0(closing)")
+            ended = session.exchange(closing, lambda f: is_acknowledgement(f) and not f.kind & frames.BUSY)
+            equal((ended.number, bool(ended.kind & frames.REFUSED)), (session.due + 1, refused))
+            equal([text for text in board.carried(1.0) if text != "lost"], [f"grip({ends})"])
+            session.due += 1
+
+
+def is_acknowledgement(frame):
+    return kind_of(frame) == frames.ACK
 
 
 def a_reflex_is_carried_out_by_the_board_itself(python):

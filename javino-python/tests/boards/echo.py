@@ -27,7 +27,7 @@ def harm(seed):
 
 if len(sys.argv) > 3:
     harm(int(sys.argv[3]))
-state = {"count": 0, "dist": 100, "closing": 0, "begun": 0, "near": 0}
+state = {"count": 0, "dist": 100, "closing": 0, "begun": 0, "near": 0, "asked": False}
 
 
 def note(text):
@@ -43,15 +43,17 @@ def speed(value):
     note("speed(%s)" % value)
 
 
-def grip(ok):
-    note("grip(%s)" % ok)
-    state["closing"], state["begun"], state["ok"] = board.later(), ticks_ms(), ok == "true"
+def grip(ends):
+    """Ends well with true and kept, badly with false and dropped; with kept and dropped when somebody has asked for closing."""
+    note("grip(%s)" % ends)
+    state["closing"], state["begun"], state["ok"] = board.later(), ticks_ms(), ends in ("true", "kept")
+    state["asked"] = ends in ("true", "false")
 
 
 def step():
     if state["near"] and ticks_diff(ticks_ms(), state["begun"]) > 50:
         state["dist"], state["near"] = state["near"], 0
-    if state["closing"] and ticks_diff(ticks_ms(), state["begun"]) > 100:
+    if state["closing"] and state["asked"] and ticks_diff(ticks_ms(), state["begun"]) > 100:
         later, state["closing"] = state["closing"], 0
         board.done(later, state["ok"])
 
@@ -62,6 +64,7 @@ def fail():
 
 @board.perceive
 def look():
+    state["asked"] = state["asked"] or board.wants("closing")
     board.percept("count", state["count"])
     board.percept("dist", "f", state["dist"])
     if board.wants("text"):

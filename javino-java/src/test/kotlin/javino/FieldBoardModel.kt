@@ -46,8 +46,11 @@ internal class FieldBoardModel(
     /** Lets time go on to [now]; returns the number of bytes of an answer that have left by then. */
     fun advance(now: Long): Int {
         if (now >= busyUntil) loop(now)
-        val gone = outgoing.count { it <= now }
-        repeat(gone) { outgoing.removeFirst() }
+        var gone = 0
+        while (outgoing.isNotEmpty() && outgoing.first() <= now) {
+            outgoing.removeFirst()
+            gone++
+        }
         return gone
     }
 

@@ -31,8 +31,9 @@ private class FieldExchange(
     private val byteNanos = settings.line().byteNanos()
     private val answer = Frame.of("x".repeat(answerLength))
     private val pacer = Pacer(settings, 0)
+    private val request = Frame.of(FieldBoardModel.REQUEST).toBytes()
     private val due = orders.sortedBy { it.atMillis }.mapIndexed { i, order -> order.atMillis * MILLI to "$i".padEnd(order.length, '.') }
-    private val queue = ArrayDeque<String>()
+    private val queue = ArrayDeque<ByteArray>()
     private val onLine = ArrayDeque<Pair<Long, Byte>>()
     private var requestDue = 0L
     private var asking = false
@@ -47,10 +48,10 @@ private class FieldExchange(
     fun runUntil(endNanos: Long) {
         var next = 0
         for (now in 0L..endNanos step STEP) {
-            while (next < due.size && due[next].first <= now) queue += due[next++].second
+            while (next < due.size && due[next].first <= now) queue += Frame.of(due[next++].second).toBytes()
             if (!asking && now >= requestDue) {
                 asking = true
-                queue += FieldBoardModel.REQUEST
+                queue += request
             }
             write(now)
             while (onLine.isNotEmpty() && onLine.first().first <= now) board.receive(onLine.removeFirst().second, now)
@@ -59,14 +60,13 @@ private class FieldExchange(
     }
 
     private fun write(now: Long) {
-        val message = queue.firstOrNull() ?: return
-        val bytes = Frame.of(message).toBytes()
-        val request = message == FieldBoardModel.REQUEST
-        if ((if (request) pacer.nanosUntilRequest(requestDue, now) else pacer.nanosUntilAction(bytes.size, now)) > 0) return
+        val bytes = queue.firstOrNull() ?: return
+        val isRequest = bytes === request
+        if ((if (isRequest) pacer.nanosUntilRequest(requestDue, now) else pacer.nanosUntilAction(bytes.size, now)) > 0) return
         queue.removeFirst()
-        val end = if (request) pacer.wroteRequest(bytes.size, now, now) else pacer.wroteAction(bytes.size, now, now)
+        val end = if (isRequest) pacer.wroteRequest(bytes.size, now, now) else pacer.wroteAction(bytes.size, now, now)
         bytes.forEachIndexed { i, byte -> onLine += end - (bytes.size - 1 - i) * byteNanos to byte }
-        if (request) requests++
+        if (isRequest) requests++
     }
 
     private fun answerByte(now: Long) {

@@ -5,6 +5,7 @@ import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
@@ -110,6 +111,7 @@ class HostileBoardsSpec : FunSpec({
                 eventually(LIMIT) { board.answers shouldBeGreaterThan 4 }
                 val before = board.commands.size
                 eventually(LIMIT) { board.commands.size shouldBeGreaterThan before + 20 }
+                eventually(LIMIT) { mas.beliefs("bob") shouldContain "port(\"sim:bomb\",timeout)" }
                 mas.log shouldContain "sent percepts of more than 65536 bytes, which are dropped"
                 mas.beliefs("bob").filter { it.length > 65_536 }.size shouldBe 0
             }

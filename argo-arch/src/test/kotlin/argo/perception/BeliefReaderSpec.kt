@@ -85,6 +85,13 @@ class BeliefReaderSpec : FunSpec({
         read("port(left,open)") shouldHaveSize 1
     }
 
+    test("a board cannot claim its silence, nor what became of a reflex") {
+        read("stale(ttyACM0)").shouldBeEmpty()
+        read("reflex(stop,done)").shouldBeEmpty()
+        warnings.forEach { it shouldContain "which no board can claim" }
+        warnings shouldHaveSize 2
+    }
+
     test("brackets nested ten thousand deep end in a warning") {
         val deep = "a(".repeat(10_000) + "b" + ")".repeat(10_000)
         reader.read(deep).shouldBeEmpty()

@@ -10,6 +10,7 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Path
+import javax.tools.ToolProvider
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
@@ -19,11 +20,16 @@ import kotlin.io.path.writeText
 class PomsSpec : FunSpec({
     val root = Path.of("..")
 
+    val compiled by lazy {
+        val program = root.resolve("buildSrc/src/main/java/argo/build/Poms.java")
+        tempdir().toPath().also { ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", "$it", "$program") shouldBe 0 }
+    }
+
     /** What is read of the POMs under [tree], a line for each module, or why they are refused. */
     fun read(tree: Path, vararg given: String): List<String> {
         val java = "${System.getProperty("java.home")}/bin/java"
-        val program = root.resolve("buildSrc/src/main/java/argo/build/Poms.java")
-        val process = ProcessBuilder(java, "$program", "$tree", *given).redirectErrorStream(true).start()
+        val process = ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", "$compiled", "argo.build.Poms", "$tree", *given)
+            .redirectErrorStream(true).start()
         return process.inputStream.bufferedReader().readLines()
     }
 

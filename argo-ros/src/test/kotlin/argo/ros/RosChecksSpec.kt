@@ -296,6 +296,25 @@ class RosChecksSpec : FunSpec({
         }
     }
 
+    test("a percept that is left out is reported once, with the reason") {
+        open("percepts:\n  - /range sensor_msgs/Range -> distance(range)").use { link ->
+            link.wants(Wish(true, 50, null))
+            eventually(LIMIT) { bridge.subscribed().keys shouldBe setOf("/range") }
+            repeat(3) { bridge.publish("/range", """{"range": null}""") }
+            bridge.say("""{"op": "png"}""")
+            link.awaitWarning("the bridge sends the operation png, which is not read")
+            log.messages.filter { "range: it is null" in it } shouldHaveSize 1
+        }
+    }
+
+    test("of ever new things to report there are a hundred lines of log, and one that says so") {
+        open("percepts:\n  - /photo std_msgs/String").use { link ->
+            repeat(110) { bridge.say("""{"op": "new$it"}""") }
+            link.awaitWarning("there is more to report than 100 lines, and no more is")
+            log.messages.filter { "which is not read" in it } shouldHaveSize 100
+        }
+    }
+
     test("messages that are not read are reported: long ones, binary ones, other operations") {
         open("percepts:\n  - /photo std_msgs/String").use { link ->
             link.wants(Wish(true, 50, null))

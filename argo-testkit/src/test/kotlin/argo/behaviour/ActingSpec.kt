@@ -140,8 +140,8 @@ class ActingSpec : FunSpec({
         agentOf("""
             !start.
             +!start <- argo.port(ttyACM0, [boot(0)]); argo.act("${"x".repeat(256)}").
-            -!start[error_msg(M)] <- .print(M); argo.act(ok).
-        """).use { bob -> bob.shouldSend("ok").shouldPrint("255").shouldSendNothingElse() }
+            -!start[error(E),error_msg(M)] <- .print(E, " ", M); argo.act(ok).
+        """).use { bob -> bob.shouldSend("ok").shouldPrint("255").shouldPrint("wrong_arguments").shouldSendNothingElse() }
     }
 
     test("a command with a control character, or with the header of a frame, is refused and nothing is sent") {

@@ -100,6 +100,7 @@ class CriticalSpec : FunSpec({
             bob.log.count { "the reflex stop of the critical rule" in it } shouldBe 1
             bob.log.joinToString("\n") shouldContain "refuses \"stop\""
             bob.beliefs shouldContain "port(ttyACM0,on)"
+            bob.beliefs shouldContain "reflex(stop,failed)"
         }
     }
 

@@ -252,7 +252,7 @@ class HostileRecordingSpec : FunSpec({
     test("messages that are not those of a recording") {
         val many = """{"index":1,"number":1,"ns":1,"input":{"percepts":{"take":2000000000}}}"""
         for (cycle in listOf("[", "{}", many, """{"index":"x"}""")) {
-            shouldDoNothing(made("!start.", cycles = listOf(cycle))) shouldContain "cannot be read"
+            shouldDoNothing(made("!start.", cycles = listOf(cycle))) shouldContain "a message of /bob/cycle cannot be read"
         }
         val deep = "f(".repeat(100_000) + ")".repeat(100_000)
         val mail = """{"index":1,"number":1,"ns":1,"input":{"mail":[{"performative":"tell","sender":"eve","content":"$deep","id":"m"}]}}"""
