@@ -16,7 +16,7 @@ import argo.platform.Waker
 import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger

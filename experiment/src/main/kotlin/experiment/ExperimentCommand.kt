@@ -4,10 +4,10 @@ import argo.tools.command.refuse
 import argo.tools.command.requireWithin
 import experiment.report.Provenance
 import experiment.report.writeReport
-import javino.Link
-import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.PortException
+import javino.link.Link
+import javino.link.LinkSettings
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option

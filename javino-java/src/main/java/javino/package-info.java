@@ -1,9 +1,9 @@
 /**
  * Messages between a program and a microcontroller board, over a serial line, in versions 1 and 2 of the Javino protocol.
  *
- * <p>{@link javino.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges
- * messages at the pace of the line. {@link javino.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves
- * bytes, and {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
+ * <p>{@link javino.link.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges
+ * messages at the pace of the line. {@link javino.link.Javino} is the classic interface on top of it. Below it a
+ * {@link javino.Transport} moves bytes, and {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
  *
  * <pre>
  * board --bytes--&gt; Transport --&gt; FrameDecoder --&gt; Link --messages--&gt; program

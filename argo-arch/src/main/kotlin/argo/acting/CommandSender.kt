@@ -10,7 +10,7 @@ import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortInterruptedException
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.CommandItem
 import java.util.logging.Level
 import java.util.logging.Logger

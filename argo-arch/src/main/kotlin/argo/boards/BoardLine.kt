@@ -11,10 +11,10 @@ import argo.platform.foreignText
 import argo.sensing.Instants
 import argo.sensing.Sensing
 import argo.sensing.SensingListener
-import javino.BoardListener
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
+import javino.link.BoardListener
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 

@@ -5,9 +5,9 @@ import argo.calls.whole
 import argo.calls.withOptions
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
-import javino.LinkSettings
 import javino.Protocol
 import javino.Transports
+import javino.link.LinkSettings
 
 /**
  * The options of a port: the second argument of `argo.port`.

@@ -21,7 +21,7 @@ import kotlin.concurrent.withLock
  *
  * @param owner the agent's name, which the message to a second agent on the same port contains
  * @param user uses the ports
- * @param paced whether messages are written at the pace of the line, see [javino.LinkSettings.paced]
+ * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens the ports, and times the search for lost ones
  * @param warn takes reports that are no state of a port, such as the reason why one cannot be opened although its device has returned
  */

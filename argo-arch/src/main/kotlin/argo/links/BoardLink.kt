@@ -1,11 +1,11 @@
 package argo.links
 
 import argo.filters.PerceptionFilter
-import javino.BoardListener
 import javino.PortException
 import javino.PortGoneException
 import javino.PortTimeoutException
-import javino.SendOptions
+import javino.link.BoardListener
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture

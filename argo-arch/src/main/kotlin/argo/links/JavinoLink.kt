@@ -1,11 +1,11 @@
 package argo.links
 
-import javino.BoardListener
-import javino.Link
 import javino.PortTimeoutException
 import javino.Protocol
-import javino.Reply
-import javino.SendOptions
+import javino.link.BoardListener
+import javino.link.Link
+import javino.link.Reply
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import javino.wire.CommandItem
 

@@ -5,7 +5,7 @@ import argo.filters.PerceptionFilter
 import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
 

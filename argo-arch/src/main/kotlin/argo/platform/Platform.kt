@@ -5,9 +5,9 @@ import argo.links.BoardLink
 import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
 import javino.LineClock
-import javino.Link
-import javino.LinkSettings
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.RejectedExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.logging.Level

@@ -14,8 +14,8 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax
 import javino.Frame
-import javino.Link
-import javino.LinkSettings
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
 

@@ -19,9 +19,9 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import jason.architecture.AgArch
 import jason.asSyntax.ASSyntax
-import javino.BoardListener
-import javino.LinkSettings
-import javino.SendOptions
+import javino.link.BoardListener
+import javino.link.LinkSettings
+import javino.link.SendOptions
 import javino.wire.CommandItem
 import javino.wire.ReflexOutcome
 import java.util.concurrent.CompletableFuture

@@ -6,8 +6,8 @@ import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.longs.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
-import javino.Link
-import javino.LinkSettings
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 import java.io.IOException
 import java.util.concurrent.TimeUnit

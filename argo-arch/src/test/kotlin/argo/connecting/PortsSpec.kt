@@ -22,14 +22,14 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
 import io.kotest.matchers.types.shouldBeSameInstanceAs
 import jason.asSyntax.ASSyntax
-import javino.Link
-import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortPermissionException
 import javino.PortTimeoutException
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap

@@ -10,7 +10,7 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.architecture.AgArch
-import javino.Link
+import javino.link.Link
 import javino.sim.FakeBoard
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.locks.LockSupport

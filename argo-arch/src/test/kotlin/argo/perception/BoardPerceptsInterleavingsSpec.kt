@@ -10,10 +10,10 @@ import argo.platform.RateLimitedWarning
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
 import jason.asSyntax.ASSyntax
-import javino.Link
-import javino.LinkSettings
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 import javino.wire.ReflexOutcome
 import java.util.logging.Logger

@@ -12,14 +12,14 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Term
 import javino.LineClock
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.Transport
 import javino.interleavings.concurrently
 import javino.interleavings.inEachInterleaving
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 

@@ -6,8 +6,8 @@ import argo.links.JavinoLink
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import jason.asSyntax.ASSyntax
-import javino.Link
-import javino.LinkSettings
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 
 class StaleBeliefsSpec : FunSpec({

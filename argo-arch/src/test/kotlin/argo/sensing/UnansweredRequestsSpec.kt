@@ -10,11 +10,11 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
+import javino.link.Link
 import javino.sim.FakeBoard
 
 private const val MOST_EXCHANGES = 1000

@@ -54,12 +54,14 @@ class LayersSpec : FunSpec({
             ),
     )
 
+    val lines = arrayOf("javino", "javino.link", "javino.wire")
+
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
-            "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.serial",
-            "javino.tcp", "javino.sim",
+            "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.link",
+            "javino.serial", "javino.tcp", "javino.sim",
         )
     }
 
@@ -77,8 +79,11 @@ class LayersSpec : FunSpec({
                 .onlyDependOnClassesThat().resideInAnyPackage("java..", "javax.net..", "jdk..", "javino..", "com.fazecast..").check(product)
         }
         test("are not built on what moves the bytes") {
-            noClasses().that().resideInAPackage("javino").should()
+            noClasses().that().resideInAnyPackage("javino", "javino.link").should()
                 .dependOnClassesThat().resideInAnyPackage("javino.serial..", "javino.tcp..", "javino.sim..").check(product)
+        }
+        test("are built on frames and ports, which do not know them") {
+            noClasses().that().resideInAPackage("javino").should().dependOnClassesThat().resideInAPackage("javino.link").check(product)
         }
     }
 
@@ -96,7 +101,7 @@ class LayersSpec : FunSpec({
         order.forEach { (name, below) ->
             test("$name knows ${below.joinToString().ifEmpty { "no other package of it" }}") {
                 noClasses().that().resideInAPackage(name).should()
-                    .dependOnClassesThat(productBut(name, "argo.filters..", "javino", "javino.wire", *below.toTypedArray())).check(product)
+                    .dependOnClassesThat(productBut(name, "argo.filters..", *lines, *below.toTypedArray())).check(product)
             }
         }
         test("reaches private members of Jason in argo.insides only") {
@@ -138,14 +143,14 @@ class LayersSpec : FunSpec({
     context("robots that speak ROS") {
         test("know links and filters, and of ARGO nothing else") {
             noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
-                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "javino", "javino.wire")).check(product)
+                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", *lines)).check(product)
         }
         test("take boards in knowing links, observed agents, the platform, filters and what a tool is") {
             val known = arrayOf(
-                "argo.links", "argo.observing", "argo.platform", "argo.filters..", "argo.tools.board", "argo.tools.command", "javino",
+                "argo.links", "argo.observing", "argo.platform", "argo.filters..", "argo.tools.board", "argo.tools.command",
             )
             noClasses().that().resideInAPackage("argo.ros.joining").should()
-                .dependOnClassesThat(productBut("argo.ros..", "javino.wire", *known)).check(product)
+                .dependOnClassesThat(productBut("argo.ros..", *lines, *known)).check(product)
         }
         test("are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.ros..").should()

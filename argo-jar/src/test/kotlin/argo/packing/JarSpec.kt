@@ -22,7 +22,7 @@ class JarSpec : FunSpec({
         .filter { name -> listOf("argo/", "javino/", "jason/").any { name.startsWith(it) } }
 
     test("it holds the architecture, the live view, the filters, the links and the tools") {
-        listOf("argo/Arch", "argo/port", "argo/view/AgentView", "argo/filters/PerceptionFilter", "javino/Link", "argo/tools/MainKt")
+        listOf("argo/Arch", "argo/port", "argo/view/AgentView", "argo/filters/PerceptionFilter", "javino/link/Link", "argo/tools/MainKt")
             .forEach { own shouldContain it }
         JarFile(file.toFile()).use { it.manifest.mainAttributes.getValue("Main-Class") } shouldBe "argo.tools.MainKt"
     }

@@ -33,7 +33,7 @@ import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import java.net.URI

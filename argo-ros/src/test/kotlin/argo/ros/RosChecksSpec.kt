@@ -20,7 +20,7 @@ import javino.ActionFailedException
 import javino.ActionRefusedException
 import javino.LineClock
 import javino.PortFaultException
-import javino.SendOptions
+import javino.link.SendOptions
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject

@@ -21,8 +21,8 @@ import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import javino.Link
-import javino.LinkSettings
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.SimulatedBoards
 import javino.sim.Sketch
 import javino.wire.BoardAction

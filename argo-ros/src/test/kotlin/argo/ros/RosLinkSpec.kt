@@ -34,7 +34,7 @@ import javino.PortException
 import javino.PortFaultException
 import javino.PortGoneException
 import javino.PortTimeoutException
-import javino.SendOptions
+import javino.link.SendOptions
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

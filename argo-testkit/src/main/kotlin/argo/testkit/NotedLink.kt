@@ -2,7 +2,7 @@ package argo.testkit
 
 import argo.links.BoardLink
 import argo.links.SentCommand
-import javino.SendOptions
+import javino.link.SendOptions
 
 /** Passes each command to [note] as it is sent over [link]. */
 internal class NotedLink(private val link: BoardLink, private val note: (String) -> Unit) : BoardLink by link {

@@ -3,9 +3,9 @@ package argo.testkit
 import argo.links.BoardLink
 import argo.links.JavinoLink
 import argo.platform.Platform
-import javino.Link
-import javino.LinkSettings
 import javino.NoSuchPortException
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 
 /** The platform of an agent under test: [time] and simulated boards. A port that the test has not named gets a board when it is opened. */

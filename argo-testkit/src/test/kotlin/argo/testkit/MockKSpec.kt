@@ -5,7 +5,7 @@ import io.kotest.matchers.shouldBe
 import io.mockk.every
 import io.mockk.mockk
 import io.mockk.verify
-import javino.Javino
+import javino.link.Javino
 
 class MockKSpec : FunSpec({
     test("a program that uses Javino itself can be tested with a mock of it") {

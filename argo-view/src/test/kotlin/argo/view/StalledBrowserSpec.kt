@@ -12,7 +12,7 @@ import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.net.InetSocketAddress
 import java.net.Socket

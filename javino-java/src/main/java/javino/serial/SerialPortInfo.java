@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 /**
  * The operating system's description of a serial device.
  *
- * @param name as it is given to {@link javino.Link#open}: {@code ttyACM0}, {@code COM8}
+ * @param name as it is given to {@link javino.link.Link#open}: {@code ttyACM0}, {@code COM8}
  * @param path its path in the file system; on Windows its name
  * @param product its name for itself, if it has one
  * @param manufacturer its manufacturer, if that is known

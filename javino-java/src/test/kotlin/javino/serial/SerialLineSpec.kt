@@ -10,13 +10,13 @@ import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.PortBusyException
 import javino.PortGoneException
 import javino.PortInterruptedException
 import javino.async
 import javino.failure
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.readFully
 import java.nio.file.Files
 import java.nio.file.Path

@@ -6,12 +6,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortBusyException
 import javino.TransportProvider
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.withServices
 import java.nio.file.Path
 import java.util.Optional

@@ -10,14 +10,14 @@ import javino.ActionRefusedException
 import javino.Frame
 import javino.LineClock
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortGoneException
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.Transports
 import javino.failure
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.atomic.AtomicInteger
 
 private const val LONG_MILLIS = 20_000

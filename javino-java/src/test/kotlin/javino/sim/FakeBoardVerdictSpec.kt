@@ -5,12 +5,12 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.string.shouldContain
 import javino.LineClock
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.PortGoneException
 import javino.Transport
 import javino.Transports
 import javino.async
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.serial.Terminals
 import java.util.concurrent.TimeUnit
 import kotlin.time.Duration.Companion.seconds

@@ -8,11 +8,11 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
 import javino.LineClock
-import javino.Link
-import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PortFaultException
 import javino.Protocol
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.LineRecording.Direction.CRITICAL
 import javino.sim.LineRecording.Direction.IN
 import javino.sim.LineRecording.Direction.OUT

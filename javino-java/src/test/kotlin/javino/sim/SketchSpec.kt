@@ -8,12 +8,12 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.Frame
 import javino.FrameDecoder
-import javino.Link
-import javino.LinkSettings
 import javino.PortException
 import javino.Protocol
 import javino.Transport
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.logged
 
 private const val LIMIT_MS = 10_000

@@ -1,11 +1,11 @@
 package javino.virtual
 
-import javino.BoardListener
-import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.Protocol
-import javino.SendOptions
 import javino.Transport
+import javino.link.BoardListener
+import javino.link.LinkSettings
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import javino.wire.BoardRule
 import javino.wire.ReflexOutcome

@@ -2,10 +2,10 @@ package javino.virtual
 
 import javino.LineClock
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.PortGoneException
 import javino.Transport
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.Condition
 

@@ -1,12 +1,12 @@
 package javino.virtual
 
 import javino.ActionUnconfirmedException
-import javino.Link
-import javino.LinkSettings
 import javino.PerceptsRequest
 import javino.PortTimeoutException
 import javino.Protocol
-import javino.SendOptions
+import javino.link.Link
+import javino.link.LinkSettings
+import javino.link.SendOptions
 import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 

@@ -7,7 +7,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldMatch
-import javino.Link
+import javino.link.Link
 import samples.bare.JarProgram
 import java.io.ByteArrayOutputStream
 import java.io.File
@@ -60,6 +60,6 @@ class JavaPageSpec : FunSpec({
     }
 
     test("the classic interface compiles") {
-        compile("Classic" to "import javino.Javino;\nclass Classic {\nvoid show() {\n$classic\n}\n}\n")
+        compile("Classic" to "import javino.link.Javino;\nclass Classic {\nvoid show() {\n$classic\n}\n}\n")
     }
 })

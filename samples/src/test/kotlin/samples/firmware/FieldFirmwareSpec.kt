@@ -6,11 +6,11 @@ import io.kotest.core.test.Enabled
 import io.kotest.core.test.EnabledOrReasonIf
 import io.kotest.matchers.shouldBe
 import javino.LineClock
-import javino.Link
-import javino.LinkSettings
 import javino.Protocol
 import javino.Transport
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 
 private const val LIMIT_MS = 20_000

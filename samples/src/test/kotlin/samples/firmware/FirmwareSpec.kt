@@ -11,9 +11,9 @@ import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.ActionRefusedException
-import javino.Link
-import javino.LinkSettings
 import javino.Protocol
+import javino.link.Link
+import javino.link.LinkSettings
 import samples.Program
 import java.nio.file.Path
 import kotlin.io.path.copyTo

@@ -19,8 +19,8 @@ import jason.runtime.RuntimeServicesFactory
 import jason.runtime.Settings
 import jason.util.Config
 import javino.LineClock
-import javino.LinkSettings
 import javino.NoSuchPortException
+import javino.link.LinkSettings
 import java.io.File
 import java.net.MalformedURLException
 import java.net.URL

@@ -18,7 +18,7 @@ import javino.CommandWithdrawnException
 import javino.LineClock
 import javino.PortException
 import javino.PortGoneException
-import javino.SendOptions
+import javino.link.SendOptions
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject

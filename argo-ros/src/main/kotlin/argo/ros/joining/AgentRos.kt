@@ -3,7 +3,7 @@ package argo.ros.joining
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.PerceivedMessage
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonPrimitive
 

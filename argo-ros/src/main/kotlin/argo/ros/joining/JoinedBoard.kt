@@ -7,7 +7,7 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonPrimitive
 import java.util.concurrent.CompletionException

@@ -4,7 +4,7 @@ import argo.platform.foreignText
 import argo.ros.bridge.operation
 import argo.ros.bridge.part
 import argo.ros.bridge.text
-import javino.SendOptions
+import javino.link.SendOptions
 import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger

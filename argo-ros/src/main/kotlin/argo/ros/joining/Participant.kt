@@ -2,7 +2,7 @@ package argo.ros.joining
 
 import argo.filters.matching.perceptsOf
 import argo.platform.foreignText
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive

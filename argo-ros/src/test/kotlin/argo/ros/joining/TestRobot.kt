@@ -7,7 +7,7 @@ import argo.ros.bridge.part
 import argo.ros.bridge.text
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.matchers.nulls.shouldNotBeNull
-import javino.SendOptions
+import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.ConcurrentLinkedQueue

@@ -2,10 +2,10 @@ package argo.tools.board
 
 import argo.filters.matching.perceptsOf
 import argo.tools.command.printable
-import javino.BoardListener
-import javino.Link
 import javino.PerceptsRequest
 import javino.Protocol
+import javino.link.BoardListener
+import javino.link.Link
 import javino.wire.BoardAction
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit

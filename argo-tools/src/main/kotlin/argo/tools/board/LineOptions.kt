@@ -2,11 +2,11 @@ package argo.tools.board
 
 import argo.tools.command.refuse
 import argo.tools.command.requireWithin
-import javino.Link
-import javino.LinkSettings
 import javino.Protocol
 import javino.Transport
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Spec

@@ -6,9 +6,9 @@ import argo.tools.command.ToolException
 import argo.tools.command.jsonOf
 import argo.tools.command.printable
 import javino.ActionRefusedException
-import javino.Link
 import javino.PerceptsRequest
 import javino.Protocol
+import javino.link.Link
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Parameters

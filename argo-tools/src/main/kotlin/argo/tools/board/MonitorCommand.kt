@@ -9,11 +9,11 @@ import argo.tools.command.making
 import argo.tools.command.printable
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
-import javino.Link
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
+import javino.link.Link
 import javino.sim.LineRecording.Direction
 import javino.sim.RecordingWriter
 import picocli.CommandLine.Command

@@ -1,13 +1,13 @@
 package argo.tools.board
 
-import javino.Link
-import javino.LinkSettings
 import javino.NoSuchPortException
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortTimeoutException
 import javino.Protocol
-import javino.StrayBytes
+import javino.link.Link
+import javino.link.LinkSettings
+import javino.link.StrayBytes
 
 /**
  * The result of probing a port, in words.

@@ -15,10 +15,10 @@ import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.LineSettings
-import javino.Link
-import javino.LinkSettings
 import javino.Protocol
 import javino.Transports
+import javino.link.Link
+import javino.link.LinkSettings
 import javino.sim.FakeBoard
 import javino.sim.LineRecording
 import javino.sim.PseudoTerminals

@@ -1,0 +1,130 @@
+package javino.link;
+
+import java.util.concurrent.CompletableFuture;
+import javino.Frame;
+import javino.session.SessionCommand;
+import javino.wire.CommandItem;
+
+/** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
+final class Command implements SessionCommand {
+    /** The progress of a command: one that waits can be withdrawn, one that has begun goes out. */
+    private enum State {
+        WAITING,
+        BEGUN,
+        WITHDRAWN
+    }
+
+    private final Frame frame;
+    private final CommandItem.Rule rule; // null: it is a text for the board's program
+    private final SendOptions options;
+    private final long submittedAt;
+    private final CompletableFuture<Void> outcome = new CompletableFuture<>();
+    private volatile State state = State.WAITING;
+    private long number;
+    private long beganBehind; // bytes
+
+    /** @param now time of its submission, by the link's clock */
+    Command(Frame frame, SendOptions options, long now) {
+        this(frame, null, options, now);
+    }
+
+    /** A command that changes the board's rules; only version 2 can carry it. */
+    Command(CommandItem.Rule rule, SendOptions options, long now) {
+        this(Frame.of("rule " + (int) rule.text().charAt(0)), rule, options, now);
+    }
+
+    private Command(Frame frame, CommandItem.Rule rule, SendOptions options, long now) {
+        this.frame = frame;
+        this.rule = rule;
+        this.options = options;
+        submittedAt = now;
+    }
+
+    /** Its frame in version 1. For a {@link #rule}, which version 1 cannot carry, only its text and its length count. */
+    Frame frame() {
+        return frame;
+    }
+
+    @Override
+    public CommandItem.Rule rule() {
+        return rule;
+    }
+
+    @Override
+    public String text() {
+        return frame.text();
+    }
+
+    boolean hasTimeLimit() {
+        return options.limitMillis() > 0;
+    }
+
+    long submittedAt() {
+        return submittedAt;
+    }
+
+    /** Records how many commands have been submitted, this one included. */
+    void submitted(long count) {
+        number = count;
+    }
+
+    long number() {
+        return number;
+    }
+
+    /** The text of a command up to its arguments or annotations. */
+    static String functorOf(String text) {
+        int end = 0;
+        while (end < text.length() && text.charAt(end) != '(' && text.charAt(end) != '[') {
+            end++;
+        }
+        return text.substring(0, end);
+    }
+
+    boolean isUrgent() {
+        return options.urgent();
+    }
+
+    boolean replaces(Command earlier) {
+        return options.latest()
+                && earlier.isWaiting()
+                && earlier.rule == null
+                && functorOf(text()).equals(functorOf(earlier.text()));
+    }
+
+    /** Its outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */
+    CompletableFuture<Void> outcome() {
+        return outcome;
+    }
+
+    @Override
+    public boolean isOver() {
+        return outcome.isDone();
+    }
+
+    boolean isWaiting() {
+        return state == State.WAITING && !isOver();
+    }
+
+    /** Marks it as going out behind so many bytes of its line; the caller has found that it waits. */
+    void begin(long bytes) {
+        state = State.BEGUN;
+        beganBehind = bytes;
+    }
+
+    /** Bytes that were written to its line before it began to go out. */
+    long beganBehind() {
+        return beganBehind;
+    }
+
+    /** Marks it as one that never goes out, unless it has begun. */
+    void withdraw() {
+        if (state == State.WAITING) {
+            state = State.WITHDRAWN;
+        }
+    }
+
+    boolean isWithdrawn() {
+        return state == State.WITHDRAWN;
+    }
+}

@@ -1,0 +1,236 @@
+package javino.link;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.TimeUnit;
+import javino.ActionRefusedException;
+import javino.ActionUnconfirmedException;
+import javino.CommandReplacedException;
+import javino.CommandWithdrawnException;
+import javino.Frame;
+import javino.LineClock;
+import javino.PortException;
+import javino.PortGoneException;
+import javino.PortTimeoutException;
+import javino.Transport;
+import javino.wire.CommandItem;
+
+/**
+ * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
+ * these is free takes the next command, its own or another's. If the line is free, the submitting thread writes its command at once.
+ * Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of their dependents end no thread.
+ */
+final class CommandLoop {
+    /** Returns when the board can be sent a command. */
+    interface Start {
+        void await() throws PortException;
+    }
+
+    private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
+    private static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(FrameWriter.PATIENCE_MILLIS);
+
+    private final String port;
+    private final Monitor monitor;
+    private final FrameWriter writer;
+    private final SessionLine line;
+    private final LineClock clock;
+    private final Start start;
+    private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
+
+    /** @param monitor the one of the writer and the line */
+    CommandLoop(
+            Monitor monitor, Transport transport, FrameWriter writer, SessionLine line, LineClock clock, Start start) {
+        port = transport.name();
+        this.monitor = monitor;
+        this.writer = writer;
+        this.line = line;
+        this.clock = clock;
+        this.start = start;
+    }
+
+    /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
+    Command submit(Frame frame, SendOptions options) {
+        return submit(new Command(frame, options, clock.nanos()), options);
+    }
+
+    /** Like {@link #submit(Frame, SendOptions)}, for a command that changes the board's rules. */
+    Command submit(CommandItem.Rule rule, SendOptions options) {
+        return submit(new Command(rule, options, clock.nanos()), options);
+    }
+
+    private Command submit(Command command, SendOptions options) {
+        String trouble = line.vocabulary()
+                .filter(actions -> command.rule() == null)
+                .map(actions -> ActionCheck.trouble(command.text(), actions))
+                .orElse(null);
+        if (trouble != null) {
+            fail(
+                    command,
+                    new ActionRefusedException(
+                            port, "the board at port " + port + " refuses \"" + command.text() + "\": " + trouble));
+            return command;
+        }
+        command.outcome().whenComplete((done, failure) -> writer.reported());
+        try {
+            queue(command);
+        } catch (PortGoneException gone) {
+            fail(command, gone);
+        } catch (PortException | RuntimeException | Error unforeseen) { // thrown by a transport
+            fail(command, unforeseen);
+        }
+        if (options.limitMillis() > 0 && !command.isOver()) {
+            clock.schedule(
+                    TimeUnit.MILLISECONDS.toNanos(options.limitMillis()), () -> fail(command, timeOver(command)));
+        }
+        return command;
+    }
+
+    /** Queues a command. If it may be written now, it is begun under the same lock, so that no thread is woken for it, and written here. */
+    private void queue(Command command) throws PortException {
+        List<Command> replaced = new ArrayList<>();
+        SessionLine.Outgoing frame = monitor.get(() -> {
+            replaced.addAll(writer.submit(command));
+            return writer.isWritableNow() ? line.nextAtOnce() : null;
+        });
+        replaced.forEach(earlier -> fail(earlier, replaced(earlier, command)));
+        line.write(frame);
+    }
+
+    void run() throws PortException {
+        line.sends();
+        while (true) {
+            giveUpStuck();
+            ask();
+            try {
+                line.await(line::mustAskFirst, this::patienceEnds, false);
+            } catch (RuntimeException | Error unforeseen) { // a transport's
+                LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
+                line.abandon(unforeseen);
+            }
+        }
+    }
+
+    /** Asks a board of version 1 for something, if the command whose turn is next waits for that. */
+    private void ask() throws PortException {
+        if (!line.mustAskFirst()) {
+            return;
+        }
+        try {
+            start.await();
+            line.hasAsked();
+        } catch (PortTimeoutException
+                | RuntimeException
+                | Error trouble) { // the latter is thrown by a transport; the commands behind go on
+            fail(writer.withdrawNext(), trouble);
+        }
+    }
+
+    /** The time at which to look again whether a waiting command is to be given up, unless one gets through. */
+    private long patienceEnds() {
+        long now = clock.nanos();
+        if (writer.head() == null) {
+            return now + Monitor.FOREVER;
+        }
+        long moved = line.movedNanos();
+        long since = now - moved >= PATIENCE_NANOS ? writer.waitingSince().orElse(now) : moved;
+        return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
+    }
+
+    /**
+     * Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, if none has got through meanwhile, so
+     * that none goes out late when the line moves again.
+     */
+    private void giveUpStuck() {
+        long now = clock.nanos();
+        if (patienceEnds() - now > 0) {
+            return;
+        }
+        long before = now - PATIENCE_NANOS;
+        List<Command> stuck =
+                writer.withdrawIf(command -> !command.hasTimeLimit() && command.submittedAt() - before <= 0);
+        Long moved = line.movedNanos();
+        if (!stuck.isEmpty() && !moved.equals(toldNanos)) {
+            toldNanos = moved;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + port + ": commands that have waited for " + FrameWriter.PATIENCE_MILLIS + " ms fail, "
+                            + stuck.size() + " of them now: " + line.noSession().orElseGet(writer::whyNoTime)
+                            + "; this is not reported again until one gets through");
+        }
+        stuck.forEach(command -> fail(command, stuck(command)));
+    }
+
+    private PortTimeoutException stuck(Command command) {
+        return line.noSession()
+                .map(why -> new PortTimeoutException(port, why))
+                .orElseGet(() -> writer.noTime(command.frame().length(), FrameWriter.PATIENCE_MILLIS));
+    }
+
+    /** Sends a command and returns when it has arrived; see {@link Link#sendAndAwait}. */
+    void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
+        Command own = submit(frame, options);
+        try {
+            ask();
+            long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+            while (!own.isOver()) {
+                if (own.isWaiting() && deadline - clock.nanos() <= 0 && writer.withdraw(own)) {
+                    fail(own, writer.noTime(frame.length(), timeoutMillis));
+                    break;
+                }
+                ask();
+                line.await(
+                        () -> own.isOver() || line.mustAskFirst(),
+                        own.isWaiting() ? deadline : clock.nanos() + PATIENCE_NANOS,
+                        false);
+            }
+            join(own);
+        } finally {
+            writer.withdraw(own);
+        }
+    }
+
+    private static void join(Command command) throws PortException {
+        try {
+            command.outcome().join();
+        } catch (CompletionException e) {
+            if (e.getCause() instanceof PortException trouble) {
+                throw trouble;
+            }
+            throw e;
+        }
+    }
+
+    private PortException replaced(Command earlier, Command later) {
+        return new CommandReplacedException(
+                port,
+                '"' + earlier.text() + "\" had not begun to go out through port " + port + " when \"" + later.text()
+                        + "\" took its place, so it was not sent");
+    }
+
+    /** Withdraws a command whose time is over, if it has not begun to go out. */
+    private PortException timeOver(Command command) {
+        String subject = '"' + command.text() + '"';
+        return writer.withdraw(command)
+                ? new CommandWithdrawnException(
+                        port,
+                        subject + " had not begun to go out through port " + port
+                                + " when its time was over, so it was not sent; other commands, or the board, take the line's time")
+                : new ActionUnconfirmedException(
+                        port,
+                        subject + " was on its way through port " + port
+                                + " when its time was over, and is not known to have arrived; it may have been carried out");
+    }
+
+    /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */
+    void failAll(String reason) {
+        writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
+        line.abandon(new PortGoneException(port, reason));
+    }
+
+    private static void fail(Command command, Throwable failure) {
+        if (command != null) {
+            command.outcome().completeExceptionally(failure);
+        }
+    }
+}

@@ -1,0 +1,351 @@
+package javino.link;
+
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongConsumer;
+import java.util.function.LongSupplier;
+import java.util.function.Predicate;
+import javino.LineClock;
+import javino.PortException;
+import javino.PortGoneException;
+import javino.PortTimeoutException;
+import javino.Transport;
+import javino.session.WaitingCommands;
+
+/**
+ * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames.
+ *
+ * <p>A {@link SessionLine} takes the commands from it. In version 1 requests go out before the commands that wait.
+ *
+ * <p>Safe on any thread; no lock is held while bytes are written.
+ */
+final class FrameWriter implements WaitingCommands<Command> {
+    /** The purpose of a frame, by which the pacer treats it: in version 1 an action or a request, or a frame of version 2. */
+    enum Kind {
+        ACTION,
+        REQUEST,
+        SESSION
+    }
+
+    /** Makes a frame when its turn has come, right before it is written; null: nothing is to be written any more. */
+    interface Content {
+        byte[] make() throws PortException;
+    }
+
+    /** The most milliseconds that a command waits for a line on which nothing gets through, and again for a driver that takes nothing. */
+    static final int PATIENCE_MILLIS = 5000;
+
+    private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
+
+    private final Monitor monitor;
+    private final CommandQueue commands = new CommandQueue();
+    private final Transport transport;
+    private final LineClock clock;
+    private final Pacer pacer;
+    private boolean isWriting;
+    private int turnsAwaited; // of requests and HELLOs
+    private volatile long outcomeNanos;
+    private long writtenBytes;
+    private long readBytes; // of the bytes written, those that the far end has proved to have read
+    private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
+    private String endReason; // null while the line is there
+
+    FrameWriter(Monitor monitor, Transport transport, Pacer pacer, LineClock clock) {
+        this.monitor = monitor;
+        this.transport = transport;
+        this.pacer = pacer;
+        this.clock = clock;
+        outcomeNanos = clock.nanos();
+    }
+
+    /** Queues a command, and returns those whose place it takes. */
+    List<Command> submit(Command command) throws PortGoneException {
+        return monitor.get(() -> {
+            requireLine();
+            return commands.add(command);
+        });
+    }
+
+    /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
+    boolean withdraw(Command command) {
+        monitor.change(command::withdraw);
+        return command.isWithdrawn();
+    }
+
+    /** Withdraws the command whose turn is next; null if there is none. */
+    Command withdrawNext() {
+        return monitor.get(() -> {
+            Command next = commands.head();
+            if (next != null) {
+                next.withdraw();
+            }
+            return next;
+        });
+    }
+
+    List<Command> withdrawIf(Predicate<Command> isGivenUp) {
+        return monitor.get(() -> commands.withdrawIf(isGivenUp));
+    }
+
+    /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
+    OptionalLong waitingSince() {
+        return monitor.get(commands::waitingSince);
+    }
+
+    @Override
+    public Command head() {
+        return monitor.get(commands::head);
+    }
+
+    @Override
+    public void begin() {
+        monitor.change(() -> commands.head().begin(writtenBytes));
+    }
+
+    /**
+     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true until the frame is
+     * written if the thread begins it under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
+     */
+    boolean isWritableNow() {
+        return !isWriting && hasRoom();
+    }
+
+    private boolean hasRoom() {
+        return transport.isWritableNow(writtenBytes - readBytes);
+    }
+
+    long written() {
+        return monitor.get(() -> writtenBytes);
+    }
+
+    /** Records that the far end has proved to have read the first {@code bytes} of all that was {@link #written}. */
+    void provedRead(long bytes) {
+        monitor.change(() -> readBytes = Math.max(readBytes, bytes));
+    }
+
+    /** Nanoseconds until the next of the waiting commands may be written in version 1. The caller holds the monitor's lock. */
+    long nanosUntilCommand() {
+        Command next = commands.head();
+        if (next == null || isWriting || turnsAwaited > 0) {
+            return Monitor.FOREVER;
+        }
+        long now = clock.nanos();
+        return pacer.holdsActions(now) && !next.isUrgent()
+                ? pacer.nanosHeld(now)
+                : pacer.nanosUntilAction(next.frame().length(), now);
+    }
+
+    /** Returns whether only urgent commands of version 1 are written until the board answers. */
+    boolean isHeldBack() {
+        return monitor.get(() -> pacer.holdsActions(clock.nanos()));
+    }
+
+    /** Returns whether the board's {@code loop()} seems to take longer than commands are apart: see {@link Pacer#isSlow}. */
+    boolean isBoardSlow() {
+        return monitor.get(pacer::isSlow);
+    }
+
+    void reported() {
+        monitor.change(() -> {
+            commands.finished();
+            outcomeNanos = clock.nanos();
+        });
+    }
+
+    /** The time at which the last outcome of a command was reported, or the line was opened. */
+    long outcomeNanos() {
+        return outcomeNanos;
+    }
+
+    /** Waits, at most {@code nanos}, until the commands that have been submitted so far are over. */
+    void awaitCommandsSoFar(long nanos) throws PortException {
+        monitor.getInterruptibly(() -> {
+            long submitted = commands.submitted();
+            long deadline = clock.nanos() + nanos;
+            awaitZero(() -> commands.areOver(submitted) || isHeldBack() ? 0 : deadline - clock.nanos());
+            return null;
+        });
+    }
+
+    /** Returns a condition: the commands that were submitted before this call have begun to go out. */
+    BooleanSupplier commandsSoFarHaveBegun() {
+        long submitted = monitor.get(commands::submitted);
+        return () -> monitor.get(() -> commands.haveBegun(submitted));
+    }
+
+    /**
+     * Waits for a turn of its own, before the commands that wait, and writes a frame.
+     *
+     * @param bytes of the frame
+     * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
+     *     and again for the driver
+     * @return when its last byte leaves the line, by the clock
+     * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
+     */
+    long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
+        monitor.getInterruptibly(() -> {
+            awaitTurn(kind, bytes, timeoutMillis);
+            return null;
+        });
+        byte[] frame = null;
+        try {
+            frame = content.make();
+        } finally {
+            if (frame == null) {
+                monitor.change(() -> isWriting = false);
+            }
+        }
+        return frame == null ? clock.nanos() : writeFrame(kind, frame, timeoutMillis, left -> {});
+    }
+
+    private void awaitTurn(Kind kind, int bytes, int timeoutMillis) throws PortException {
+        long due = clock.nanos();
+        long limitMillis = (long) timeoutMillis + pacer.maxHoldMillis(); // the caller does not know the gap
+        long deadline = due + TimeUnit.MILLISECONDS.toNanos(limitMillis);
+        LongSupplier untilTurn = () -> isWriting
+                ? Monitor.FOREVER
+                : kind == Kind.ACTION
+                        ? pacer.nanosUntilAction(bytes, clock.nanos())
+                        : pacer.nanosUntilRequest(due, clock.nanos());
+        turnsAwaited++;
+        try {
+            awaitZero(() -> Math.min(untilTurn.getAsLong(), deadline - clock.nanos()));
+            if (untilTurn.getAsLong() > 0) {
+                throw noTime(bytes, limitMillis);
+            }
+            isWriting = true;
+        } finally {
+            monitor.change(() -> turnsAwaited--);
+        }
+    }
+
+    PortTimeoutException noTime(int bytes, long timeoutMillis) {
+        return new PortTimeoutException(
+                transport.name(),
+                "port " + transport.name() + " had no time for a message of " + bytes + " bytes within " + timeoutMillis
+                        + " ms; " + whyNoTime());
+    }
+
+    String whyNoTime() {
+        return isHeldBack()
+                ? "the board does not answer, and would lose commands, which wait until it does"
+                : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
+    }
+
+    /** Records that a frame goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
+    void beginFrame() {
+        isWriting = true;
+    }
+
+    /**
+     * Writes a frame that has begun, and gives {@code whenWritten} the time at which its last byte leaves, also if the driver has not taken
+     * all of it. The caller does not hold the monitor's lock.
+     *
+     * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
+     * @return that time
+     */
+    long writeFrame(Kind kind, byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
+        long start = clock.nanos();
+        boolean waits = monitor.get(() -> {
+            boolean isTight = timeoutMillis > 0 && !hasRoom();
+            writtenBytes += frame.length;
+            return isTight;
+        });
+        try {
+            transport.write(frame, 0, frame.length, waits ? timeoutMillis : 0);
+        } catch (PortException | RuntimeException | Error failure) {
+            left(kind, frame.length, start, whenWritten); // some bytes may have left
+            if (failure instanceof PortTimeoutException refused) {
+                warnOnce(refused);
+            }
+            throw failure;
+        }
+        isRefused.set(false);
+        return left(kind, frame.length, start, whenWritten);
+    }
+
+    private long left(Kind kind, int bytes, long start, LongConsumer whenWritten) {
+        return monitor.get(() -> {
+            isWriting = false;
+            long now = clock.nanos();
+            long left =
+                    switch (kind) {
+                        case ACTION -> pacer.wroteAction(bytes, start, now);
+                        case REQUEST -> pacer.wroteRequest(bytes, start, now);
+                        case SESSION -> pacer.wroteFrame(bytes, start, now);
+                    };
+            whenWritten.accept(left);
+            return left;
+        });
+    }
+
+    private void warnOnce(PortTimeoutException refused) {
+        if (!isRefused.getAndSet(true)) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    refused.getMessage() + "; this is not reported again until it takes bytes again");
+        }
+    }
+
+    /** Returns whether a frame is being written. The caller holds the monitor's lock. */
+    boolean isWriting() {
+        return isWriting;
+    }
+
+    /** Nanoseconds until a frame of version 2 may be written. The caller holds the monitor's lock. */
+    long nanosUntilFrame() {
+        return isWriting ? Monitor.FOREVER : pacer.nanosUntilFrame(clock.nanos());
+    }
+
+    void allArrived(long now) {
+        monitor.change(() -> pacer.allArrived(now));
+    }
+
+    void awaitTime(long nanos) throws PortException {
+        monitor.getInterruptibly(() -> {
+            awaitZero(() -> nanos - clock.nanos());
+            return null;
+        });
+    }
+
+    /** Waits until {@code nanosLeft} is 0 or less, see {@link Monitor#await}. */
+    private void awaitZero(LongSupplier nanosLeft) throws PortException {
+        monitor.await(() -> endReason != null ? 0 : nanosLeft.getAsLong());
+        requireLine();
+    }
+
+    void received(int bytes, long now) {
+        monitor.change(() -> pacer.received(bytes, now));
+    }
+
+    /** Records that a message is complete, the answer to the last request if one is awaited: actions that waited for it go out. */
+    void answered(long now) {
+        monitor.change(() -> pacer.answered(now));
+    }
+
+    /** Records that a request of version 1 was not answered in its time, which is over at {@code now}. */
+    void unanswered(long now) {
+        monitor.change(() -> pacer.unanswered(now));
+    }
+
+    /** Ends the line: threads that wait here, or come later, get a {@link PortGoneException} with {@code reason}. */
+    void end(String reason) {
+        monitor.change(() -> endReason = endReason == null ? reason : endReason);
+    }
+
+    /** Returns whether the line is still there, as far as it is known. */
+    boolean hasLine() {
+        return monitor.get(() -> endReason == null);
+    }
+
+    /** Throws a {@link PortGoneException} with the first reason that {@link #end} was given, if the line is gone. */
+    void requireLine() throws PortGoneException {
+        String reason = monitor.get(() -> endReason);
+        if (reason != null) {
+            throw new PortGoneException(transport.name(), reason);
+        }
+    }
+}

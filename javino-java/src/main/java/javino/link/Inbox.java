@@ -1,0 +1,231 @@
+package javino.link;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.TimeUnit;
+import javino.Frame;
+import javino.FrameDecoder;
+import javino.LineClock;
+import javino.PortException;
+import javino.Protocol;
+import javino.Transport;
+import javino.wire.WireDecoder;
+import javino.wire.WireFrame;
+
+/**
+ * Reads a line. Frames of version 2 are handed on, messages of version 1 are kept until they are asked for.
+ *
+ * <p>Leader and followers: one of the waiting threads reads, keeps messages for the others, and hands the reading on when its own wait
+ * ends.
+ */
+final class Inbox {
+    /** Takes what arrives, while the monitor's lock is held; times are nanoseconds of the line's clock. */
+    interface Listener {
+        void receiving(int bytes, long now);
+
+        default void received(WireFrame frame, long now) {}
+
+        /** The nonce of the session to which frames belong, see {@link WireDecoder}. */
+        default int nonce() {
+            return 0;
+        }
+
+        default void damaged() {}
+
+        /** A frame of version 1 goes out. */
+        default void sendsVersion1(long now) {}
+    }
+
+    private static final int BUFFER = 1024;
+    /** The most messages that wait to be taken: nobody may ever take those of a board that speaks unasked. The newest are kept. */
+    static final int MAX_MESSAGES = 64;
+    /**
+     * The most reads, one after the other, of bytes that a line has ready: more than any driver holds, but an end for a line that never
+     * rests.
+     */
+    private static final int READS = 64;
+
+    private final Monitor monitor;
+    private final Deque<Reply> messages = new ArrayDeque<>();
+    private final byte[] buffer = new byte[BUFFER]; // belongs to the thread that reads
+    private final Transport transport;
+    private final LineClock clock;
+    private final FrameDecoder version1;
+    private final WireDecoder version2;
+    private final LocalEchoFilter localEchoes = new LocalEchoFilter();
+    private final StrayBytes.Gatherer stray = new StrayBytes.Gatherer();
+    private final Listener listener;
+    private boolean isBeingRead;
+    private Protocol protocol;
+    private volatile long lastByteNanos;
+
+    Inbox(Monitor monitor, Transport transport, LineClock clock, Protocol protocol, Listener listener) {
+        this.monitor = monitor;
+        this.transport = transport;
+        this.clock = clock;
+        this.protocol = protocol;
+        this.listener = listener;
+        long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
+        version1 = new FrameDecoder(timeout, this::keep);
+        version2 = new WireDecoder(true, timeout, listener::nonce, this::handOn);
+        lastByteNanos = clock.nanos();
+    }
+
+    /** Reads only this version from now on, or both. Waits for messages of version 1 end when version 1 is not read any more. */
+    void read(Protocol value) {
+        monitor.change(() -> protocol = value);
+    }
+
+    /**
+     * Returns the next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; it does not wait if
+     * that time has passed. Returns null also as soon as only version 2 is read.
+     */
+    Reply next(long deadlineNanos) throws PortException {
+        return monitor.get(() -> {
+            while (true) {
+                long left = nanosToWait(deadlineNanos);
+                if (left == 0 && isBeingRead || !messages.isEmpty()) {
+                    return messages.poll();
+                }
+                if (isBeingRead) {
+                    monitor.await(() -> isBeingRead && messages.isEmpty() ? nanosToWait(deadlineNanos) : 0);
+                } else {
+                    readFor(left);
+                    if (left == 0) {
+                        return messages.poll();
+                    }
+                }
+            }
+        });
+    }
+
+    private long nanosToWait(long deadlineNanos) {
+        return protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - clock.nanos());
+    }
+
+    boolean isReadingVersion1() {
+        return monitor.get(() -> protocol != Protocol.V2);
+    }
+
+    boolean hasMessage() {
+        return monitor.get(() -> !messages.isEmpty());
+    }
+
+    /** Reads the bytes that the line has ready, and keeps them. */
+    void look() throws PortException {
+        readReady(1);
+    }
+
+    /** Reads the bytes that the line has ready, and returns the newest of the messages read now or before, or null. */
+    Reply newest() throws PortException {
+        readReady(READS);
+        return monitor.get(() -> {
+            Reply newest = messages.peekLast();
+            messages.clear();
+            return newest;
+        });
+    }
+
+    /** Reads the bytes that the line has ready, and forgets all messages read now or before, unfinished ones too. */
+    void clear() throws PortException {
+        readReady(READS);
+        monitor.change(() -> {
+            messages.clear();
+            version1.reset();
+        });
+    }
+
+    /** Reads the bytes that the line has ready, in at most {@code most} pieces, unless another thread reads. */
+    private void readReady(int most) throws PortException {
+        monitor.get(() -> {
+            for (int reads = 0; reads < most && !isBeingRead && readFor(0) > 0; reads++) {}
+            return null;
+        });
+    }
+
+    /** Records that a frame of version 1 is about to go out, which is no message if the line brings it back. */
+    void sends(Frame frame) {
+        monitor.change(() -> {
+            localEchoes.sends(frame);
+            listener.sendsVersion1(clock.nanos());
+        });
+    }
+
+    /** The bytes that have come since the last message, of either version, and are no message so far. */
+    StrayBytes strayBytes() {
+        return monitor.get(() -> stray.soFar(transport.line().baud()));
+    }
+
+    long lastByteNanos() {
+        return lastByteNanos;
+    }
+
+    /** Frames of version 2 so far whose checksum was wrong. */
+    long corrupt() {
+        return monitor.get(version2::corrupt);
+    }
+
+    /** Returns whether a thread reads. The caller holds the monitor's lock. */
+    boolean isBeingRead() {
+        return isBeingRead;
+    }
+
+    /**
+     * Reads for at most {@code nanos}, less if an unfinished frame has to be given up before. The caller holds the monitor's lock once,
+     * which is free while bytes are awaited; no thread {@link #isBeingRead reads}.
+     */
+    int readFor(long nanos) throws PortException {
+        long start = clock.nanos();
+        long idle = Math.min(version1.nanosUntilIdle(start), version2.nanosUntilIdle(start));
+        long wait = TimeUnit.NANOSECONDS.toMillis(Math.min(nanos, idle) + TimeUnit.MILLISECONDS.toNanos(1) - 1);
+        int millis = (int) Math.min(wait, Integer.MAX_VALUE);
+        int count = 0;
+        isBeingRead = true;
+        try {
+            count = monitor.unlocked(() -> transport.read(buffer, 0, BUFFER, millis));
+        } finally {
+            isBeingRead = false;
+        }
+        long now = clock.nanos();
+        if (count > 0) {
+            accept(count, now);
+        } else { // a read that finds nothing shows a silence for the time that it was given: bytes may have come since
+            long silent = Math.min(now, start + TimeUnit.MILLISECONDS.toNanos(millis));
+            version1.idle(silent);
+            version2.idle(silent);
+        }
+        return count;
+    }
+
+    private void accept(int count, long now) {
+        lastByteNanos = now;
+        stray.add(buffer, count);
+        long corrupt = version2.corrupt();
+        listener.receiving(count, now);
+        if (protocol != Protocol.V1) {
+            version2.acceptUnbroken(buffer, 0, count, now);
+        }
+        if (protocol != Protocol.V2) {
+            version1.acceptUnbroken(buffer, 0, count, now);
+        }
+        if (version2.corrupt() > corrupt) {
+            listener.damaged();
+        }
+    }
+
+    private void handOn(WireFrame frame) {
+        stray.clear();
+        listener.received(frame, lastByteNanos);
+    }
+
+    private void keep(Frame frame) {
+        stray.clear();
+        if (localEchoes.isEcho(frame)) {
+            return;
+        }
+        if (messages.size() == MAX_MESSAGES) {
+            messages.poll();
+        }
+        messages.add(new Reply(frame.text(), Protocol.V1, lastByteNanos));
+    }
+}

@@ -1,0 +1,120 @@
+package javino.link;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.locks.ReentrantLock;
+import javino.PortException;
+import javino.Protocol;
+import javino.Transports;
+
+/**
+ * The interface that Javino programs know: one call for each thing to do with a port, each returning whether it was done.
+ *
+ * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device
+ * has gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
+ *
+ * <p>It speaks version 1 of the protocol, as programs of this interface expect, unless its settings ask for version 2.
+ *
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that
+ * programs can put a class of their own in its place in tests.
+ */
+public class Javino implements AutoCloseable {
+    private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
+
+    private final ReentrantLock opening = new ReentrantLock();
+    private final Map<String, Link> links = new HashMap<>(); // by canonical name, guarded by opening
+    private final LinkSettings settings;
+    private final boolean usualRate;
+    private final int timeoutMillis;
+    private volatile String data = "";
+    private volatile String lastError = "";
+
+    /** With {@link LinkSettings#defaults()}, each port at its {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
+    public Javino() {
+        this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS, true);
+    }
+
+    /**
+     * @param settings for every port that is opened; unless they ask for version 2 of the protocol, version 1 is spoken
+     * @param timeoutMillis milliseconds that a call waits for the line and for a message, at least 1
+     */
+    public Javino(LinkSettings settings, int timeoutMillis) {
+        this(settings, timeoutMillis, false);
+    }
+
+    private Javino(LinkSettings settings, int timeoutMillis, boolean usualRate) {
+        this.usualRate = usualRate;
+        this.settings = settings.protocol() == Protocol.AUTO ? settings.withProtocol(Protocol.V1) : settings;
+        this.timeoutMillis = timeoutMillis;
+    }
+
+    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left, or a version 2 board has acted. */
+    public boolean sendCommand(String port, String msg) {
+        return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
+    }
+
+    /** Sends a request, {@code getPercepts} say. True when its answer is in {@link #getData()}. */
+    public boolean requestData(String port, String msg) {
+        return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
+    }
+
+    /** Waits for a message that the board sends of its own accord. True when it is in {@link #getData()}. */
+    public boolean listenHardware(String port) {
+        return succeeds(() -> data = link(port).listen(timeoutMillis).text());
+    }
+
+    /** The last message that a call received; empty before the first. */
+    public String getData() {
+        return data;
+    }
+
+    /** The reason of the latest call that returned false; empty if none has. */
+    public String lastError() {
+        return lastError;
+    }
+
+    /** Closes the ports that were opened. They are opened again when they are next named. */
+    @Override
+    public void close() {
+        opening.lock();
+        try {
+            links.values().forEach(Link::close);
+            links.clear();
+        } finally {
+            opening.unlock();
+        }
+    }
+
+    private Link link(String port) throws PortException {
+        String name = Transports.canonicalName(port);
+        opening.lock();
+        try {
+            links.values().removeIf(other -> !other.isOpen());
+            Link link = links.get(name);
+            if (link == null) {
+                link = Link.open(
+                        port,
+                        usualRate ? settings.withBaud(Transports.usualLine(port).baud()) : settings,
+                        "Javino");
+                links.put(name, link);
+            }
+            return link;
+        } finally {
+            opening.unlock();
+        }
+    }
+
+    private boolean succeeds(LineWork work) {
+        try {
+            work.run();
+            return true;
+        } catch (PortException | IllegalArgumentException e) { // the latter: a message that fits into no frame
+            lastError = e.getMessage();
+            return false;
+        }
+    }
+
+    private interface LineWork {
+        void run() throws PortException;
+    }
+}

@@ -1,0 +1,494 @@
+package javino.link;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Lock;
+import java.util.function.Supplier;
+import javino.ActionRefusedException;
+import javino.ActionUnconfirmedException;
+import javino.CommandReplacedException;
+import javino.CommandWithdrawnException;
+import javino.Frame;
+import javino.LineClock;
+import javino.NoSuchPortException;
+import javino.PerceptsRequest;
+import javino.PortBusyException;
+import javino.PortException;
+import javino.PortFaultException;
+import javino.PortGoneException;
+import javino.PortInterruptedException;
+import javino.PortPermissionException;
+import javino.PortTimeoutException;
+import javino.Protocol;
+import javino.Transport;
+import javino.Transports;
+import javino.wire.BoardAction;
+import javino.wire.CommandItem;
+
+/**
+ * An open port that one owner exchanges messages through.
+ *
+ * <p>Methods are safe on any thread. Typically one thread calls {@link #request} or {@link #listen}, which read the line on that thread and
+ * take turns with each other. {@link #send} never waits: it queues a command, and a thread that is in {@link #writeCommandsUntilClosed}
+ * takes it to the board. Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle
+ * them.
+ *
+ * <p>Opening a port resets most boards, which then take a second or two to start. A link finds out by asking: until the first message has
+ * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
+ * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
+ *
+ * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
+ * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the former
+ * and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all, and
+ * {@link #send} knows what became of an action.
+ *
+ * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port
+ * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
+ */
+public final class Link implements AutoCloseable {
+    private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
+    /** For this part of a request's time the line is left free behind an answer or an outcome, for commands that the agent then sends. */
+    private static final int GRACE_DIVISOR = 8;
+
+    private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
+
+    private final Lock ending;
+    private final Lock reading;
+    private final Transport transport;
+    private final LinkSettings settings;
+    private final PortOwners.Claim claim;
+    private final LineClock clock;
+    private final FrameWriter writer;
+    private final SessionLine line;
+    private final RequestChannel channel; // used by the thread that holds reading
+    private final CommandLoop commands;
+    private volatile long exchangeNanos; // duration of the last exchange
+    private volatile long answeredNanos; // end of the last exchange
+
+    Link(Transport transport, LinkSettings settings, PortOwners.Claim claim, LineClock clock) {
+        this.transport = transport;
+        this.settings = settings;
+        this.claim = claim;
+        this.clock = clock;
+        ending = clock.newLock(false);
+        reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
+        Monitor monitor = new Monitor(clock, transport.name());
+        writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
+        line = new SessionLine(monitor, transport, clock, writer, settings);
+        channel = new RequestChannel(line, writer, clock, settings);
+        answeredNanos = clock.nanos();
+        commands = new CommandLoop(monitor, transport, writer, line, clock, this::awaitStart);
+    }
+
+    /**
+     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits for that.
+     *
+     * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
+     * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
+     * @throws NoSuchPortException if there is no such port
+     * @throws PortBusyException if another link or program has it open
+     * @throws PortPermissionException if this user may not open it
+     * @throws PortFaultException if the driver refuses for another reason
+     */
+    public static Link open(String port, LinkSettings settings, String owner) throws PortException {
+        PortOwners.Claim claim = PortOwners.claim(port, owner);
+        boolean opened = false;
+        try {
+            Link link = new Link(Transports.open(port, settings.line()), settings, claim, LineClock.system());
+            opened = true;
+            return link;
+        } finally {
+            if (!opened) {
+                claim.release();
+            }
+        }
+    }
+
+    /**
+     * A link on a line that is open already, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know.
+     * It has no owner, so {@link #ownerOf} knows nothing of it.
+     *
+     * @param transport closed with the link; its waits go by the same clock
+     * @param settings whose rate should be that of the line
+     */
+    public static Link over(Transport transport, LinkSettings settings, LineClock clock) {
+        return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
+    }
+
+    /** The owner of a port that a link of this program has open, under whatever name of that port. */
+    public static Optional<String> ownerOf(String port) {
+        return PortOwners.ownerOf(port);
+    }
+
+    /** The port's name, as it was given. */
+    public String port() {
+        return transport.name();
+    }
+
+    /** Returns whether the far end may go unnoticed by this end, see {@link Transport#mayVanish()}. */
+    public boolean mayVanish() {
+        return transport.mayVanish();
+    }
+
+    /** The settings it was opened with. */
+    public LinkSettings settings() {
+        return settings;
+    }
+
+    /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
+    public Protocol protocol() {
+        return line.protocol();
+    }
+
+    /**
+     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Safe on
+     * any thread; does not wait.
+     */
+    public Optional<List<BoardAction>> vocabulary() {
+        return line.vocabulary();
+    }
+
+    /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */
+    public int actionsLost() {
+        return line.actionsLost();
+    }
+
+    /**
+     * Sets the listener for reports that the board sends of its own accord, in place of the one before. If a session has begun before,
+     * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
+     */
+    public void onBoardEvents(BoardListener listener) {
+        line.onBoardEvents(Objects.requireNonNull(listener, "listener"));
+    }
+
+    /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
+    public long corruptFrames() {
+        return line.inbox().corrupt();
+    }
+
+    /** Returns whether it can be used: it was not closed, and no call has found its device gone. */
+    public boolean isOpen() {
+        return writer.hasLine();
+    }
+
+    /**
+     * Sends a request and returns its answer. Messages received before it are dropped, as answers to earlier ones. After a request whose
+     * answer did not come in time, the next takes the last message that comes before the line falls silent.
+     *
+     * @param timeoutMillis milliseconds, at least 1, that the request waits at most for its turn on the line, and that the board then has
+     *     to answer, counted from the request's last byte. After a missed answer the line is given as long again to fall silent; while the
+     *     board may be starting the request is repeated until it must have started
+     * @throws PortTimeoutException if no answer came
+     * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
+     */
+    public Reply request(String message, int timeoutMillis) throws PortException {
+        Frame request = Frame.of(message);
+        requireTime(timeoutMillis);
+        if (line.protocol() == Protocol.V1 && !line.mustAsk()) {
+            writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+        }
+        return isCommand(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
+    }
+
+    /**
+     * Like {@link #request(String, int)}, for a caller that asks again and again. The request gives way to the commands that were submitted
+     * before this call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange;
+     * each time for the longer of the last exchange and the interval, so that commands cannot starve requests.
+     *
+     * @param message called when the request's turn has come
+     * @param intervalMillis milliseconds between requests
+     */
+    public Reply request(Supplier<String> message, int timeoutMillis, int intervalMillis) throws PortException {
+        requireTime(timeoutMillis);
+        long limit = Math.max(TimeUnit.MILLISECONDS.toNanos(intervalMillis), exchangeNanos);
+        long grace = settings.line().byteNanos() * REQUEST_BYTES / GRACE_DIVISOR;
+        noticing(() -> {
+            giveWay(limit);
+            long outcome = writer.outcomeNanos();
+            writer.awaitTime((outcome - answeredNanos > 0 ? outcome : answeredNanos) + grace);
+            giveWay(limit);
+            return null;
+        });
+        long start = clock.nanos();
+        try {
+            return exchange(Frame.of(message.get()), timeoutMillis);
+        } finally {
+            answeredNanos = clock.nanos();
+            exchangeNanos = answeredNanos - start;
+        }
+    }
+
+    /** Waits, at most {@code nanos}, until the commands so far are over, or in version 2, which carries both ways at once, have begun. */
+    private void giveWay(long nanos) throws PortException {
+        if (line.isVersion2()) {
+            line.await(writer.commandsSoFarHaveBegun(), clock.nanos() + nanos, false);
+        } else {
+            writer.awaitCommandsSoFar(nanos);
+        }
+    }
+
+    /** Returns whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
+    private boolean isCommand(String message) {
+        return line.isVersion2() && !PerceptsRequest.isIn(message);
+    }
+
+    /**
+     * In version 2 only percepts are requested: another message is a command, and the message that the board sends behind it is the answer.
+     */
+    private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
+        line.forgetHeard();
+        sendAndAwait(message, timeoutMillis);
+        return listen(timeoutMillis);
+    }
+
+    private Reply exchange(Frame request, int timeoutMillis) throws PortException {
+        Reply answered = reading(() -> {
+            Reply answer = channel.request(request, timeoutMillis);
+            if (answer == null && !isCommand(request.text())) {
+                throw new PortTimeoutException(
+                        port(),
+                        "port " + port() + " gave no answer to \"" + request.text() + "\" within " + timeoutMillis
+                                + " ms; " + doubt(transport.doubt()));
+            }
+            return answer;
+        });
+        // no answer: the board has turned out to be one that takes it for a command
+        return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
+    }
+
+    /** Returns the likely reason of a silence: there can be no session, bytes came in place of a message, or else {@code usual}. */
+    private String doubt(String usual) {
+        StrayBytes stray = strayBytes();
+        return line.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
+    }
+
+    /** The bytes that have come since the last message and are no message so far. Safe on any thread; does not wait. */
+    public StrayBytes strayBytes() {
+        return line.inbox().strayBytes();
+    }
+
+    /**
+     * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in
+     * {@link #writeCommandsUntilClosed}.
+     *
+     * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
+     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated, and the
+     * board takes the repetitions for one command; it is given up after four repetitions and 2 s without any frame of the board. Else it is
+     * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was over
+     * before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException}
+     * if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with what a
+     * transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
+     *
+     * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
+     */
+    public CompletableFuture<Void> send(String command, SendOptions options) {
+        return commands.submit(Frame.ofCommand(command), options).outcome();
+    }
+
+    /**
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does
+     * so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     */
+    public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
+        return commands.submit(rule, options).outcome();
+    }
+
+    /**
+     * Takes the commands that are queued, now or later, to the board in their turn. This is no flush: call it on a thread of its own. It
+     * ends only when the link is closed, its device has gone or the thread is interrupted; then it throws.
+     *
+     * <pre>{@code
+     * new Thread(() -> {
+     *     try {
+     *         link.writeCommandsUntilClosed();
+     *     } catch (PortException ended) {
+     *         System.err.println(ended.getMessage());
+     *     }
+     * }).start();
+     * link.send("speed(120)", SendOptions.defaults()).join();
+     * }</pre>
+     *
+     * @throws PortGoneException if the link is closed, or its device has gone
+     * @throws PortInterruptedException if the thread is interrupted
+     */
+    public void writeCommandsUntilClosed() throws PortException {
+        noticing(() -> {
+            commands.run();
+            return null;
+        });
+    }
+
+    /**
+     * Like {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
+     * arrived.
+     *
+     * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
+     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of
+     *     it may have been
+     * @throws PortException as {@link #send} completes its future
+     */
+    public void sendAndAwait(String command, int timeoutMillis) throws PortException {
+        Frame frame = Frame.ofCommand(command);
+        requireTime(timeoutMillis);
+        sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
+    }
+
+    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
+    public void sendAndAwait(String command, SendOptions options) throws PortException {
+        sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
+    }
+
+    private void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
+        noticing(() -> {
+            commands.sendAndAwait(frame, options, timeoutMillis);
+            return null;
+        });
+    }
+
+    /**
+     * Waits for a message that the board sends of its own accord. If several are waiting, the newest is taken and the others are dropped.
+     *
+     * @param timeoutMillis milliseconds to wait at most, at least 1
+     * @throws PortTimeoutException if none came
+     */
+    public Reply listen(int timeoutMillis) throws PortException {
+        requireTime(timeoutMillis);
+        return reading(() -> {
+            Reply message = channel.listen(timeoutMillis);
+            if (message == null) {
+                throw new PortTimeoutException(
+                        port(),
+                        "port " + port() + " sent no message within " + timeoutMillis + " ms; "
+                                + doubt("does the board send percepts unasked?"));
+            }
+            return message;
+        });
+    }
+
+    /**
+     * Reads the line for {@code timeoutMillis}, to take {@linkplain #onBoardEvents the board's reports} between two requests, and to notice
+     * that the device has gone. Messages that come meanwhile are left to {@link #listen}.
+     *
+     * @param timeoutMillis milliseconds, at least 1
+     */
+    public void watch(int timeoutMillis) throws PortException {
+        requireTime(timeoutMillis);
+        reading(() -> {
+            channel.watch(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+            return null;
+        });
+    }
+
+    /**
+     * Finds out whether the device is still there, for a caller that does not read the line all the time. Does not wait, and takes no
+     * message from a thread that reads.
+     *
+     * @throws PortGoneException if it is not
+     */
+    public void check() throws PortException {
+        noticing(() -> {
+            line.inbox().look();
+            line.report();
+            return null;
+        });
+    }
+
+    /** Closes the port and gives it back. Calls that wait on this link throw {@link PortGoneException}. Idempotent. */
+    @Override
+    public void close() {
+        end("port " + port() + " is gone: it was closed");
+    }
+
+    /** Announces {@link #close}: from now on an {@link #open} of the port waits until it is closed, for a while. Does not wait. */
+    public void leave() {
+        claim.leave();
+    }
+
+    private void end(String why) {
+        claim.leave();
+        writer.end(why); // wakes threads that wait for the line
+        commands.failAll(why);
+        ending.lock(); // a second caller returns when the port is really free
+        try {
+            transport.close();
+            claim.release();
+        } finally {
+            ending.unlock();
+        }
+    }
+
+    /** Returns when something has come from the board, or it must have started. */
+    private void awaitStart() throws PortException {
+        if (channel.sayHelloToListener()) {
+            return;
+        }
+        try {
+            if (!reading.tryLock(Math.max(line.start().nanosLeft(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+                // another call waited for it meanwhile, or listens for so long that the action must not wait for it
+                return;
+            }
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+        try {
+            channel.awaitStart();
+        } finally {
+            reading.unlock();
+        }
+    }
+
+    private static void requireTime(int timeoutMillis) {
+        if (timeoutMillis < 1) {
+            throw new IllegalArgumentException("a time limit is at least 1 ms, but " + timeoutMillis + " was given");
+        }
+    }
+
+    private interface LineWork<T> {
+        T run() throws PortException;
+    }
+
+    /** Does work that reads the line, in turn with others that read it. */
+    private <T> T reading(LineWork<T> work) throws PortException {
+        try {
+            reading.lockInterruptibly();
+        } catch (InterruptedException e) {
+            throw interrupted();
+        }
+        try {
+            return noticing(work);
+        } finally {
+            reading.unlock();
+        }
+    }
+
+    /** Does work, and gives the port back if the line turns out to be gone. */
+    private <T> T noticing(LineWork<T> work) throws PortException {
+        try {
+            writer.requireLine();
+            return lookingAtLast(work);
+        } catch (PortGoneException e) {
+            end(e.getMessage());
+            throw e;
+        } finally {
+            line.report();
+        }
+    }
+
+    /** Does work, and looks at the line if its time is over: a thread that has waited for its turn has not read the line. */
+    private <T> T lookingAtLast(LineWork<T> work) throws PortException {
+        try {
+            return work.run();
+        } catch (PortTimeoutException e) {
+            line.inbox().look();
+            throw e;
+        }
+    }
+
+    private PortInterruptedException interrupted() {
+        return PortInterruptedException.remarking(port());
+    }
+}

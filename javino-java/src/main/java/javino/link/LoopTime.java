@@ -1,0 +1,116 @@
+package javino.link;
+
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Estimates how long a version 1 board takes from one look at the line to the next. The delay of an answer is the time until the board's
+ * next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always about the same.
+ * So the differences of delays show the loop.
+ *
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have met
+ * the whole of the loop. Of n delays at random the range is less than a part x of the loop with a probability of less than n x^(n-1), and
+ * with one left out n (n-1) x^(n-2). The multiple is 1/x where that is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms,
+ * since sensors may make the difference, and exactly that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more
+ * one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
+ * down.
+ *
+ * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
+ * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
+ * Guarded by its user's lock.
+ */
+final class LoopTime {
+    static final int SAMPLES = 256;
+    /** The longest estimate, which also stands for a loop that is not known yet: sensors take that long in many sketches. */
+    static final int MAX_MILLIS = 50;
+    /** Fewer delays say nothing: they may be alike because they are measured in whole milliseconds, as on USB. */
+    static final int MIN_SAMPLES = 6;
+    /** The highest chance, at each number of delays, that the estimate is shorter than the loop. */
+    private static final double CHANCE = 1e-5;
+
+    private static final int MIN_MULTIPLE = 2;
+
+    private static final long MAX_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_MILLIS);
+    private static final int OUTLIER_AMONG = 64;
+    private static final int MANY = 16;
+
+    private static final int LEARNING_REQUESTS = 32;
+    private static final int PROBE_AMONG = 8;
+    private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+    /** The fractional parts of its multiples are spread evenly. */
+    private static final double GOLDEN_RATIO = 0.6180339887498949;
+    /** An answer that is later belongs to an earlier request; no request is delayed by more. */
+    static final int MAX_DELAY_MILLIS = 200;
+
+    private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
+
+    private final long[] delays = new long[SAMPLES];
+    private final long[] sorted = new long[SAMPLES]; // the same, in their order
+    private int count;
+    private int next;
+    private long estimate;
+    private long longest;
+    private int requests;
+
+    /** Records that an answer began {@code delayNanos} after its request had left; less than 0 counts as 0. */
+    void answeredAfter(long delayNanos) {
+        if (delayNanos > MAX_DELAY_NANOS) {
+            return;
+        }
+        if (count == SAMPLES) {
+            remove(delays[next]);
+        }
+        delays[next] = Math.max(0, delayNanos);
+        insert(delays[next]);
+        next = (next + 1) % SAMPLES;
+        int outliers = count / OUTLIER_AMONG;
+        int longestLeftOut = count < MANY ? 0 : Math.max(1, outliers);
+        long range = sorted[count - 1 - longestLeftOut] - sorted[outliers];
+        estimate = (long) Math.min(MAX_NANOS, multiple() * range);
+        longest = sorted[count - 1];
+    }
+
+    private void remove(long delay) {
+        int place = Arrays.binarySearch(sorted, 0, count, delay);
+        count--;
+        System.arraycopy(sorted, place + 1, sorted, place, count - place);
+    }
+
+    private void insert(long delay) {
+        int found = Arrays.binarySearch(sorted, 0, count, delay);
+        int place = found < 0 ? -found - 1 : found;
+        System.arraycopy(sorted, place, sorted, place + 1, count - place);
+        sorted[place] = delay;
+        count++;
+    }
+
+    /** Forgets all delays: an answer has not come, and the loop may take longer than before. */
+    void forget() {
+        count = 0;
+        next = 0;
+        requests = 0;
+    }
+
+    void asked() {
+        requests++;
+    }
+
+    /** Nanoseconds by which the next request is to be written later than it may be. */
+    long probeDelayNanos() {
+        if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
+            return 0;
+        }
+        int probe = requests < LEARNING_REQUESTS ? requests : requests / PROBE_AMONG;
+        return (long) (probe * GOLDEN_RATIO % 1 * Math.max(MIN_PROBE_NANOS, longest));
+    }
+
+    long nanos() {
+        return count < MIN_SAMPLES ? MAX_NANOS : estimate;
+    }
+
+    private double multiple() {
+        double sets = count < MANY ? count : (double) count * (count - 1);
+        int others = count < MANY ? count - 1 : count - 2;
+        return Math.max(MIN_MULTIPLE, Math.pow(sets / CHANCE, 1.0 / others));
+    }
+}

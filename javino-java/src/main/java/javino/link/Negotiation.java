@@ -1,0 +1,105 @@
+package javino.link;
+
+import java.util.concurrent.TimeUnit;
+import javino.Frame;
+import javino.LineClock;
+import javino.PortException;
+import javino.wire.WireFrame;
+
+/**
+ * Finds out which version a board speaks: sends HELLO, HELLO again, then a request in version 1, and while the board may be starting
+ * repeats both until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in
+ * version 1, so it is sent HELLO once more, and several times if bytes came that are no message: a damaged WELCOME may be among them.
+ *
+ * <p>A frame of version 1 follows HELLO only when WELCOME would have come: a board in a session takes no frame of version 1 for one that
+ * follows other bytes closely. One thread at a time.
+ */
+final class Negotiation {
+    private static final long HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
+    private static final int HELLO_BYTES = 20;
+    private static final int HELLOS_BEHIND_NOISE = 5;
+    private static final long REPEAT_NANOS = TimeUnit.MILLISECONDS.toNanos(Version1Requests.REPEAT_MILLIS);
+
+    private final SessionLine line;
+    private final FrameWriter writer;
+    private final Version1Requests version1;
+    private final BoardStart start;
+    private final LineClock clock;
+    private final long helloNanos;
+    private boolean hasNoise; // bytes came in place of WELCOME
+
+    Negotiation(
+            SessionLine line,
+            FrameWriter writer,
+            Version1Requests version1,
+            BoardStart start,
+            LineClock clock,
+            LinkSettings settings) {
+        this.line = line;
+        this.writer = writer;
+        this.version1 = version1;
+        this.start = start;
+        this.clock = clock;
+        helloNanos = Math.max(HELLO_NANOS, HELLO_BYTES * settings.line().byteNanos());
+    }
+
+    /**
+     * Finds out the version, if the board answers within the time that {@code timeoutMillis} and its start leave.
+     *
+     * @return the answer to its request in version 1, if one came meanwhile; null: none
+     */
+    Reply run(Frame request, int timeoutMillis) throws PortException {
+        long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        boolean mayBeStarting = start.nanosLeft() > 0;
+        long giveUp = clock.nanos() + Math.max(start.nanosLeft(), timeoutNanos);
+        hasNoise = false;
+        if (sayHello(timeoutMillis)) {
+            return null;
+        }
+        if (start.hasHeard() || line.inbox().hasMessage()) {
+            line.agreeOnVersion1();
+            return null;
+        }
+        while (true) {
+            long sent = version1.ask(request, timeoutMillis);
+            long wait = mayBeStarting ? Math.min(timeoutNanos, REPEAT_NANOS - helloNanos) : timeoutNanos;
+            Reply first = version1.awaitAnswer(sent, sent + wait, Math.max(giveUp, sent + timeoutNanos));
+            if (first != null) {
+                Reply answer = version1.completed(first, timeoutMillis);
+                if (isWelcomed(hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0, timeoutMillis)) {
+                    return null;
+                }
+                line.agreeOnVersion1();
+                return answer;
+            }
+            if (line.isVersion2() || giveUp - clock.nanos() <= 0 || isWelcomed(timeoutMillis)) {
+                return null;
+            }
+        }
+    }
+
+    /** Sends HELLO, and once more if no WELCOME comes; returns whether it has come. */
+    boolean sayHello(int timeoutMillis) throws PortException {
+        return isWelcomed(2, timeoutMillis);
+    }
+
+    private boolean isWelcomed(int hellos, int timeoutMillis) throws PortException {
+        for (int i = 0; i < hellos; i++) {
+            if (isWelcomed(timeoutMillis)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isWelcomed(int timeoutMillis) throws PortException {
+        long left = writer.write(
+                FrameWriter.Kind.ACTION,
+                WireFrame.OVERHEAD,
+                timeoutMillis,
+                () -> line.isVersion2() ? null : line.hello()); // in a session, a further HELLO would end it
+        boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
+        hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
+        return isWelcomed;
+    }
+}

@@ -1,0 +1,56 @@
+package javino.link;
+
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for that
+ * of the next, so that the agent would be one answer behind for good. Therefore the next exchange listens on until the line has been silent
+ * for a while, and takes the last answer.
+ *
+ * <p>Times are nanoseconds of one steady clock. One thread at a time.
+ */
+final class OwedAnswers {
+    private static final long MIN_SETTLING_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+    /** A board that has never answered and does so later than this was starting, not slow. */
+    private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    private long longestNanos; // the longest time that an answer has taken; 0: none has been timed
+    private int asked; // requests since the line was last known to owe no answer
+    private long firstAskedAt;
+
+    void asked(long nanos) {
+        if (asked == 0) {
+            firstAskedAt = nanos;
+        }
+        asked++;
+    }
+
+    /** Returns whether a message that arrives now may be the answer to a request before the last. */
+    boolean mayBeLate() {
+        return asked > 1;
+    }
+
+    /** Records that the one request there was has been answered at {@code now}. */
+    void answered(long now) {
+        longestNanos = Math.max(longestNanos, now - firstAskedAt);
+        asked = 0;
+    }
+
+    /** Records that the line has fallen silent: no answer is owed any more. */
+    void settled() {
+        asked = 0;
+    }
+
+    /**
+     * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
+     * {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts, unless it shows that the board was
+     * just starting.
+     *
+     * @param answerAt time at which the first message arrived
+     */
+    long settlingNanos(long answerAt, long timeoutNanos) {
+        long sinceFirst = answerAt - firstAskedAt;
+        long slow = longestNanos > 0 ? 2 * longestNanos : sinceFirst < SLOWEST_BOARD_NANOS ? sinceFirst : 0;
+        return Math.min(Math.max(MIN_SETTLING_NANOS, slow), timeoutNanos);
+    }
+}

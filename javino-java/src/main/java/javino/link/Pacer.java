@@ -1,0 +1,239 @@
+package javino.link;
+
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Decides when the next frame may be handed to the driver, from the time and from all that was written and received before.
+ *
+ * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And the
+ * limits of version 1 boards. They read all that has arrived between two rounds of their {@code loop()}, with room for one message, and
+ * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
+ * <ul>
+ *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
+ *       far as {@link LoopTime} knows it, and at least what was asked for. Exception: the first action behind the answer to the only
+ *       request, if no action was written since, starts at once. The board has handled all that it received;
+ *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
+ *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
+ *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request;
+ *   <li>while a board that has answered before does not answer in time, it gets requests and only urgent actions, until an answer comes,
+ *       or for {@value #HOLD_MILLIS} ms if it is not asked again: it does not read, and its buffer is soon full. A board that has never
+ *       answered may be one that only acts.
+ * </ul>
+ * Version 2 boards tell how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
+ * nanoseconds of one steady clock. Guarded by its user's lock.
+ */
+final class Pacer {
+    static final int QUIET_MILLIS = 50;
+    /** A board begins its answer by then: its loop may take 50 ms, and so may reading its sensors. */
+    static final int MAX_ANSWER_DELAY_MILLIS = 150;
+    /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
+    static final int RECEIVE_BUFFER = 60;
+
+    /** The time for which actions are held back behind the last request that was not answered. */
+    static final int HOLD_MILLIS = 2_000;
+    /** After so many late answers in a row the board is taken to be slow: one or two may be this computer's fault. */
+    private static final int MANY_LATE = 3;
+
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
+    private static final int GAP_BYTES = 2;
+
+    private final boolean paced;
+    private final long byteNanos;
+    private final long minGapNanos;
+    private final int boardQueue;
+    private final int maxHoldMillis;
+
+    private long lineFreeAt;
+    private long lastEnd; // of the last frame, or of the answer behind it
+    private final LoopTime loop = new LoopTime();
+    private long requestEnd;
+    private boolean answerBegun;
+    private boolean awaitingAnswer;
+    private boolean actionSinceRequest;
+    private int unanswered; // requests that were not answered
+    private boolean boardIsIdle; // it has nothing to handle, so the next frame meets no message
+    private long busyUntil;
+    private boolean hasAnswered;
+    private boolean isSilent; // it has not answered the last request in time
+    private long heldUntil;
+    private int lateAnswers; // late answers in a row
+    private int actionsMeanwhile; // written while the board may have been busy with the last request
+    private int bytesMeanwhile;
+
+    /** @param now the time at which the line was opened */
+    Pacer(LinkSettings settings, long now) {
+        paced = settings.paced();
+        byteNanos = settings.line().byteNanos();
+        minGapNanos = TimeUnit.MILLISECONDS.toNanos(settings.spacingMillis());
+        boardQueue = settings.boardQueue();
+        maxHoldMillis = Math.max(settings.spacingMillis(), LoopTime.MAX_MILLIS) + LoopTime.MAX_DELAY_MILLIS;
+        lineFreeAt = now;
+        lastEnd = now - gap();
+        busyUntil = now;
+    }
+
+    /** The most milliseconds for which the gap and a probe of the board's loop hold a frame back on a free line. */
+    int maxHoldMillis() {
+        return maxHoldMillis;
+    }
+
+    /** Nanoseconds from {@code now} until a frame of version 2 may be written; 0: now. */
+    long nanosUntilFrame(long now) {
+        return nanosUntil(lineFreeAt, now);
+    }
+
+    /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
+    long nanosUntilAction(int bytes, long now) {
+        long free = boardIsIdle ? lineFreeAt : earliest();
+        return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
+    }
+
+    /** Returns whether no action but an urgent one is to be written until an answer comes, or some time has passed. */
+    boolean holdsActions(long now) {
+        return paced && isSilent && hasAnswered && heldUntil - now > 0;
+    }
+
+    /** Nanoseconds until {@link #holdsActions} ends if no answer comes. */
+    long nanosHeld(long now) {
+        return Math.max(0, heldUntil - now);
+    }
+
+    /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
+    boolean isSlow() {
+        return hasAnswered && !isSilent && lateAnswers >= MANY_LATE;
+    }
+
+    /**
+     * Nanoseconds from {@code now} until a request may be written; 0: now.
+     *
+     * @param due time at which it would have been written on a free line
+     */
+    long nanosUntilRequest(long due, long now) {
+        long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
+        long probeDelay = minGapNanos == 0 ? 0 : loop.probeDelayNanos();
+        return nanosUntil(later(free, due) + probeDelay, now);
+    }
+
+    private long earliest() {
+        return later(lineFreeAt, lastEnd + gap());
+    }
+
+    private long nanosUntil(long at, long now) {
+        return paced ? Math.max(0, at - now) : 0;
+    }
+
+    /**
+     * Records that an action was written.
+     *
+     * @param start time at which it was handed to the driver
+     * @param now time at which the driver had taken it
+     * @return the time at which its last byte has left
+     */
+    long wroteAction(int bytes, long start, long now) {
+        actionSinceRequest = true;
+        if (mayBeBusy(start)) {
+            actionsMeanwhile++;
+            bytesMeanwhile += bytes;
+        }
+        return wroteFrame(bytes, start, now);
+    }
+
+    long wroteRequest(int bytes, long start, long now) {
+        requestEnd = wroteFrame(bytes, start, now);
+        if (unanswered++ > 0) {
+            loop.forget(); // it may have grown
+        }
+        loop.asked();
+        answerBegun = false;
+        actionSinceRequest = false;
+        actionsMeanwhile = 0;
+        bytesMeanwhile = 0;
+        awaitingAnswer = true;
+        busyUntil = requestEnd + TimeUnit.MILLISECONDS.toNanos(MAX_ANSWER_DELAY_MILLIS);
+        hold(requestEnd);
+        return requestEnd;
+    }
+
+    /** Records that all that was written has arrived, if the line is faster than its rate, as a pseudo-terminal is. */
+    void allArrived(long now) {
+        lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
+    }
+
+    long wroteFrame(int bytes, long start, long now) {
+        if (paced) {
+            long duration = bytes * byteNanos;
+            boolean buffered = now - start < duration; // it may have reached the driver as late as now
+            lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
+        } else {
+            lineFreeAt = now;
+        }
+        lastEnd = lineFreeAt;
+        boardIsIdle = false;
+        return lastEnd;
+    }
+
+    /** Records that {@code bytes} were there when the line was looked at: the first came earlier, by the time that the others took. */
+    void received(int bytes, long now) {
+        if (awaitingAnswer) {
+            if (!answerBegun) {
+                answerBegun = true;
+                long delay = now - (bytes - 1) * byteNanos - requestEnd;
+                loop.answeredAfter(delay);
+                lateAnswers = delay > maxGapNanos() ? lateAnswers + 1 : 0;
+            }
+            busyUntil = later(busyUntil, now + QUIET_NANOS);
+        }
+    }
+
+    /** Records that the last request has not been answered in its time, which is over at {@code now}. */
+    void unanswered(long now) {
+        isSilent = true;
+        lateAnswers += answerBegun ? 0 : 1;
+        hold(now);
+    }
+
+    private void hold(long from) {
+        heldUntil = from + TimeUnit.MILLISECONDS.toNanos(HOLD_MILLIS);
+    }
+
+    private long maxGapNanos() {
+        return Math.max(minGapNanos, TimeUnit.MILLISECONDS.toNanos(LoopTime.MAX_MILLIS));
+    }
+
+    /** Records that a message is complete: the answer, if one is awaited. */
+    void answered(long now) {
+        isSilent = false;
+        hasAnswered |= awaitingAnswer;
+        if (!awaitingAnswer) {
+            return;
+        }
+        awaitingAnswer = false;
+        busyUntil = now;
+        if (!actionSinceRequest) {
+            lineFreeAt = now; // all has left, if the line is faster than its rate, as a pseudo-terminal is
+            lastEnd = now;
+        }
+        lastEnd = later(lastEnd, now);
+        boardIsIdle = !actionSinceRequest && unanswered == 1;
+        unanswered = 0;
+    }
+
+    private long gap() {
+        if (minGapNanos == 0) {
+            return 0;
+        }
+        return Math.max(minGapNanos, loop.nanos() + GAP_BYTES * byteNanos);
+    }
+
+    private boolean overfills(int bytes) {
+        return actionsMeanwhile >= boardQueue || bytesMeanwhile + bytes > RECEIVE_BUFFER;
+    }
+
+    private boolean mayBeBusy(long now) {
+        return busyUntil - now > 0;
+    }
+
+    private static long later(long a, long b) {
+        return a - b >= 0 ? a : b;
+    }
+}

@@ -1,0 +1,12 @@
+package javino.link;
+
+import javino.Protocol;
+
+/**
+ * A message from a board.
+ *
+ * @param text one character a byte (ISO-8859-1)
+ * @param version the version of the protocol in which it came
+ * @param receivedNanos time at which its last byte was read, by the link's clock
+ */
+public record Reply(String text, Protocol version, long receivedNanos) {}

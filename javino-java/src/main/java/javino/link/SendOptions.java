@@ -1,0 +1,30 @@
+package javino.link;
+
+import javino.CommandReplacedException;
+
+/**
+ * Options of a command, see {@link Link#send(String, SendOptions)}.
+ *
+ * @param urgent whether it goes before the commands that wait and are not urgent
+ * @param limitMillis milliseconds from the call after which its outcome is known in any case; 0: there is no such limit
+ * @param latest whether it takes the place of commands of the same functor that wait and have not begun to go out; they fail with
+ *     {@link CommandReplacedException}
+ */
+public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
+    public SendOptions {
+        if (limitMillis < 0) {
+            throw new IllegalArgumentException(
+                    "a time limit is at least 1 ms, or 0 for none, but " + limitMillis + " was given");
+        }
+    }
+
+    /** A command that replaces none. */
+    public SendOptions(boolean urgent, int limitMillis) {
+        this(urgent, limitMillis, false);
+    }
+
+    /** Not urgent, without a time limit, replaces none. */
+    public static SendOptions defaults() {
+        return new SendOptions(false, 0, false);
+    }
+}

@@ -1,0 +1,77 @@
+package javino.link;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Bytes that a line brought since the last message and that are no message, for a person who looks for the reason of a silence.
+ *
+ * @param count number of the bytes
+ * @param first the first ones, at most {@link #MAX_FIRST}, a character for each byte
+ * @param baud the rate at which they were read
+ */
+public record StrayBytes(long count, String first, int baud) {
+    /** The most bytes that are kept. */
+    public static final int MAX_FIRST = 48;
+
+    private static final String HEADER = "fffe";
+    private static final int MAX_STRANGE_SHARE = 8;
+
+    /** Returns whether they are text, but for a few: a sketch prints text, while bytes read at a wrong rate are none. */
+    public boolean isText() {
+        long strange = first.chars()
+                .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)
+                .count();
+        return strange * MAX_STRANGE_SHARE <= first.length();
+    }
+
+    /** Describes the bytes and their likely cause. */
+    public String inWords() {
+        return count + (count == 1 ? " byte" : " bytes") + " came since the last message and are none: \"" + shown()
+                + (count > first.length() ? "\"…, " : "\", ") + cause();
+    }
+
+    private String cause() {
+        if (!isText()) {
+            return "which is no text: does the board run at another rate than " + baud + " baud?";
+        }
+        if (first.contains(HEADER)) {
+            return "which is a part of a message: are bytes lost, or is the time for an answer too short?";
+        }
+        return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
+    }
+
+    /** The first ones with control characters as in Java, and others that are no ASCII as {@code \xHH}. */
+    private String shown() {
+        StringBuilder text = new StringBuilder();
+        for (char c : first.toCharArray()) {
+            switch (c) {
+                case '\r' -> text.append("\\r");
+                case '\n' -> text.append("\\n");
+                case '\t' -> text.append("\\t");
+                default -> text.append(c >= ' ' && c <= '~' ? String.valueOf(c) : String.format("\\x%02X", (int) c));
+            }
+        }
+        return text.toString();
+    }
+
+    static final class Gatherer {
+        private final byte[] first = new byte[MAX_FIRST];
+        private long count;
+
+        void add(byte[] bytes, int length) {
+            if (count < MAX_FIRST) {
+                System.arraycopy(bytes, 0, first, (int) count, (int) Math.min(length, MAX_FIRST - count));
+            }
+            count += length;
+        }
+
+        void clear() {
+            count = 0;
+        }
+
+        StrayBytes soFar(int baud) {
+            int length = (int) Math.min(count, MAX_FIRST);
+            return new StrayBytes(count, new String(first, 0, length, StandardCharsets.ISO_8859_1), baud);
+        }
+    }
+}

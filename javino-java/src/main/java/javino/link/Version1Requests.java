@@ -1,0 +1,162 @@
+package javino.link;
+
+import java.util.concurrent.TimeUnit;
+import javino.Frame;
+import javino.LineClock;
+import javino.PortException;
+
+/**
+ * Asks and listens in version 1: sends requests, and finds the answer to the last one among the messages that come. Times are nanoseconds
+ * of the link's clock. One thread at a time.
+ */
+final class Version1Requests {
+    /** Milliseconds after which a board that may be starting is asked again. */
+    static final int REPEAT_MILLIS = 250;
+
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(Pacer.QUIET_MILLIS);
+
+    private final Inbox inbox;
+    private final FrameWriter writer;
+    private final LineClock clock;
+    private final BoardStart start;
+    private final OwedAnswers owed = new OwedAnswers();
+    private boolean isListening; // a caller wants messages that the board sends unasked
+    private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
+    private Reply overheard; // the newest message that came meanwhile, for a caller that listens; null: none
+
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start) {
+        this.inbox = inbox;
+        this.writer = writer;
+        this.clock = clock;
+        this.start = start;
+    }
+
+    /** Sets whether requests from now on are made for the sake of an action. */
+    void askForAction(boolean value) {
+        isForAction = value;
+    }
+
+    /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
+    Reply request(Frame request, int timeoutMillis) throws PortException {
+        overheard = null;
+        long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
+        long starting = start.nanosLeft();
+        if (starting > 0) {
+            return askUntil(clock.nanos() + Math.max(starting, timeoutNanos), request, timeoutMillis);
+        }
+        Reply answer = inbox.next(ask(request, timeoutMillis) + timeoutNanos);
+        if (answer == null) {
+            writer.unanswered(clock.nanos());
+            return null;
+        }
+        return completed(answer, timeoutMillis);
+    }
+
+    /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
+    Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
+        long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
+        Reply answer = null;
+        for (long left = giveUp - clock.nanos();
+                answer == null && left > 0 && inbox.isReadingVersion1();
+                left = giveUp - clock.nanos()) {
+            long sent = ask(request, timeoutMillis);
+            answer = awaitAnswer(sent, sent + Math.min(left, repeatNanos), giveUp);
+        }
+        return answer == null ? null : completed(answer, timeoutMillis);
+    }
+
+    /** Writes a request, unless the board speaks version 2 after all, and returns when its last byte leaves. */
+    long ask(Frame request, int timeoutMillis) throws PortException {
+        long sent = writer.write(FrameWriter.Kind.REQUEST, request.length(), timeoutMillis, () -> {
+            if (!(isForAction && isListening)) {
+                inbox.clear();
+            }
+            if (!inbox.isReadingVersion1()) { // it would end the session that WELCOME has begun meanwhile
+                return null;
+            }
+            inbox.sends(request);
+            return request.toBytes();
+        });
+        if (inbox.isReadingVersion1()) {
+            owed.asked(sent);
+        }
+        return sent;
+    }
+
+    /** Brings the exchange whose first message has come to its end, and returns the answer. */
+    Reply completed(Reply first, int timeoutMillis) throws PortException {
+        start.heard();
+        Reply answer = last(first, timeoutMillis);
+        if (isForAction && isListening) {
+            overheard = answer;
+        }
+        writer.answered(clock.nanos());
+        return answer;
+    }
+
+    /** The newest message that the board sends of its own accord, or null if none comes by {@code deadline}. */
+    Reply listen(long deadline) throws PortException {
+        isListening = true;
+        Reply message = overheard != null ? overheard : inbox.next(deadline);
+        overheard = null;
+        if (message == null) {
+            return null;
+        }
+        start.heard();
+        writer.answered(clock.nanos()); // a board that speaks is not busy with a request that nobody waits for any more
+        return newest(message);
+    }
+
+    /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
+    Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
+        Reply answer = inbox.next(deadline);
+        while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop the part that has come
+        }
+        return answer;
+    }
+
+    private boolean isComing(long sent) {
+        return inbox.isReadingVersion1()
+                && inbox.lastByteNanos() - sent > 0
+                && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
+    }
+
+    /**
+     * The answer to the last request, when the first message behind it has come.
+     *
+     * @param first that message
+     */
+    private Reply last(Reply first, int timeoutMillis) throws PortException {
+        if (owed.mayBeLate()) {
+            return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
+        }
+        owed.answered(clock.nanos());
+        return newest(first); // behind a frame that was cut comes the intact one
+    }
+
+    /** The newest message that is there already: {@code message}, unless others have come behind it. */
+    private Reply newest(Reply message) throws PortException {
+        Reply newer = inbox.newest();
+        return newer == null ? message : newer;
+    }
+
+    /** The last message before the line falls silent. */
+    private Reply lastBeforeSilence(Reply first, long timeoutNanos) throws PortException {
+        long now = clock.nanos();
+        long giveUp = now + timeoutNanos;
+        long settlingNanos = owed.settlingNanos(now, timeoutNanos);
+        Reply last = first;
+        while (giveUp - clock.nanos() > 0 && inbox.isReadingVersion1()) {
+            long left = Math.min(inbox.lastByteNanos() + settlingNanos, giveUp) - clock.nanos();
+            Reply later = inbox.next(clock.nanos() + left);
+            if (later != null) {
+                last = later;
+            } else if (clock.nanos() - inbox.lastByteNanos() >= settlingNanos) {
+                owed.settled();
+                return last;
+            }
+        }
+        return last; // the line does not rest: the next answer may be late too
+    }
+}

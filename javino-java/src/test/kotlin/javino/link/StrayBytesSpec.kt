@@ -1,0 +1,64 @@
+package javino.link
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldEndWith
+import javino.PortTimeoutException
+import javino.Protocol
+import javino.failure
+import javino.sim.FakeBoard
+
+class StrayBytesSpec : FunSpec({
+    val settings = LinkSettings.defaults().withProtocol(Protocol.V1).withBootMillis(0)
+
+    /** The error of a link whose board answers requests with these bytes. */
+    fun failure(answer: String, ask: (Link) -> Unit = { it.request("getPercepts", 50) }): String =
+        FakeBoard.plugIn("stray").lenient().use { board ->
+            board.whenAsked("getPercepts").answerRaw(answer)
+            Link.open(board.port(), settings, "the test").use { link -> shouldThrow<PortTimeoutException> { ask(link) }.message.orEmpty() }
+        }
+
+    test("text in place of a message is shown, with Serial.print as its likely cause") {
+        failure("dist(f,30);\r\n") shouldEndWith "within 50 ms; 13 bytes came since the last message and are none: " +
+            "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print in place of the Javino library?"
+    }
+
+    test("bytes that are no text are shown as numbers, with the rate as their likely cause") {
+        failure("\u00f8\u0000\u00e6\u0080x") shouldContain
+            "\"\\xF8\\x00\\xE6\\x80x\", which is no text: does the board run at another rate than 9600 baud?"
+    }
+
+    test("a message that does not end is told from text") {
+        failure("fffe20dist(f,30);") shouldContain "which is a part of a message: are bytes lost, or is the time for an answer too short?"
+    }
+
+    test("a board that sends nothing at all is asked about its sketch, with the calls that are forgotten most") {
+        failure("") shouldEndWith "does the board run a Javino sketch at 9600 baud, with javino.start(9600) in setup() and javino.run() " +
+            "in loop()? A loop() that waits, as with delay(3000), answers too late"
+    }
+
+    test("who listens is told as well") {
+        failure("ready\r\n") { link ->
+            runCatching { link.request("getPercepts", 50) }
+            link.listen(50)
+        } shouldContain "sent no message within 50 ms; 7 bytes came"
+    }
+
+    test("a message ends the count, and the first bytes stand for many") {
+        FakeBoard.plugIn("stray").lenient().use { board ->
+            board.whenAsked("getPercepts").answer("a;")
+            Link.open(board.port(), settings, "the test").use { link ->
+                link.request("getPercepts", 500)
+                link.strayBytes().count() shouldBe 0
+                board.noise(*"x".repeat(60).toByteArray())
+                repeat(10) { link.watch(20) }
+                link.strayBytes() shouldBe StrayBytes(60, "x".repeat(StrayBytes.MAX_FIRST), 9600)
+                link.strayBytes().inWords() shouldContain "60 bytes came since the last message and are none: \"xxx"
+                link.request("getPercepts", 500)
+                link.strayBytes().count() shouldBe 0
+            }
+        }
+    }
+})
