@@ -60,8 +60,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * A decoder for a line that frames of another protocol share: it stops at the first byte of one, and the caller {@link #takeOther takes}
-     * that frame.
+     * A decoder for a line that frames of another protocol share: it stops at the first byte of one, and the caller
+     * {@link #takeOther takes} that frame.
      *
      * @param other the byte with which those begin outside of payloads of version 1; -1: there are none
      */
