@@ -103,7 +103,7 @@ final class CommandLoop {
             giveUpStuck();
             ask();
             try {
-                line.await(line::mustAskFirst, this::patienceEnds, false);
+                line.serve(line::mustAskFirst, this::patienceEnds);
             } catch (RuntimeException | Error unforeseen) { // a transport's
                 LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
                 line.abandon(unforeseen);

@@ -50,7 +50,7 @@ final class RequestChannel {
             if (line.protocol() == Protocol.AUTO && !line.mustAnswer()) {
                 sayHello();
             } else if (line.protocol() == Protocol.AUTO) {
-                negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
+                negotiateOnce();
             } else {
                 version1.askUntil(clock.nanos() + start.nanosLeft(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
@@ -88,10 +88,20 @@ final class RequestChannel {
     private Reply negotiate(Frame request, int timeoutMillis) throws PortException {
         negotiating.lock();
         try {
-            return negotiation.run(request, timeoutMillis);
+            Reply answer = negotiation.run(request, timeoutMillis);
+            start.saidHello();
+            return answer;
+        } finally {
+            negotiating.unlock();
+        }
+    }
+
+    /** Negotiates for a command. If that fails, the commands behind it go out unasked. */
+    private void negotiateOnce() throws PortException {
+        try {
+            negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
         } finally {
             start.saidHello();
-            negotiating.unlock();
         }
     }
 

@@ -202,12 +202,22 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
      * @return whether it is done
      */
     boolean await(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
+        return await(isDone, deadline, reads, () -> deadline.getAsLong() - clock.nanos());
+    }
+
+    /** Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends. */
+    void serve(BooleanSupplier isDone, LongSupplier deadline) throws PortException {
+        await(isDone, deadline, false, () -> Monitor.FOREVER);
+    }
+
+    private boolean await(BooleanSupplier isDone, LongSupplier deadline, boolean reads, LongSupplier writeNanos)
+            throws PortException {
         try {
             while (true) {
                 Outgoing frame = monitor.getInterruptibly(() -> nextUnless(isDone, deadline, reads));
                 report();
                 if (frame != null) {
-                    write(frame, deadline.getAsLong() - clock.nanos(), true);
+                    write(frame, writeNanos.getAsLong(), true);
                 } else if (monitor.get(isDone::getAsBoolean)) {
                     return true;
                 } else if (monitor.get(() -> deadline.getAsLong() - clock.nanos() <= 0)) {
@@ -231,8 +241,8 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
             if (frame != null || !reports.isEmpty()) {
                 return frame;
             }
-            if (version1.mustLook(clock.nanos())) {
-                inbox.look();
+            if (version1.mustLook(clock.nanos()) && !inbox.isBeingRead()) {
+                inbox.readFor(0);
             } else if (mustRead(reads)) {
                 inbox.readFor(Math.min(left, nanosToRead()));
             } else {

@@ -19,7 +19,7 @@ final class Version1Commands {
     private long lookAt;
     private boolean
             isHeldBack; // only urgent commands went out when it began, so its arrival has no meaning for the others
-    private Command unasked; // may go out although the board should be asked for something before
+    private boolean isUnasked; // the next command may go out although the board should be asked for something before
     private volatile long movedNanos;
 
     /**
@@ -45,12 +45,12 @@ final class Version1Commands {
     /** Returns whether the command whose turn is next waits until the board has been asked for something. */
     boolean mustAskFirst() {
         Command next = underWay == null ? writer.head() : null;
-        return next != null && next != unasked && mustAsk.getAsBoolean();
+        return next != null && !isUnasked && mustAsk.getAsBoolean();
     }
 
     /** Lets the command whose turn is next go out although the board could not be asked. */
     void goUnasked() {
-        unasked = writer.head();
+        isUnasked = writer.head() != null;
     }
 
     long nanosUntilBegin() {
@@ -73,7 +73,7 @@ final class Version1Commands {
         underWay = writer.head();
         isHeldBack = writer.isHeldBack();
         writer.begin();
-        unasked = null;
+        isUnasked = false;
         return underWay;
     }
 

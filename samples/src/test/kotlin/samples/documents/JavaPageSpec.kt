@@ -56,7 +56,7 @@ class JavaPageSpec : FunSpec({
     }
 
     test("the thread that writes compiles") {
-        compile("Writing" to "import javino.*;\nclass Writing {\nvoid show(Link board) {\n$writing\n}\n}\n")
+        compile("Writing" to "import javino.*;\nimport javino.link.*;\nclass Writing {\nvoid show(Link board) {\n$writing\n}\n}\n")
     }
 
     test("the classic interface compiles") {

@@ -80,7 +80,7 @@ internal class RecordingCommand : DataCommand() {
         val start = recording.times?.first ?: return err.println("$file has no message")
         val begin = start.after(from) ?: start
         val end = start.after(until) ?: Long.MAX_VALUE
-        if (end <= begin) misuse("--until is later than --from")
+        if (end <= begin) misuse("--until is later than ${if (from == null) "0" else "--from"}")
         val printed = recording.messages(begin, end, topics).onEach { print(it, start) }.count()
         if (printed == 0) err.println("$file has no such message in that time")
     }
