@@ -15,9 +15,9 @@ typedef struct {
     uint8_t in[1024]; /* bytes to the board */
     unsigned in_begin;
     unsigned in_end;
-    unsigned bits; /* of the byte on its way to the board, the next one lowest */
+    unsigned bits; /* remaining bits of the byte on its way to the board; the next bit is the lowest */
     int bits_left;
-    int taken; /* bits of the byte on its way from the board */
+    int taken; /* number of bits received of the byte on its way from the board */
     uint8_t byte;
 } soft;
 

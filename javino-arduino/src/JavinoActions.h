@@ -126,7 +126,7 @@ private:
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     if (!function)
       return false;
-    reader() = callByFunctor; /* which does more */
+    reader() = callByFunctor; /* which also finds an action by its functor */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;

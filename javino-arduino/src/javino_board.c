@@ -152,7 +152,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Begins the frame of a part of an answer, of so many bytes of it. */
+/* Begins the frame of one part of an answer; length is the number of the answer's bytes in it. */
 static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;

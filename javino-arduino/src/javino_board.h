@@ -81,7 +81,7 @@ typedef struct javino_board {
     javino_room whole;  /* bytes of whole percepts in it */
     bool overlong;   /* the percept that is being written does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool split;         /* of the percept that is being written a piece has been ended */
+    bool split;         /* a piece of the percept that is being written has been ended */
     javino_room coded;  /* bytes of items that are as they are sent */
     uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
     uint8_t answering;  /* the request whose answer goes out part by part; 0: none */

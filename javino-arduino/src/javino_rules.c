@@ -149,7 +149,7 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     }
 }
 
-/* Returns true if a percept meets a rule; sets reflex to the beginning of its reflex, the rule's end without one. */
+/* Returns true if a percept meets a rule. Sets reflex to the beginning of the rule's reflex; to the rule's end if it has none. */
 static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -367,7 +367,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* Sends the next part if the line is free, or all that are left. False if no answer goes out so. */
+/* Sends the next part of the answer if the line is free; with any `where` but JAVINO_RULES_GO_ON, all remaining parts. Returns false if no
+ * answer is being sent. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;

@@ -21,11 +21,11 @@ internal class CommandLedger(
     private val port: () -> Any?,
 ) {
     private val lock = ReentrantLock()
-    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port the numbers, each with the time of issue in ms
-    private val movedMs = HashMap<Any, Long>() // by port, when a command was done last while others were pending
+    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port: the times of issue in ms, by command number
+    private val movedMs = HashMap<Any, Long>() // by port: the time in ms at which a command was last done while others were pending
     private var issued = 0L
 
-    /** Enters a new command to [port] and returns its number. */
+    /** Records a new command for [port] and returns the command's number. */
     fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeMap)[it] = nowMs() } }
 
     /** Notes that command [number] to [port] has gone out, failed or timed out. */

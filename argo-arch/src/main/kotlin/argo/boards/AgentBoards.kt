@@ -161,7 +161,7 @@ internal class AgentBoards(
     /** Wakes the agent until [seen] is true; other threads call [seen]. */
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
+    /** Starts or stops perceiving. Once stopped, no reflex is sent; a board carries out its own reflexes until its rules are removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open

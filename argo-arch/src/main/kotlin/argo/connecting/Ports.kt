@@ -99,7 +99,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Puts the failures of so many wanted ports into one; null: none failed. */
+    /** Combines the failures in [failed], of [wanted] ports in all, into one; null: none failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second

@@ -36,7 +36,7 @@ interface BoardLinkProvider {
     @Throws(PortException::class)
     fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
 
-    /** Returns true if [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
+    /** Returns true if [open] is worth trying. It is asked repeatedly for a board that has gone, so it must be cheap. */
     fun isPresent(port: String): Boolean = true
 
     companion object {

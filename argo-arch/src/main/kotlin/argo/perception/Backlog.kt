@@ -59,7 +59,7 @@ internal class Backlog(
 
     @Volatile
     private var lastCommand = 0L
-    private val deadlines = ConcurrentHashMap<Intention, Long>() // until when each is awaited
+    private val deadlines = ConcurrentHashMap<Intention, Long>() // the time in ms until which each intention is awaited
 
     /** The number of events in Jason's queue, of any kind. */
     val waitingEvents: Int get() = queues.events().size

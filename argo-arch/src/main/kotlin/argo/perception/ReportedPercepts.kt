@@ -15,7 +15,7 @@ internal class ReportedPercepts {
     /** Their texts. */
     val texts: List<String> get() = reports.values.map { it.text }
 
-    /** Adds [text], which was reported at [receivedNanos], since it meets [rule]. */
+    /** Adds the percept [text], which the board reported at [receivedNanos] because it meets [rule]. */
     fun add(rule: CriticalRule, text: String, receivedNanos: Long) {
         reports -= rule
         reports[rule] = Report(text, receivedNanos)

@@ -20,10 +20,10 @@ class PerceptionFilter(
 ) {
     /** The fate of the percepts that one of a filter's rules meets. */
     enum class Mode {
-        /** They are dropped, and all others are kept: the filters of the paper. */
+        /** Percepts that meet a rule are dropped; all others are kept: the filters of the paper. */
         DROP,
 
-        /** They are kept, and all others are dropped. */
+        /** Percepts that meet a rule are kept; all others are dropped. */
         KEEP,
     }
 

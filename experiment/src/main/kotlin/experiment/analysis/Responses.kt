@@ -44,7 +44,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
     /** True if it is a time, in seconds. */
     val isTime: Boolean get() = unit == "s"
 
-    /** True if the paper has it, but for collisions. */
+    /** True if the paper has this response, apart from its values for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
     /** Returns its value in a run with [result] of [plan]. */

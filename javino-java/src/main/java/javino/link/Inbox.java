@@ -171,8 +171,8 @@ final class Inbox {
     }
 
     /**
-     * Reads for at most {@code nanos}, less if an unfinished frame has to be given up before. The caller holds the monitor's lock once,
-     * which is free while bytes are awaited; no thread {@link #isBeingRead reads}.
+     * Reads for at most {@code nanos}; less if an unfinished frame must be given up earlier. The caller holds the monitor's lock exactly
+     * once; the lock is released while bytes are awaited. Call this only if no thread {@link #isBeingRead reads}.
      */
     int readFor(long nanos) throws PortException {
         long start = clock.nanos();

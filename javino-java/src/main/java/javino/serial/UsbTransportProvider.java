@@ -59,7 +59,7 @@ public class UsbTransportProvider implements TransportProvider {
     @Override
     public boolean isPresent(String address) {
         try {
-            return !fitting(address).isEmpty(); // of several, opening says so
+            return !fitting(address).isEmpty(); // if several fit, opening fails with their list
         } catch (NoSuchPortException e) {
             return false;
         }

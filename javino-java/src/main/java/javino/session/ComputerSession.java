@@ -180,8 +180,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. One that does not answer the last HELLO shows at least that the board speaks version 2. If
-     * commands of its session have begun already, another computer has begun that session with the same nonce.
+     * Takes a WELCOME while there is no session. A WELCOME that does not answer the last HELLO still shows that the board speaks version 2.
+     * A WELCOME of a session in which commands have begun already shows that another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {

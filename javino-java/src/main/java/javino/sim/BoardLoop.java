@@ -44,14 +44,13 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // of the message handled last
-    private long
-            silentNanos; // in all: the receiver's clock, since bytes that waited in a buffer or for this thread are not
-    // late
+    // total silence: the receiver's clock, by which bytes that waited in a buffer or for this thread are not late
+    private long silentNanos;
     private long listenedNanos; // since the last byte
     private long lookedNanos;
     private boolean isLooking;
     private boolean hasToldLeftOut;
-    private boolean isHandlingCommands; // of which others may follow
+    private boolean isHandlingCommands; // further commands may follow
     private boolean isAnswering;
     private int requestBytes;
     private int answerBytes;

@@ -125,7 +125,7 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line, but of another file no more than shows that it is no recording: it may have no end. */
+    /** Reads the first line. Reads of any other file only as much as shows that it is no recording, since that file may be endless. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);

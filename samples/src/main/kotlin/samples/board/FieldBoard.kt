@@ -80,7 +80,7 @@ class FieldBoard(
     }
 
     private companion object {
-        /** Up to so many bytes of the next frame, an emptied message still counts as one. */
+        /** The board restarts if at most this many bytes of the next frame are read behind a message; with more, it loses the message. */
         const val CLEARING = 4
         const val WRITE_LIMIT_MS = 30_000
     }

@@ -23,7 +23,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on [rules], before which [first] decide. */
+/** Returns the warnings on [rules]. The rules in [first] decide before them. */
 private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->

@@ -47,7 +47,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.skew
-        """, // from the second line on ARGO's own actions, in their other forms
+        """, // the lines from the second on are other names of ARGO's own actions
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()

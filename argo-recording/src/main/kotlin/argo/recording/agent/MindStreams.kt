@@ -74,7 +74,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // of all arrays
-    private var replacement: Class<*>? = null // of the last object that replaced a reference: Java asks the filter about it, too
+    private var replacement: Class<*>? = null // the last object that replaced a reference is of this class, which Java shows the filter too
 
     init {
         enableResolveObject(true)

@@ -73,7 +73,7 @@ internal class Recorder(
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
-    private val works = AtomicInteger() // that wait in the inbox
+    private val works = AtomicInteger() // number of works that wait in the inbox
     private var running: Running? = null
 
     @Volatile
@@ -150,7 +150,7 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /** Refuses the cycle if a thread of the project has changed the agent's beliefs; of its events alone a replay has all. */
+    /** Refuses the cycle if a thread of the project has changed the agent's beliefs. If it has only added events, a replay has them all. */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")

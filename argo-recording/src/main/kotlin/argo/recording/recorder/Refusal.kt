@@ -45,7 +45,7 @@ internal fun refusal(ts: TransitionSystem): String? {
             "the agent senses, deliberates or acts several times in a cycle, which a recording does not know; leave that out in the .mas2j"
         strange.isNotEmpty() ->
             "besides argo.Arch the agent has the architecture ${strange.joinToString { it.javaClass.name }}, " +
-                "through which more may enter it; a recording knows argo.Arch alone"
+                "through which more may enter it; a recording knows only argo.Arch"
         else -> null
     }
 }

@@ -61,7 +61,7 @@ internal interface Answers {
     /** Returns the recorded message that corresponds to [mail], which the agent sends; null: none. */
     fun sent(mail: Mail): Mail?
 
-    /** Takes the refusal of recorded texts of the [what]: one stands for a term that no recording can hold. */
+    /** Notes that a recorded text of the [what] is refused, since it stands for a term that no recording can hold. */
     fun refused(what: String, why: UnrecordableTerm)
 
     /** Ends the cycle. */

@@ -180,7 +180,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
     null
-} catch (_: LinkageError) { // on some disks, a name that differs from a class only by case
+} catch (_: LinkageError) { // some disks ignore case, and find the class of a name that differs only by case
     null
 }
 

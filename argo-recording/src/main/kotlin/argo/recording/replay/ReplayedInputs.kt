@@ -44,7 +44,7 @@ import java.util.concurrent.ScheduledFuture
  * @param senses the percepts of the agent
  */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
-    private val ids = HashMap<String, String>() // of messages: from the recorded to the present one
+    private val ids = HashMap<String, String>() // the present id of each message, by its recorded id
     private var counters: List<Int> = emptyList() // after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false

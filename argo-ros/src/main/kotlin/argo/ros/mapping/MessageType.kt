@@ -160,7 +160,7 @@ internal class MessageType private constructor(
             return definition.words("fieldnames").withIndex().associate { (index, field) ->
                 val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without a bound, as ROS 2 has
                 val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
-                field.removePrefix("_") to FieldType(rosType(type), length) // which rosapi of ROS 2 puts in front
+                field.removePrefix("_") to FieldType(rosType(type), length) // rosapi of ROS 2 puts "_" in front
             }
         }
 
