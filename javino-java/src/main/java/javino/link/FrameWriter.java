@@ -133,14 +133,13 @@ final class FrameWriter implements WaitingCommands<Command> {
             return Monitor.FOREVER;
         }
         long now = clock.nanos();
-        return pacer.holdsActions(now) && !next.isUrgent()
-                ? pacer.nanosHeld(now)
-                : pacer.nanosUntilAction(next.frame().length(), now);
+        long held = next.isUrgent() ? 0 : pacer.nanosHeld(now);
+        return held > 0 ? held : pacer.nanosUntilAction(next.frame().length(), now);
     }
 
-    /** Returns whether only urgent commands of version 1 are written until the board answers. */
+    /** Returns whether only urgent commands of version 1 are written until the board answers: see {@link SilentBoardHold}. */
     boolean isHeldBack() {
-        return monitor.get(() -> pacer.holdsActions(clock.nanos()));
+        return monitor.get(() -> pacer.nanosHeld(clock.nanos()) > 0);
     }
 
     /** Returns whether the board's {@code loop()} seems to take longer than commands are apart: see {@link Pacer#isSlow}. */
