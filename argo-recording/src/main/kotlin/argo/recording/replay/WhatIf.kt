@@ -48,7 +48,7 @@ class WhatIf internal constructor(
 
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val answers = WhatIfAnswers(RecordedCalls(cycles), isCarryingOut = program != null, usualNs)
+    private val answers = WhatIfAnswers(NearestRecordedCalls(cycles), isCarryingOut = program != null, usualNs)
     private val inputs = ReplayedInputs(answers, senses)
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())

@@ -5,10 +5,10 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds calls of [cycles], and the ends of the operations that they began, as answers to an agent that may make other calls, or at other
- * times.
+ * Finds calls of [cycles], and the ends of the operations that those calls began. They answer an agent that may make other calls, or make
+ * them at other times.
  */
-internal class RecordedCalls(cycles: Sequence<Cycle>) {
+internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
         var isTaken = false
     }
