@@ -5,7 +5,8 @@ import jason.asSyntax.Literal
 
 /**
  * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message;
- * percepts beyond the limit are left out. Not safe for use by several threads at once.
+ * percepts beyond the limit are left out. It warns once, and again after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by
+ * several threads at once.
  *
  * @param max the most percepts
  * @param warning takes the message when the limit is exceeded

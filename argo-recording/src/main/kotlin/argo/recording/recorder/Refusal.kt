@@ -11,7 +11,11 @@ import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalAgArchAsynchronous
 import jason.util.Config
 
-/** Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can. */
+/**
+ * Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can.
+ *
+ * Directives of the project are refused by [StoredProgram], unknown internal actions by [WatchedCode][argo.recording.agent.WatchedCode].
+ */
 internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
     val kqml = Config.get().kqmlPlansFile
