@@ -45,7 +45,7 @@ import java.util.logging.Logger
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
     private val deleted = DeletedPercepts()
-    private var waiting: Int? = null // see Perception
+    private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
     // called by the boundary, made once for all cycles

@@ -96,7 +96,7 @@ internal class BoardRules(
 
     private fun adjust() {
         val now = wanted().distinct()
-        if (now != wishes) refused.clear() // there may be room now
+        if (now != wishes) refused.clear() // the board may have room for the refused rules now
         wishes = now
         val next = now.asSequence().filter { it !in refused }
             .mapNotNull { rule -> boardRuleOf(rule)?.let { rule to it } }.take(room).toMap()

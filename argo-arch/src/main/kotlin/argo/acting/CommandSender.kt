@@ -34,7 +34,7 @@ internal class CommandSender(
     /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
     fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
 
-    /** As [send], for a command that changes the board's rules, ahead of waiting commands. */
+    /** Queues [change], a command that changes the board's rules, ahead of waiting commands; else as [send] of a text. */
     fun send(change: CommandItem.Rule): Transmission =
         transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
 
@@ -76,7 +76,7 @@ internal class CommandSender(
             // the commands that waited for the line have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // without this thread no command would go out; the port is opened anew with another
+        } catch (unforeseen: Throwable) { // the port is opened anew, with another thread: without one no command would go out
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

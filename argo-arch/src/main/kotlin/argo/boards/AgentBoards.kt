@@ -77,7 +77,7 @@ internal class AgentBoards(
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that were perceived since all ports were last closed; changes while the ports in use change. */
+    /** All boards that were perceived since all ports were last closed; the list changes while the ports in use change. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
@@ -278,7 +278,7 @@ internal class AgentBoards(
             if (it.namespace != null) hasNamespaces = true
             boards -= setOfNotNull(known)
             boards += it
-            it.renewFilter() // the agent may have changed its own meanwhile
+            it.renewFilter() // the agent may have changed its filter meanwhile
         }
     }
 

@@ -70,7 +70,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
-    /** Its filter; null: everything is kept. Any thread may read. */
+    /** The board's filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
     /** The time at which its answer is expected. */

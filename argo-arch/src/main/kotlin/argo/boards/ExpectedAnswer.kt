@@ -21,7 +21,7 @@ internal class ExpectedAnswer {
 
     /** Notes that the answer has come; it counts as expected until it is [read]. */
     fun came(nanos: Long) {
-        val asked = askedNanos ?: return // a board that speaks unasked
+        val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked
         askedNanos = null
         usualNanos = usualNanos?.let { it + (took - it) / WEIGHT } ?: took

@@ -70,7 +70,7 @@ internal class ReadySnapshots(
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // answers that came before the wait was visible
+        awaited.filter(Board::isReady).forEach(begun::leave) // their answers came before the wait was visible
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }

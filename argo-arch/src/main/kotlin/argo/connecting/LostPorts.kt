@@ -69,7 +69,7 @@ internal class LostPorts(
     /** Closes [port] and looks for it, now and again until it is removed. Does not wait. */
     fun lookFor(port: LostPort) {
         val trouble = troubleOf { platform.start("argo-$owner-looking-for-${port.name}") { look(port) } }
-        if (trouble != null) lookLater(port, trouble) // the machine has no thread for it
+        if (trouble != null) lookLater(port, trouble) // the machine has no thread for the look
     }
 
     private fun lookLater(port: LostPort, trouble: Throwable?) {

@@ -21,7 +21,7 @@ internal class OpenPort(
     val losses: Int,
     use: (OpenPort) -> AutoCloseable,
 ) {
-    /** Its options. */
+    /** The options with which the port was opened. */
     @Volatile
     var options: PortOptions = options
         private set

@@ -36,7 +36,7 @@ internal class Ports(
     private val lock = ReentrantLock()
     private val open = LinkedHashMap<String, OpenPort>()
     private val lost = LostPorts(owner, platform, ::reopen, warn)
-    private val lastOptions = ConcurrentHashMap<String, PortOptions>() // by name
+    private val lastOptions = ConcurrentHashMap<String, PortOptions>() // by the port's name
     private var opening = 0
     private var stopped = false
 

@@ -88,7 +88,7 @@ object Insides {
     val callCounter: Inside<AtomicInteger> = of(ConcurrentInternalAction::class.java, "actcount", "actCount") // 3.2.1, 3.3.0
     val atCounter: Inside<AtomicInteger> = of(at::class.java, "idCount")
 
-    /** All fields above, and those of `.wait`. */
+    /** All fields above, and the fields of `.wait`. */
     val all: List<Inside<*>> get() = found + WaitEvents.fields
 
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }

@@ -71,10 +71,10 @@ interface PerceivedMessage {
     /** The percepts that the filter lets through, and stand-ins for held-back ones. */
     val kept: List<String>
 
-    /** Those of [kept] that cannot be believed; the agent's log has the reason. */
+    /** The percepts in [kept] that cannot be believed; the agent's log has the reason. */
     val unreadable: Set<String>
 
-    /** The time of its last byte, in ns of [ObservedAgent.nanos]. */
+    /** The time of the message's last byte, in ns of [ObservedAgent.nanos]. */
     val receivedNanos: Long
 }
 

@@ -11,7 +11,7 @@ import java.util.logging.Logger
 
 /** The interface of an agent for its observers. Any thread may call, but for [beliefs]. */
 interface ObservedAgent {
-    /** Its name in the multi-agent system. */
+    /** The agent's name in the multi-agent system. */
     val name: String
 
     /** The policy by which it gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
@@ -31,10 +31,10 @@ interface ObservedAgent {
     /** The actions that its boards have registered; null: no board that it perceives has described itself. */
     val actions: List<BoardAction>?
 
-    /** Its belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
+    /** The agent's belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
 
-    /** Its intentions and events. For the agent's thread only, as [beliefs]. */
+    /** The agent's intentions and events. For the agent's thread only, as [beliefs]. */
     val circumstance: Circumstance
 
     /** Jason's transition system of it, with its program and options. For the agent's thread only, as [beliefs]. */
@@ -77,7 +77,7 @@ interface ObservedAgent {
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
-    /** As the other [act], with [options], which are those of `argo.act`. */
+    /** As the other [act], but with the [options] of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
     /** Makes it run a reasoning cycle soon. */

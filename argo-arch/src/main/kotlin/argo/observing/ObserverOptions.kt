@@ -25,7 +25,7 @@ internal class ObserverOptions(private val options: Map<String, String>, private
         val value = options[provider.option] ?: return@mapNotNull null
         try {
             provider.open(value, agent, log)
-        } catch (broken: Throwable) { // not the agent's own code; also a library that is missing
+        } catch (broken: Throwable) { // a provider is not the agent's own code; this also catches a missing library
             log.log(Level.SEVERE, broken) { "${provider.option}=$value: ${provider.javaClass.name} failed, and the agent runs without" }
             null
         }

@@ -102,7 +102,7 @@ private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term 
 private fun claimsToBeAPort(literal: Literal) =
     literal.functor == "port" && literal.arity == 2 && isOneOf(PortStatus.WORDS, literal.getTerm(1))
 
-private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // off[x] matches off
+private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // the term off[x] matches the word off
 
 /** Returns [literal] without the sources it claims: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {

@@ -51,7 +51,7 @@ internal class BoardPercepts(
     private val lock = clock.newLock(false)
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
-    private var message: List<String> = emptyList() // the newest one, without reports
+    private var message: List<String> = emptyList() // the newest message, without reports
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were seen last. */

@@ -15,7 +15,7 @@ import java.util.Queue
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
     if (queue.none { tellsOf(it, wanted) }) return
-    val waiting = generateSequence(queue::poll).toList() // in parts of the queue an event of another thread could be passed over
+    val waiting = generateSequence(queue::poll).toList() // the whole queue: if parts were moved, an event of another thread could be missed
     val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
     queue.addAll(urgent)
     queue.addAll(others)

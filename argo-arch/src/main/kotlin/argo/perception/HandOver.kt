@@ -44,9 +44,9 @@ internal interface HandOver {
  */
 internal class FreshHandOver(private val backlog: Backlog) : HandOver {
     private val lock = ReentrantLock()
-    private val critical = ArrayDeque<Snapshot>() // those with new critical percepts, in their order
+    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // those that have let a snapshot pass early since one was taken in its turn
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
 
     @Volatile
     private var newest: Snapshot? = null

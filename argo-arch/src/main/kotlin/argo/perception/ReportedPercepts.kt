@@ -10,9 +10,9 @@ import javino.wire.Shape
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
 
-    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order in which they came
+    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order in which the reports came
 
-    /** Their texts. */
+    /** The texts of the reported percepts. */
     val texts: List<String> get() = reports.values.map { it.text }
 
     /** Adds the percept [text], which the board reported at [receivedNanos] because it meets [rule]. */

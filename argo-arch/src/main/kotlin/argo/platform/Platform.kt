@@ -67,7 +67,7 @@ interface Platform {
 
             private fun carryOut(action: () -> Unit) = try {
                 action()
-            } catch (broken: Throwable) { // Jason's scheduler would keep it to itself
+            } catch (broken: Throwable) { // Jason's scheduler would tell nobody of it
                 Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "what was to be done later has failed", broken)
             }
 

@@ -18,7 +18,7 @@ internal enum class SensingPolicy(val word: String) {
         /** Returns the policy called [word], or null. */
         fun of(word: String): SensingPolicy? = entries.find { it.word == word }
 
-        /** All words, for a message. */
+        /** The words of all policies, for a message. */
         val words: String get() = entries.joinToString(", ") { it.word }
     }
 }

@@ -78,7 +78,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * As the other form, of percepts of a declared type, whose arguments have names.
+     * As the other form, but for percepts of a declared type, whose arguments have names.
      *
      * ```kotlin
      * critical(Distance) { cm lt 15; reflex("stop") }

@@ -76,7 +76,7 @@ sealed class TypedArgument<V>(
     private val name: String,
     internal val termOf: (V) -> GroundTerm,
 ) {
-    /** Its name in the percept's type. */
+    /** The argument's name in the percept's type. */
     override fun toString(): String = name
 }
 

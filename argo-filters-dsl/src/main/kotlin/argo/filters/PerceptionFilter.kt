@@ -32,7 +32,7 @@ class PerceptionFilter(
         /** Jason's belief update deletes them. */
         FORGET,
 
-        /** They stay as they were at the change. */
+        /** The hidden beliefs stay as they were at the change. */
         FREEZE,
     }
 

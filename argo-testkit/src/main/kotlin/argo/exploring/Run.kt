@@ -4,7 +4,7 @@ import kotlin.time.Duration
 
 /** An entry of a run's trace, at a time since the run began. Immutable. */
 sealed interface TraceEntry {
-    /** Its time. */
+    /** The time of the entry. */
     val at: Duration
 }
 

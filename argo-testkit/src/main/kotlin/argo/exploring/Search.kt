@@ -9,7 +9,7 @@ sealed interface Outcome {
     /** The number of runs, those for shrinking included. */
     val runs: Int
 
-    /** Their length together, in virtual time. */
+    /** The length of all runs together, in virtual time. */
     val played: Duration
 }
 

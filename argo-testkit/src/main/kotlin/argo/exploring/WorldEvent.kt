@@ -10,10 +10,10 @@ import kotlin.time.Duration.Companion.milliseconds
  * Times are whole milliseconds. Of several that overlap on one board, the strongest has effect.
  */
 sealed interface WorldEvent {
-    /** Its beginning. */
+    /** The event's beginning. */
     val at: Duration
 
-    /** Its end; [at] if it takes no time. */
+    /** The event's end; [at] if it takes no time. */
     val ends: Duration get() = at
 
     /** A description for a person, without the time. */

@@ -23,7 +23,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** It is kept back for a while; the agent perceives the percept of its kind that was let through last. */
+        /** The percept is kept back for a while; the agent perceives the percept of its kind that was let through last. */
         HELD_BACK("is held back"),
     }
 

@@ -57,7 +57,7 @@ internal class KeptAction(action: ActionExec, private val ended: (ActionExec) ->
 
 /** Returns the texts of the arguments of [call] that have variables, as [un] binds them, by their places. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
-    if (call.args.all { it.isGround }) return emptyMap() // as in most calls
+    if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }
 }
 

@@ -4,19 +4,19 @@ import jason.asSemantics.ArithFunction
 
 /** The relation of an internal action or function of Jason's to the world outside of its agent. */
 internal enum class Nature {
-    /** None: its result follows from the agent, and it changes nothing else. A replay carries it out again. */
+    /** No relation: the result follows from the agent, and nothing else changes. A replay carries the action out again. */
     PURE,
 
     /**
-     * Its messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay carries it
-     * out again.
+     * The action's messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay
+     * carries the action out again.
      */
     BOUNDARY,
 
-    /** Its result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded one. */
+    /** The result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded result. */
     INPUT,
 
-    /** It changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry it out. */
+    /** The action changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry the action out. */
     EFFECT,
 }
 

@@ -78,7 +78,7 @@ internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Bool
 internal fun Wait.make(ts: TransitionSystem): CircumstanceListener {
     val before = intention.suspendedReason
     Insides.selectedIntention[ts.c] = intention
-    ts.c.listeners.clear() // other listeners would be notified of the new one
+    ts.c.listeners.clear() // other listeners would be notified of the new mind
     val made = WaitEvents.make(trigger, formula, un, ts, if (timer == null) -1L else 0L, elapsed)
     intention.suspendedReason = before
     WaitEvents.reason[made] = reason

@@ -67,9 +67,9 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
  * changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // by the present visit
+    private var seen = identities() // objects that the present visit has seen
     private val actions = HashMap<String, InternalAction>()
-    private var plans: List<Plan> = emptyList() // the visited ones
+    private var plans: List<Plan> = emptyList() // the plans that were visited
     private var isStale = false
     private var unknown: UnknownCodeException? = null // code that the agent has looked up since
 

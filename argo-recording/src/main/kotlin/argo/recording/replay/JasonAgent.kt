@@ -78,7 +78,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, shown(address)) }
-    loadInitialAS(null) // the rest
+    loadInitialAS(null) // does the rest
     aslSrc = address
 }
 

@@ -45,7 +45,7 @@ import java.util.concurrent.ScheduledFuture
  */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the present id of each message, by its recorded id
-    private var counters: List<Int> = emptyList() // after the agent's last cycle
+    private var counters: List<Int> = emptyList() // the counters after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false
     private lateinit var code: WatchedCode
@@ -71,7 +71,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of its plans
+        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of plans of the recorded program
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
@@ -89,7 +89,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have run since
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed the counters since
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->

@@ -92,19 +92,19 @@ data class UnchosenPlan(
 
 /** The fate of a plan. */
 enum class Verdict {
-    /** No event came for which it is relevant. */
+    /** No event came for which the plan is relevant. */
     NO_EVENT,
 
-    /** A part of its context was not true. */
+    /** A part of the plan's context was not true. */
     NOT_APPLICABLE,
 
-    /** It was applicable, but the agent chose another applicable plan. */
+    /** The plan was applicable, but the agent chose another applicable plan. */
     NOT_CHOSEN,
 
-    /** It was chosen, but its intention did not reach the step: it waits, has failed, or was dropped. */
+    /** The plan was chosen, but its intention did not reach the step: the intention waits, has failed, or was dropped. */
     NOT_REACHED,
 
-    /** It was chosen and issued the command, but at another time. */
+    /** The plan was chosen and issued the command, but at another time. */
     ISSUED,
 }
 

@@ -54,9 +54,9 @@ internal class Conditions(
     private fun solutions(formula: LogicalFormula, un: Unifier): List<Unifier> = try {
         formula.logicalConsequence(agent, un.clone())?.asSequence()?.take(MAX_WAYS)?.toList().orEmpty()
     } catch (_: JasonException) {
-        emptyList() // an internal action in it failed
+        emptyList() // an internal action in the formula failed
     } catch (_: RuntimeException) {
-        emptyList() // a comparison of terms without a value
+        emptyList() // the formula compares terms without a value
     }
 
     private fun failed(part: LogicalFormula, un: Unifier): Condition {

@@ -31,7 +31,7 @@ internal class Offers(private val participant: Participant, private val send: (S
 
     private val base = "/${participant.name}"
     private val action = "$base/$ACT"
-    private val offers = ConcurrentHashMap<String, Offer>() // by the names of their services
+    private val offers = ConcurrentHashMap<String, Offer>() // by the name of the offer's service
     private val underWay = AtomicInteger()
     private val goals = ActGoals(action, send)
 

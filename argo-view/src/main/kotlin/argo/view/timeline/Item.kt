@@ -13,10 +13,10 @@ internal enum class Lane {
     /** The events that the agent chose. */
     EVENTS,
 
-    /** The steps of its intentions. */
+    /** The steps of the agent's intentions. */
     INTENTIONS,
 
-    /** Its commands, from being issued to their outcome. */
+    /** The agent's commands, from being issued to their outcome. */
     COMMANDS,
 
     /** The lines that it printed. */
