@@ -76,7 +76,7 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            if (!isTaken.getAndSet(true)) { // a write that has not begun does not
+            if (!isTaken.getAndSet(true)) { // a write that has not begun never will
                 underWay.decrementAndGet();
             }
         }

@@ -282,7 +282,7 @@ public final class FakeBoard implements AutoCloseable {
         volatile int outcomeMillis; // 0: the outcome is known at once
         volatile UnaryOperator<String> answer = message -> null;
         volatile Supplier<String> sensors = () -> "";
-        volatile byte[] raw; // in place of an answer; null: none
+        volatile byte[] raw; // bytes sent in place of an answer; null: none
 
         Rule() {}
 

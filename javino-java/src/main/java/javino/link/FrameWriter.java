@@ -46,10 +46,10 @@ final class FrameWriter implements WaitingCommands<Command> {
     private final LineClock clock;
     private final Pacer pacer;
     private boolean isWriting;
-    private int turnsAwaited; // of requests and HELLOs
+    private int turnsAwaited; // number of requests and HELLOs that wait for their turn
     private volatile long outcomeNanos;
     private long writtenBytes;
-    private long readBytes; // of the bytes written, those that the far end has proved to have read
+    private long readBytes; // how many of the written bytes the far end has proved to have read
     private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 

@@ -55,7 +55,7 @@ public record LinkSettings(
         return new LinkSettings(value, paced, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
     }
 
-    /** These settings, paced or not. */
+    /** These settings for a line that is paced, or is not. */
     public LinkSettings withPaced(boolean value) {
         return new LinkSettings(baud, value, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
     }

@@ -45,7 +45,7 @@ final class LoopTime {
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
 
     private final long[] delays = new long[SAMPLES];
-    private final long[] sorted = new long[SAMPLES]; // the same, in their order
+    private final long[] sorted = new long[SAMPLES]; // the delays in ascending order
     private int count;
     private int next;
     private long estimate;

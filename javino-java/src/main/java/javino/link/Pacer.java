@@ -40,18 +40,18 @@ final class Pacer {
     private final int maxHoldMillis;
 
     private long lineFreeAt;
-    private long lastEnd; // of the last frame, or of the answer behind it
+    private long lastEnd; // end of the last frame, or of the answer behind it
     private final LoopTime loop = new LoopTime();
     private long requestEnd;
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
-    private int unanswered; // requests that were not answered
-    private boolean boardIsIdle; // it has nothing to handle, so the next frame meets no message
+    private int unanswered; // number of requests in a row without an answer
+    private boolean boardIsIdle; // the board has nothing to handle, so the next frame meets no message
     private long busyUntil;
     private final SilentBoardHold silence = new SilentBoardHold();
     private int lateAnswers; // late answers in a row
-    private int actionsMeanwhile; // written while the board may have been busy with the last request
+    private int actionsMeanwhile; // actions written while the board may have been busy with the last request
     private int bytesMeanwhile;
 
     /** @param now the time at which the line was opened */
@@ -130,7 +130,7 @@ final class Pacer {
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
-            loop.forget(); // it may have grown
+            loop.forget(); // the loop may take longer now
         }
         loop.asked();
         answerBegun = false;
@@ -151,7 +151,7 @@ final class Pacer {
     long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
-            boolean buffered = now - start < duration; // it may have reached the driver as late as now
+            boolean buffered = now - start < duration; // the frame may have reached the line as late as now
             lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
         } else {
             lineFreeAt = now;
@@ -193,7 +193,7 @@ final class Pacer {
         awaitingAnswer = false;
         busyUntil = now;
         if (!actionSinceRequest) {
-            lineFreeAt = now; // all has left, if the line is faster than its rate, as a pseudo-terminal is
+            lineFreeAt = now; // all bytes have left, if the line is faster than its rate, as a pseudo-terminal is
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);

@@ -71,7 +71,7 @@ final class Version1Requests {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (!inbox.isReadingVersion1()) { // it would end the session that WELCOME has begun meanwhile
+            if (!inbox.isReadingVersion1()) { // a request would end the session that WELCOME has begun meanwhile
                 return null;
             }
             inbox.sends(request);
@@ -132,7 +132,7 @@ final class Version1Requests {
             return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
-        return newest(first); // behind a frame that was cut comes the intact one
+        return newest(first); // the intact answer may come behind one that was cut
     }
 
     /** The newest message that is there already: {@code message}, unless others have come behind it. */

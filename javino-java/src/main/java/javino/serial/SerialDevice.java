@@ -41,7 +41,7 @@ record SerialDevice(String name, String path) {
     }
 
     boolean exists() {
-        return !hasNode() || new File(path).exists(); // without one only the driver knows
+        return !hasNode() || new File(path).exists(); // without a device file, only the driver knows
     }
 
     /** Returns whether the device shows in the file system, as it does everywhere but on Windows. */

@@ -52,7 +52,7 @@ public class UsbTransportProvider implements TransportProvider {
         try {
             return Transports.SERIAL + ':' + device(address).canonicalAddress();
         } catch (NoSuchPortException e) {
-            return port(address); // it is no device's name now
+            return port(address); // the address names no device now
         }
     }
 
@@ -111,7 +111,7 @@ public class UsbTransportProvider implements TransportProvider {
                 .collect(Collectors.joining(", "));
     }
 
-    /** Without the second names that macOS has for the same devices. */
+    /** Returns {@code ports} without the second names that macOS has for the same devices. */
     static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
         List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
         return ports.stream()

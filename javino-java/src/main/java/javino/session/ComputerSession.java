@@ -58,13 +58,13 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean mustResume;
     private boolean isBusy;
-    private boolean isTimed; // since timerFrom
+    private boolean isTimed; // the retransmission timer runs since timerFrom
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
     private long heardAt; // time of the last valid frame, or since when something is awaited
     private int silentRepetitions;
-    private int impossibleNumbers; // of frames in a row
+    private int impossibleNumbers; // number of frames in a row with an impossible number
     private FrameKind writing; // the frame that next() returned last
 
     /**
@@ -358,7 +358,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame request(long now) {
         if (requests.bytes() > 0) {
-            silentRepetitions++; // there is no answer to the one before
+            silentRepetitions++; // the request before this one has no answer
         } else if (window.size() == 0) {
             heardAt = now; // nothing has been awaited
         }
@@ -373,7 +373,7 @@ public final class ComputerSession<C extends SessionCommand> {
             timeout.timedOut();
             silentRepetitions++;
             window.repeat();
-            isTimed = false; // until it has gone out
+            isTimed = false; // the timer begins again when the repetition has gone out
         }
     }
 
@@ -445,7 +445,7 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     private final class Row {
-        private final boolean isFirst; // it is the first that is out, so it may be longer than the credit
+        private final boolean isFirst; // no other row is out, so this one may be longer than the credit
         private String payload = "";
 
         Row(boolean isFirst) {
@@ -519,7 +519,7 @@ public final class ComputerSession<C extends SessionCommand> {
         long untilRepetition = isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE;
         long untilRequest = requests.nanosUntilDue(now);
         if (untilRequest == 0 && !requestIsDue(now)) {
-            untilRequest = Long.MAX_VALUE; // it waits for an acknowledgement
+            untilRequest = Long.MAX_VALUE; // the request waits for an acknowledgement
         }
         return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
     }

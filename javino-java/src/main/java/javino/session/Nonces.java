@@ -11,7 +11,7 @@ final class Nonces {
     private static final List<Integer> USABLE = usable();
 
     private final RandomGenerator random;
-    private int last = -1; // its place among the usable ones; -1: there was none
+    private int last = -1; // place of the last nonce among the usable ones; -1: there was none
 
     Nonces(RandomGenerator random) {
         this.random = random;

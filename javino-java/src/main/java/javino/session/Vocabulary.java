@@ -19,7 +19,7 @@ final class Vocabulary {
     private static final int REQUESTS = 255;
 
     private final List<BoardAction> actions = new ArrayList<>();
-    private final Map<String, Integer> numbers = new HashMap<>(); // of those without arguments
+    private final Map<String, Integer> numbers = new HashMap<>(); // numbers of the actions without arguments, by name
     private int request;
     private int doublings;
     private boolean isWanted;

@@ -12,13 +12,13 @@ import javino.wire.BoardAction;
 public interface BoardProgram {
     /** The outcome of a command. */
     enum Outcome {
-        /** It was carried out. */
+        /** The command was carried out. */
         DONE,
 
-        /** It is unknown, or has wrong arguments. */
+        /** The command is unknown, or has wrong arguments. */
         REFUSED,
 
-        /** It was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
+        /** The command was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
         LATER
     }
 

@@ -91,7 +91,7 @@ public final class BoardSession {
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else it has come twice
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else the same HELLO has come twice
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {

@@ -39,7 +39,7 @@ public record LineRecording(List<Entry> entries) {
         /** To the board. */
         OUT,
 
-        /** From the board, of its own accord: the percept that met a critical rule on it. */
+        /** From the board, of its own accord: the percept that met one of its critical rules. */
         CRITICAL,
 
         /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */

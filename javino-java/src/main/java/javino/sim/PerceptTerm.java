@@ -23,7 +23,7 @@ record PerceptTerm(String functor, List<String> arguments) {
         return new PerceptTerm(withoutBlanks(text.substring(0, end)), hasArguments ? arguments(text, end) : List.of());
     }
 
-    /** Without blanks around it; a control character is none. */
+    /** Returns {@code text} without blanks around it. A control character is no blank. */
     private static String withoutBlanks(String text) {
         int from = 0;
         int end = text.length();

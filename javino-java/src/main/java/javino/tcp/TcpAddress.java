@@ -50,7 +50,7 @@ record TcpAddress(String host, int number) {
                         + scheme + "://192.168.1.20:4000)");
     }
 
-    /** The same for all spellings of one place; the host is not looked up. */
+    /** A text that is the same for all spellings of one place. Does not look the host up. */
     String canonical() {
         return "//" + this;
     }

@@ -79,7 +79,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     protected String lossWhenRefused() {
-        return "the connection broke"; // known better by then
+        return "the connection broke"; // only a default: a better reason is known by then
     }
 
     String broken(IOException e) {

@@ -107,7 +107,7 @@ final class TlsConnector {
             }
             in.unread(first);
         } catch (SocketTimeoutException e) {
-            // it has nothing against the certificate, or the lack of one
+            // the board has nothing against the certificate, or the lack of one
         } catch (SSLException e) {
             throw refusal(e);
         }

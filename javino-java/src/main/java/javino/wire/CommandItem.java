@@ -59,7 +59,7 @@ public sealed interface CommandItem {
     /** Bytes of the longest command. */
     int MAX_TEXT = WireFrame.MAX_PAYLOAD - 2;
 
-    /** Its bytes. */
+    /** The item's bytes on the line, a character a byte. */
     String payload();
 
     private static void requireLength(String text) {

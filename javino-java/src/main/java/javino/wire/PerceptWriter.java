@@ -73,7 +73,7 @@ public final class PerceptWriter {
     /** Percepts with ids that follow each other. */
     private static final class Row {
         private final StringBuilder items;
-        private final StringBuilder halfBytes = new StringBuilder(); // one a character
+        private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte
         private int first;
         private int count;
 

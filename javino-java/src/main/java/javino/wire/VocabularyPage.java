@@ -35,7 +35,7 @@ public record VocabularyPage(int request, int first, int total, List<BoardAction
         return new VocabularyPage(request, first, all.size(), fitting);
     }
 
-    /** Its bytes. */
+    /** The page's bytes on the line, a character a byte. */
     public String payload() {
         StringBuilder payload =
                 new StringBuilder().append((char) request).append((char) first).append((char) total);

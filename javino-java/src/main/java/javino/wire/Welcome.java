@@ -24,7 +24,7 @@ public record Welcome(int nonce, int credit, int longestPayload, int rules, int 
         this(nonce, credit, longestPayload, rules, REVISION, 0);
     }
 
-    /** Its bytes. */
+    /** The payload's bytes on the line, a character a byte. */
     public String payload() {
         return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules + (char) revision
                 + (char) actionsLost;
