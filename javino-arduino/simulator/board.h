@@ -36,15 +36,15 @@ struct board {
     void *context;
     pin_watcher watcher;
     byte_sink sink;
-    byte_forecast forecast; /* in place of sink; may be null */
+    byte_forecast forecast; /* called in place of sink; may be null */
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
-    bool converted[BOARD_ANALOGUE]; /* since power-on */
-    uint8_t levels[BOARD_PINS];     /* put on a pin from outside: 1 low, 2 high; 0: none */
+    bool converted[BOARD_ANALOGUE]; /* read since power-on */
+    uint8_t levels[BOARD_PINS];     /* level put on a pin from outside: 1 low, 2 high; 0: none */
     int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
     uint8_t in[4096];
-    uint64_t in_at[4096]; /* the cycle at which each begins; 0: behind the one before */
+    uint64_t in_at[4096]; /* the cycle at which each byte begins; 0: behind the byte before */
     unsigned in_begin;
     unsigned in_end;
     bool feeding;

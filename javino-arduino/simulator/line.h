@@ -11,9 +11,9 @@ typedef struct {
     int master;      /**< For poll: readable when the far end has written. */
     int opens;       /**< For poll: readable when somebody has opened or closed the far end. */
     int slave;       /* held open, so that the terminal's settings stay raw */
-    int users;       /* how many have the far end open */
+    int users;       /* how many programs have the far end open */
     char path[64];   /**< The far end's device. */
-    const char *link; /* a symbolic link to it, or null */
+    const char *link; /* a symbolic link to the device, or null */
 } line;
 
 /**

@@ -23,7 +23,7 @@
 #define SLICE_NS 250000ull
 /* If the machine has kept the simulator waiting for longer, the lost time is not made up for. */
 #define LAG_NS 50000000ull
-/* From one look at the pins for a person to the next. */
+/* Time between two looks at the pins for a person. */
 #define PANEL_NS 100000000ull
 
 static const char USAGE[] =
@@ -56,7 +56,7 @@ typedef struct {
     line line;
     line soft_line;
     soft soft;
-    uint64_t offset_ns;   /* the real time of power-on, moved by what was not made up for */
+    uint64_t offset_ns;   /* the real time of power-on, plus the lost time that was not made up for */
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;

@@ -82,7 +82,7 @@ private:
   static const int16_t MOST = 400;
 
   Mantissa mantissa_;
-  uint8_t digits_; /* of the mantissa */
+  uint8_t digits_; /* number of digits of the mantissa */
   int16_t exponent_;
 };
 #endif

@@ -30,7 +30,7 @@
 #define JAVINO_GATHERED_BYTES 300
 #endif
 
-/** For JavinoNetworkSized: gathers the bytes for a stream, which may change and be none. */
+/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change, and there may be none. */
 class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
@@ -82,10 +82,10 @@ struct JavinoGatheringHolder {
 /** A board on streams, with this many bytes of memory, as JavinoSized has them. */
 template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
 public:
-  /** On no stream until setStream(). */
+  /** A board on no stream until setStream(). */
   JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
 
-  /** On this stream, which lasts as long as it is used. */
+  /** A board on this stream, which must last as long as it is used. */
   explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
     begin();
     setStream(stream);

@@ -16,7 +16,7 @@
 /* The bytes of an answer in a frame, without the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
-#define SPLITS /* in pieces, if a percept is longer than the memory */
+#define SPLITS /* a percept longer than the memory is sent in pieces */
 #endif
 #endif
 
@@ -226,7 +226,7 @@ static void put(javino_board *b, char c);
 static void begin_item(javino_board *b)
 {
     put(b, (char)JAVINO_ITEM_NEW);
-    put(b, 0); /* its length */
+    put(b, 0); /* the item's length */
 }
 #endif
 

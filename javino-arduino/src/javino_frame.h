@@ -97,15 +97,15 @@ typedef uint8_t javino_follows;
 typedef struct {
     uint8_t *bytes;
     uint16_t size;
-    uint16_t end;      /* bytes there are */
-    uint16_t gap;      /* where a silence lies between them; 0: nowhere */
+    uint16_t end;      /* number of bytes there are */
+    uint16_t gap;      /* place of a silence between the bytes; 0: there is none */
     uint16_t taken;    /* bytes of the frame at the front: all of them, or in version 2 those that stand without escapes already */
     uint16_t timeout_ms;
     uint16_t last_ms;
-    uint16_t silence; /* ms at the end of the bytes, as far as is known */
+    uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */
     bool held; /* the frame at the front has been handed out */
     bool quiet;     /* a frame of version 1 may begin here */
-    uint8_t session; /* its nonce; 0: there is none, and such a frame may begin anywhere */
+    uint8_t session; /* nonce; 0: there is no session, and a frame of version 1 may begin anywhere */
     uint8_t damaged; /**< Frames of version 2 that have been dropped, modulo 256. May be read. */
 } javino_decoder;
 

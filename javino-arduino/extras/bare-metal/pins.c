@@ -11,7 +11,7 @@ typedef enum { INPUT, LOW, HIGH, PWM } kind;
 static struct {
     kind kind;
     uint8_t duty;
-    bool level; /* of an input */
+    bool level; /* level of an input */
     bool watched;
 } pins[PIN_COUNT];
 

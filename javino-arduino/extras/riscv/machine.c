@@ -120,7 +120,7 @@ void machine_start(void)
     }
     set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* set once: at the start its upper half does not change */
     __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's */
-    __asm__ volatile("csrsi mstatus, 8");                        /* all interrupts */
+    __asm__ volatile("csrsi mstatus, 8");                        /* enables all interrupts */
 }
 
 void machine_put(uint8_t port, uint8_t byte)
