@@ -74,7 +74,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         val lock = try {
             channel.tryLock()
         } catch (_: OverlappingFileLockException) {
-            null // by another experiment of this program
+            null // another experiment of this program holds the lock
         }
         if (lock != null) return channel
         channel.close()

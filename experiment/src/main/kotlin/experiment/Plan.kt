@@ -23,7 +23,7 @@ internal enum class Plan(
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** One combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
+    /** A combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;

@@ -15,7 +15,7 @@ import samples.collision.Sensors
  */
 @Serializable
 internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
-    /** As published: each reasoning cycle waits for the line, commands are written at once, version 1. */
+    /** The published setting: each reasoning cycle waits for the line, commands are written at once, version 1. */
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
@@ -27,7 +27,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /** As [VERSION_2], and the board watches a critical rule at the limit, whose reflex stops the robot. */
+    /** As [VERSION_2]; also, the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
@@ -43,7 +43,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
  */
 @Serializable
 internal enum class View(val word: String) {
-    /** All sensors. */
+    /** The agent perceives all sensors. */
     @SerialName("none")
     NONE("none"),
 
@@ -81,7 +81,7 @@ internal enum class View(val word: String) {
  *
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval in ms
- * @property replication its number, from 1
+ * @property replication the number of the replication, from 1
  * @property baud the line's rate
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */

@@ -131,7 +131,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors(): String = robot.percepts() // several a frame, which no computer receives
+    override fun sensors(): String = robot.percepts() // several percepts a frame; no computer receives them here
 
     override fun act(command: String) {
         robot.act(command)

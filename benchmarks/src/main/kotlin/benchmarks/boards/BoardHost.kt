@@ -43,7 +43,7 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     private fun words(): List<String> = checkNotNull(answers.readLine()) { "the boards' process has ended" }.split(' ')
 
     override fun close() {
-        commands.close() // it ends with its input
+        commands.close() // the process ends with its input
         process.waitFor()
     }
 

@@ -61,7 +61,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, of an output from now on
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, with which the pin becomes an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)

@@ -96,5 +96,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** With so many draws an end of an interval is at the wanted percentile, give or take 0.2. */
+/** The number of draws, with which an end of an interval is at the wanted percentile, give or take 0.2. */
 private const val DRAWS = 10_000

@@ -29,7 +29,7 @@ class FieldBoard(
     private val startMs: Int = 100,
 ) {
     private var message: String? = null
-    private var bytesBehind = 0 // read behind the message
+    private var bytesBehind = 0 // number of bytes read behind the message
 
     /** The number of restarts because frames followed each other too closely. */
     @Volatile

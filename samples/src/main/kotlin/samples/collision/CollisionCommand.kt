@@ -143,7 +143,7 @@ internal class CollisionCommand : Callable<Int> {
     }
 
     private companion object {
-        const val INTERRUPTED = 130 // as shells report Ctrl-C
+        const val INTERRUPTED = 130 // the exit status with which shells report Ctrl-C
         const val MAX_PORT = 65_535
         const val WAIT_S = 60
         const val MAX_WAIT_S = 3600

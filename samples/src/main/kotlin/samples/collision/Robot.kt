@@ -24,7 +24,7 @@ class Robot(
         clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
     ) : this(clock, Sensors(random), noticed)
 
-    /** Its course by the commands so far; any thread may ask. */
+    /** The robot's course by the commands so far; any thread may ask. */
     val course: Course get() = way.get()
 
     /** The lamps that are on, of `light` and `temp`; any thread may ask. */
@@ -53,7 +53,7 @@ class Robot(
         notice(now)
     }
 
-    @Synchronized // its sensors may be on a board of their own
+    @Synchronized // the sensors may be on a board of their own, with a thread of its own
     private fun notice(now: Long) {
         val state = course.stateAt(now)
         if (state == lastNoticed) return
