@@ -65,7 +65,7 @@ struct board {
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
 
-/** Runs until so many cycles have passed since power-on. @return false if the sketch has crashed or ended */
+/** Runs until this number of cycles has passed since power-on. @return false if the sketch has crashed or ended */
 bool board_run(board *board, uint64_t cycle);
 
 /** Presses the reset button. Time goes on; bytes on the line are lost. */

@@ -34,7 +34,7 @@ void soft_connect(soft *soft, board *board, int receives, int sends, unsigned ba
 /** @return how many bytes soft_receive takes at present */
 unsigned soft_room(const soft *soft);
 
-/** Sends a byte to the board, behind those before. */
+/** Sends a byte to the board, behind the bytes sent before. */
 void soft_receive(soft *soft, uint8_t byte);
 
 #endif

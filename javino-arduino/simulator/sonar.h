@@ -4,7 +4,7 @@
 
 #include "board.h"
 
-/** The range of such a sensor, in centimetres. */
+/** The range of a sonar, in centimetres. */
 #define SONAR_MAX_CM 400
 
 /**

@@ -60,7 +60,7 @@ public:
     exponent_ += static_cast<int16_t>(exponent < -MOST ? -MOST : exponent > MOST ? MOST : exponent);
   }
 
-  /** Returns true if it is within the range of a double, or too small for it. */
+  /** Returns true if the number is within the range of a double, or too small for it. */
   bool fits() const { return mantissa_ == 0 || digits_ + exponent_ <= DBL_MAX_10_EXP; }
 
   /** Returns its value if it fits; 0 if it is too small. */

@@ -216,7 +216,7 @@ void JavinoBoard::term(char value) {
   term(text);
 }
 
-/** Writes at least so many digits, with zeros before them. */
+/** Writes a number with at least `least` digits, filled up with zeros in front. */
 static void putDigits(javino_board *board, uint64_t number, uint8_t least) {
   char digits[20];
   uint8_t n = 0;

@@ -24,7 +24,7 @@
 #define JAVINO_LIBRARY_VERSION 100
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number with so many decimals, see decimals(). */
+/** A number and how many decimals are written, see decimals(). */
 struct JavinoDecimals {
   double value;
   uint8_t digits;

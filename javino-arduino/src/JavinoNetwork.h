@@ -25,7 +25,7 @@
 
 #include "JavinoBoard.h"
 
-/** Bytes that are gathered for one write; longer answers take more than one. Of TCP over Ethernet a packet holds 1,460. */
+/** Bytes that are gathered for one write; longer answers take several writes. A packet of TCP over Ethernet holds 1,460 bytes. */
 #ifndef JAVINO_GATHERED_BYTES
 #define JAVINO_GATHERED_BYTES 300
 #endif
@@ -35,7 +35,7 @@ class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
 
-  /** Sets the stream, and forgets the bytes for the one before. */
+  /** Sets the stream, and forgets the bytes gathered for the stream before. */
   void setStream(Stream *stream) {
     to_ = stream;
     length_ = 0;
@@ -43,7 +43,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops those that the stream does not take: nobody is there any more. */
+  /** Writes the gathered bytes. Drops the bytes that the stream does not take: nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {

@@ -48,7 +48,7 @@ extern "C" {
 /** Bytes that a decoder needs for every possible frame: the longest one and the next one's header. */
 #define JAVINO_WINDOW (JAVINO_OVERHEAD + JAVINO_MAX_PAYLOAD + 6)
 
-/** The inter-byte timeout for a rate of so many baud: 100 ms or 20 byte times, whichever is longer. */
+/** The inter-byte timeout for a line of baud bits a second: 100 ms or 20 byte times, whichever is longer. */
 #define JAVINO_TIMEOUT_MS(baud) ((uint16_t)((baud) >= 2000 ? 100 : 200000UL / ((baud) < 50 ? 50 : (baud))))
 
 /** Kinds of version 2 frames, as in their byte CC. */

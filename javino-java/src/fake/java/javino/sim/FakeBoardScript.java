@@ -38,7 +38,7 @@ final class FakeBoardScript {
                 .findFirst();
     }
 
-    /** Answers that are given in turn, and the last of them from then on. Safe on any thread. */
+    /** Answers that are given in turn; from then on the last answer is repeated. Safe on any thread. */
     static final class InTurn {
         private final List<String> answers;
         private final AtomicInteger turn = new AtomicInteger();

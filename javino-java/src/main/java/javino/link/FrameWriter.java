@@ -61,7 +61,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         outcomeNanos = clock.nanos();
     }
 
-    /** Queues a command, and returns those whose place it takes. */
+    /** Queues a command, and returns the waiting commands whose place it takes. */
     List<Command> submit(Command command) throws PortGoneException {
         return monitor.get(() -> {
             requireLine();
@@ -69,7 +69,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
+    /** Takes a command that has not begun to go out from the queue, for good; false: it has begun. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
@@ -320,7 +320,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records that a message is complete, the answer to the last request if one is awaited: actions that waited for it go out. */
+    /** Records that a message is complete, the answer to the last request if an answer is awaited. Actions that waited for it go out. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }

@@ -37,7 +37,7 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** The most messages that wait to be taken: nobody may ever take those of a board that speaks unasked. The newest are kept. */
+    /** The most messages that wait to be taken; the newest are kept. Nobody may ever take the messages of a board that speaks unasked. */
     static final int MAX_MESSAGES = 64;
     /**
      * The most reads, one after the other, of bytes that a line has ready: more than any driver holds, but an end for a line that never

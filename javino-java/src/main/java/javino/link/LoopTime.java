@@ -95,7 +95,7 @@ final class LoopTime {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is to be written later than it may be. */
+    /** Nanoseconds by which the next request is written later than at the earliest possible time. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

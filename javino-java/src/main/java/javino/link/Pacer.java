@@ -27,7 +27,7 @@ final class Pacer {
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** After so many late answers in a row the board is taken to be slow: one or two may be this computer's fault. */
+    /** The number of late answers in a row after which the board is taken to be slow: one or two may be this computer's fault. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
@@ -82,7 +82,7 @@ final class Pacer {
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Nanoseconds for which only urgent actions are to be written if no answer comes; 0: others may be, too. */
+    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: all actions may. */
     long nanosHeld(long now) {
         return paced ? silence.nanosHeld(now) : 0;
     }

@@ -36,7 +36,7 @@ import javino.wire.WireFrame;
  */
 final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
-    /** The longest single read while a frame is being written, behind which another may be due. */
+    /** The longest single read while a frame is being written. Behind that frame, another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
@@ -298,7 +298,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         return next;
     }
 
-    /** The bytes are those of the current session, even if another begins before they are written. */
+    /** Returns bytes of the current session, even if another session begins before they are written. */
     private Outgoing nextOfSession(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
@@ -386,7 +386,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         }
     }
 
-    /** Writes a command of version 1. Those behind it go on, whatever a transport throws. */
+    /** Writes a command of version 1. The commands behind it go on, whatever a transport throws. */
     private void writeCommand(Outgoing next, int millis) throws PortGoneException {
         Throwable failure;
         try {

@@ -40,7 +40,7 @@ public record StrayBytes(long count, String first, int baud) {
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }
 
-    /** The first ones with control characters as in Java, and others that are no ASCII as {@code \xHH}. */
+    /** The first stray bytes as text: control characters as in Java, other bytes that are no ASCII as {@code \xHH}. */
     private String shown() {
         StringBuilder text = new StringBuilder();
         for (char c : first.toCharArray()) {

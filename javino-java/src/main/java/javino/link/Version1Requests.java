@@ -135,7 +135,7 @@ final class Version1Requests {
         return newest(first); // the intact answer may come behind one that was cut
     }
 
-    /** The newest message that is there already: {@code message}, unless others have come behind it. */
+    /** Returns the newest message that is there: {@code message}, unless other messages have come behind it. */
     private Reply newest(Reply message) throws PortException {
         Reply newer = inbox.newest();
         return newer == null ? message : newer;

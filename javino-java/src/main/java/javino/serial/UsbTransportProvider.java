@@ -13,7 +13,7 @@ import javino.Transports;
 /** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, whatever its name is now. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
-    /** macOS has each device twice, and the one that calls out is the one to open. */
+    /** On macOS each device has two names; this one begins the name for calls in. The name for calls out is the one to open. */
     private static final String MAC_CALL_IN = "tty.";
 
     private static final String MAC_CALL_OUT = "cu.";

@@ -37,7 +37,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After so many frames in a row with numbers that cannot be right, the board cannot have the current session. */
+    /** After this number of frames in a row with impossible numbers, the board cannot be in the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -154,7 +154,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Takes a frame that has come; WELCOME or one of this session. */
+    /** Takes a frame that has come: WELCOME, or a frame of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
@@ -438,7 +438,7 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
-    /** Bytes of the longest text that the board takes of a command, or of one that changes its rules. */
+    /** Bytes of the longest text that the board takes for a command, or for a command that changes its rules. */
     public int longestText(boolean isRule) {
         int payload = welcome.longestPayload();
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
@@ -452,7 +452,7 @@ public final class ComputerSession<C extends SessionCommand> {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if it fits into the frame, and the frame into the credit beside those that are out; returns whether it did. */
+        /** Adds an item if the frame has room for it, and the credit for the frame beside the frames that are out. Returns whether it did. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();

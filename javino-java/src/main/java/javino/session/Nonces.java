@@ -6,7 +6,7 @@ import java.util.random.RandomGenerator;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions: those whose HELLO needs no escape and holds no {@code f}, with which frames of version 1 begin. */
+/** Chooses the nonces of sessions. Their HELLO needs no escape and holds no {@code f}, since frames of version 1 begin with it. */
 final class Nonces {
     private static final List<Integer> USABLE = usable();
 

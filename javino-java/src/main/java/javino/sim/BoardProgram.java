@@ -23,8 +23,8 @@ public interface BoardProgram {
     }
 
     /**
-     * The actions that it reports to computers; empty: it reports none. Those without arguments may be called by their place here. At most
-     * 126 count, of names with at most 250 bytes: a computer is told how many others there are, and sends none of them.
+     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place here. At
+     * most 126 count, of names with at most 250 bytes. A computer is told how many others there are, and sends none of the others.
      */
     default List<BoardAction> vocabulary() {
         return List.of();

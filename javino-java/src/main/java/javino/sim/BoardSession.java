@@ -46,7 +46,7 @@ public final class BoardSession {
         /** The largest capacity that the protocol can express, without rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
-        /** This capacity, with so many rules. */
+        /** Returns this capacity, with {@code value} rules. */
         public Capacity withRules(int value) {
             return new Capacity(credit, longestPayload, value, shapes);
         }

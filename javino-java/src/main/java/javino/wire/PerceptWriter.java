@@ -49,7 +49,7 @@ public final class PerceptWriter {
         return items.toString();
     }
 
-    /** The id of a shape that is sent for the first time; that of a text without an id if there is none. */
+    /** The id of a shape that is sent for the first time; if none is left, the id that marks a text without an id. */
     private int number(Shape shape, String percept) {
         if (ids.size() >= capacity || percept.length() > PerceptItems.MAX_LENGTH) {
             return PerceptItems.NO_ID;
