@@ -41,7 +41,7 @@ class SensorBoard(
     }
 
     companion object {
-        /** Returns the message of a robot with sensors on its four sides: twelve percepts, all different from those of [n] - 1. */
+        /** Returns the message of a robot with sensors on its four sides: twelve percepts, all different from the percepts of [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")
             val readings = sides.map { "dist($it,${n % 100 + 20})" } +

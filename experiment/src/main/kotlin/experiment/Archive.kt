@@ -83,7 +83,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         )
     }
 
-    /** Writes all settings or none: a program that is killed meanwhile leaves no half of them. */
+    /** Writes all settings or none: a program that is killed meanwhile leaves no half of the settings. */
     private fun begin(asked: Settings) {
         val whole = settingsFile.resolveSibling("settings.json.new")
         whole.writeText(JSON.encodeToString(Settings.serializer(), asked) + "\n")

@@ -76,7 +76,7 @@ internal class Reflexes(
     /** Forgets which rules are met: that was at another time or place. */
     fun forget() = keepOnly(emptyList())
 
-    /** Watches only [rules] from now on. Those of them that are met stay met. */
+    /** Watches only [rules] from now on. Rules that are met now stay met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {

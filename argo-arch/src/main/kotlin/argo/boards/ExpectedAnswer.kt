@@ -28,7 +28,7 @@ internal class ExpectedAnswer {
         expectedNanos = nanos
     }
 
-    /** Notes that the answer can be perceived. The next is expected after [nextNanos], even before the board has been asked for it. */
+    /** Notes that the answer can be perceived. The next answer is expected after [nextNanos], even before the board has been asked. */
     fun read(nextNanos: Long) = expectAfter(nextNanos)
 
     private fun expectAfter(nanos: Long) {

@@ -55,7 +55,7 @@ internal class ReadySnapshots(
      */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
-    /** Returns true if the ready snapshots of [boards] wait for others of them. The first call with that result begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first call with that result begins the wait. */
     private fun areAwaiting(boards: List<Board>) =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 

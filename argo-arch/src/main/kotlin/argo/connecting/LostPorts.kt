@@ -58,7 +58,7 @@ internal class LostPorts(
         .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
         .keys.forEach(::close)
 
-    /** Closes all of them; returns when their devices are free. */
+    /** Closes all lost ports; returns when their devices are free. */
     fun closeAll() = lock.withLock { closing.keys.toList() }.forEach(::close)
 
     private fun close(port: OpenPort) {

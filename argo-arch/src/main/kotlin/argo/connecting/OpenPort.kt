@@ -29,17 +29,17 @@ internal class OpenPort(
     private val namesByTerm = ConcurrentHashMap(names)
     private val user = use(this)
 
-    /** The agent's terms for it, each with the name that the transport opens: a device may have several. */
+    /** The agent's terms for the port, each with the name that the transport opens: a device may have several names. */
     val names: Map<Term, String> get() = namesByTerm
 
-    /** The agent's terms for it. */
+    /** The agent's terms for the port. */
     val terms: Set<Term> get() = namesByTerm.keys
 
     /** True if a message has come from the board. */
     @Volatile
     var hasSpoken = false
 
-    /** Adds a [term] of the agent for it, and the [name] that the transport opens. */
+    /** Adds a [term] of the agent for the port, and the [name] that the transport opens. */
     fun addName(term: Term, name: String) {
         namesByTerm[term] = name
     }

@@ -51,7 +51,7 @@ internal data class PortOptions(
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
-    /** Returns true if a port opened with [other] is the same as with these, whatever its namespace. */
+    /** Returns true if a port is opened in the same way with [other] as with these options; the namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
     private fun with(option: Term): PortOptions? {

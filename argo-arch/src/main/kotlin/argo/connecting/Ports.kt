@@ -212,7 +212,7 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] with its options; called by the thread that searches for it. Under another of its names it may be open already. */
+    /** Opens [found] with its options; called by the thread that searches for it. The port may be open already by another name. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {

@@ -14,7 +14,7 @@ import java.util.WeakHashMap
  * Called by any thread. Unlike a line, its boards may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** The scheme with which its ports begin, without the colon: `ros`; not one of a transport. */
+    /** The scheme with which the provider's ports begin, without the colon, such as `ros`. It must not be a transport's scheme. */
     val scheme: String
 
     /**

@@ -59,7 +59,7 @@ interface AgentObserver : AutoCloseable {
 
 /** A message of a board before and after the filter. Immutable. */
 interface PerceivedMessage {
-    /** The port from which it came, by the name with which it was opened. */
+    /** The port from which the message came, by the name with which the port was opened. */
     val portName: String
 
     /** The namespace of its percepts; null: the default namespace. */

@@ -14,10 +14,10 @@ interface ObservedAgent {
     /** The agent's name in the multi-agent system. */
     val name: String
 
-    /** The policy by which it gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
+    /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
-    /** The sensing interval in ms of boards without one of their own. */
+    /** The sensing interval in ms of boards that have no interval of their own. */
     val intervalMs: Int
 
     /**
@@ -37,10 +37,10 @@ interface ObservedAgent {
     /** The agent's intentions and events. For the agent's thread only, as [beliefs]. */
     val circumstance: Circumstance
 
-    /** Jason's transition system of it, with its program and options. For the agent's thread only, as [beliefs]. */
+    /** The agent's transition system in Jason, with its program and options. For the agent's thread only, as [beliefs]. */
     val reasoning: TransitionSystem
 
-    /** The log to which its plans print with `.print`. Jason's reports about it go there too. */
+    /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
     /** Returns the time of the clock that times its messages, in ns. It never goes back. */
@@ -80,7 +80,7 @@ interface ObservedAgent {
     /** As the other [act], but with the [options] of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
-    /** Makes it run a reasoning cycle soon. */
+    /** Makes the agent run a reasoning cycle soon. */
     fun wake()
 
     /** Makes it run a reasoning cycle soon, and again, ever more slowly, until [seen] returns true. */

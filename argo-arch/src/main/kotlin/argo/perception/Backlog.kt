@@ -71,7 +71,7 @@ internal class Backlog(
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot has been taken in: later events than those in the queue now are not its own. */
+    /** Notes that the last snapshot has been taken in: events that enter the queue from now on do not belong to it. */
     fun takenIn() {
         if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }

@@ -31,7 +31,7 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Sizes the cache for messages of so many [percepts]: for present readings, not for all that sensors ever sent. */
+    /** Sizes the cache for messages with this number of [percepts]: for present readings, not for all that sensors ever sent. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }

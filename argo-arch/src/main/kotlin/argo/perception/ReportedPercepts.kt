@@ -29,7 +29,7 @@ internal class ReportedPercepts {
     /** Forgets all. */
     fun clear() = reports.clear()
 
-    /** Returns [message] with each report in place of the percept whose newer value it is, or behind the others. */
+    /** Returns [message] with each report in place of the percept whose newer value it is; if there is none, behind all percepts. */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {

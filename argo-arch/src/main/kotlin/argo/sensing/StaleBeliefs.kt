@@ -46,7 +46,7 @@ internal class StaleBeliefs(
     /** Returns true if [update] would change the beliefs. */
     fun hasNews(): Boolean = silent() != believed
 
-    /** Returns true if there is no such belief. */
+    /** Returns true if the agent believes `stale` about no port. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
     /** Returns the beliefs. */

@@ -49,7 +49,7 @@ infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
 context(rule: TypedRule)
 infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
-/** Holds back percepts of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
+/** Holds back percepts of which this argument has not moved by [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
 infix fun NumberArgument.deadband(width: Number) {
     specify()

@@ -6,7 +6,7 @@ import kotlin.time.TimeSource
 
 /** The outcome of an exploration. */
 sealed interface Outcome {
-    /** The number of runs, those for shrinking included. */
+    /** The number of runs, including the runs for shrinking. */
     val runs: Int
 
     /** The length of all runs together, in virtual time. */

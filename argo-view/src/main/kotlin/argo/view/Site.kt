@@ -10,7 +10,7 @@ internal class Site {
     /** True if no agent has a page. */
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page], in front of those of agents of the same name that are about to end. */
+    /** Adds [page], in front of the pages of agents of the same name that are about to end. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)

@@ -109,7 +109,7 @@ internal class CollisionCommand : Callable<Int> {
         return verdict.exitStatus
     }
 
-    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's closes the ports while others run. */
+    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's hook closes the ports while other hooks run. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {

@@ -31,7 +31,7 @@ internal class Container private constructor(
         reader.join()
     }
 
-    /** Ends its process, at once if it does not end by itself. */
+    /** Asks the container's process to end; kills it if it does not end in time. */
     override fun close() {
         process.destroy()
         if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()

@@ -55,5 +55,5 @@ private fun isPlain(literal: Literal) = when (literal) {
     else -> true
 }
 
-/** A variable: every condition is false for it. */
+/** A variable, for which every condition is false. */
 private const val NO_VALUE = "_"

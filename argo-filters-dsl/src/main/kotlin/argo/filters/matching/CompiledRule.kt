@@ -110,7 +110,7 @@ internal class CompiledTest(private val test: TermTest) {
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: it equals one of the values; [number]: its value, NaN if it is no number. */
+    /** Returns true if a term meets the test. [isEqual]: the term equals one of the values; [number]: its value, NaN if it is no number. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual

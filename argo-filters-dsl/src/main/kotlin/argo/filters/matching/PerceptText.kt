@@ -33,7 +33,7 @@ internal class PerceptText private constructor(
     /** The rules of [index] that are for the percept, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], which is for it. */
+    /** Returns true if the percept meets the conditions of [rule], which is for percepts of this name and arity. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
     /** The first condition of [rule] that the percept does not meet. */

@@ -21,7 +21,7 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations, of which [open] have not ended yet. */
+    /** Continues after [last] begun operations; the operations in [open] have not ended yet. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)

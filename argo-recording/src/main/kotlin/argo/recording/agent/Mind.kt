@@ -29,10 +29,10 @@ internal class Mind(
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions that have got a number; [numbers] has their numbers in the same order. */
+    /** The intentions that have a number; [numbers] has these numbers in the same order. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
-    /** The agent's plans; null: those of its program. */
+    /** The agent's plans; null: the plans of its program. */
     val plans: ArrayList<Plan>?,
 ) : Serializable {
     private companion object {

@@ -316,7 +316,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. That of Jason's own classes is left in a replay, too, but for the end of an action of the project. */
+    /** Takes [work]. A replay leaves work of Jason's own classes too, except for the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)

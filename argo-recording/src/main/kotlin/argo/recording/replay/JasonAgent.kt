@@ -89,7 +89,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Has Jason forget the things that it forgets in [cycles] cycles in which nothing happens; these are not recorded. */
+/** Makes Jason forget as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -184,7 +184,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if [option] of the recorded agent is for the agent: options of observers, such as a live view, would begin something. */
+/** Returns true if a replayed agent gets [option] too: options of observers, such as a live view, would begin something. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

@@ -51,7 +51,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
 
-    /** Returns the same call as [near], but may return it several times. */
+    /** Returns the nearest call, as [near] does, but may return the same call several times. */
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 

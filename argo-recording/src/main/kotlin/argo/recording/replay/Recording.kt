@@ -88,7 +88,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of the recording of that length. */
+    /** Returns the cycles of [agent], in their order; with [last], only the cycles in the last part, of that length, of the recording. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -104,7 +104,7 @@ class Recording(private val file: Path) : AutoCloseable {
         listOfNotNull(if (first <= 1) null else keyFrames(agent).firstOrNull { it.missing == null && it.index >= first - 1 })
     }.firstOrNull()
 
-    /** Returns the cycles of [agent] that can be replayed, in their order: those after its [start]. */
+    /** Returns the cycles of [agent] that can be replayed, in their order: all cycles after its [start]. */
     fun replayable(agent: String): Sequence<Cycle> {
         val index = start(agent)?.index ?: return cycles(agent)
         return cycles(agent).filter { it.index > index }

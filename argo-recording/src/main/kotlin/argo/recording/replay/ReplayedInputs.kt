@@ -135,7 +135,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: one of them stands for a term that no recording can hold. */
+    /** Returns the result of [read], which reads recorded texts; null: a text stands for a term that no recording can hold. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {

@@ -6,7 +6,7 @@ package argo.recording.storage
  */
 interface RecordSink : AutoCloseable {
     /**
-     * Returns a channel for messages in JSON. The same topic gives the same channel.
+     * Returns a channel for messages in JSON; for a known topic, the channel that was returned before.
      *
      * @param topic its name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`

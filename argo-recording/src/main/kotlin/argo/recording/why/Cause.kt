@@ -153,7 +153,7 @@ data class PlanCause(
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
 
-/** Returns all percepts among the causes of this, and this if it is a percept: the one whose event is at the root first. */
+/** Returns all percepts among this cause and its own causes. The percept whose event is at the root comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
 /** Returns all frames among the causes of this. */

@@ -95,7 +95,7 @@ internal class Conditions(
         return Condition(shown(literal), normal("$applied"))
     }
 
-    /** Returns the causes by which [applied] follows from [rule]; null: it does not follow. */
+    /** Returns the causes by which [applied] follows from [rule]; null: [applied] does not follow. */
     private fun byRule(rule: Rule, applied: Literal, depth: Int): List<Cause>? {
         val un = Unifier()
         if (!un.unifies(applied.copy().makeVarsAnnon(), rule.headClone())) return null

@@ -68,7 +68,7 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** Decides if the robot's time is that of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
+    /** Decides if the robot goes by the time of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true

@@ -116,7 +116,7 @@ internal class MessageScope(private val message: JsonElement, private val bytes:
 }
 
 internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
-    /** Returns [Value.TRUE] if it holds, [Value.FALSE] if it does not, [Value.None] if a value is missing or cannot be compared. */
+    /** Returns [Value.TRUE] if the comparison holds, [Value.FALSE] if not, [Value.None] if a value is missing or cannot be compared. */
     fun valueIn(scope: Scope): Value {
         val (a, b) = left.valueIn(scope) to right.valueIn(scope)
         if (a is Value.None) return a

@@ -47,7 +47,7 @@ private val TOKEN = Regex(
  */
 internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
 
-/** Returns all calls in [tokens], including those in arguments of others. */
+/** Returns all calls in [tokens], including calls in arguments of other calls. */
 internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNull { open ->
     if (!tokens[open].isSymbol('(')) return@mapNotNull null
     val first = nameStart(tokens, open)
@@ -81,7 +81,7 @@ private fun arguments(tokens: List<Token>, open: Int): List<List<Token>> {
     return if (arguments.size == 1 && arguments[0].isEmpty()) emptyList() else arguments
 }
 
-/** Returns the first bracket that closes none, or one of another kind; else the last one that is never closed; null if all are balanced. */
+/** Returns the first bracket that closes none or another kind; else the last bracket that is never closed; null: all are balanced. */
 internal fun wrongBracketIn(tokens: List<Token>): Token? {
     val open = ArrayDeque<Token>()
     for (token in tokens.filter { it.kind == Token.Kind.SYMBOL }) {
