@@ -452,7 +452,7 @@ public final class ComputerSession<C extends SessionCommand> {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if the frame has room for it, and the credit for the frame beside the frames that are out. Returns whether it did. */
+        /** Adds an item if the frame has room for it, and the credit for the frame beside those that are out. Returns whether it did. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
