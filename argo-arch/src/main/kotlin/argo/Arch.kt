@@ -40,7 +40,7 @@ import java.util.logging.Logger
  *
  * The methods of [AgArch] are called by Jason; a project has no reason to call any.
  *
- * @param platform its time, threads and ports; Jason makes it with those of the machine
+ * @param platform the agent's time, threads and ports; Jason makes the architecture with the machine's
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)

@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  *
  * @param nowMs a clock in ms that never goes back
  * @param countsElsewhere whether commands to this other port count; not while its board does not answer
- * @param port the port of the board itself; any object that is one and the same for one open port
+ * @param port the port of the board itself; any object, always the same one for one open port
  */
 internal class CommandLedger(
     private val nowMs: () -> Long = Platform.system.nowMs,

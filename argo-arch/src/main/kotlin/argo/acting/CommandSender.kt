@@ -20,7 +20,7 @@ import java.util.logging.Logger
  * first command, writes them until the link is closed. If it ends for another reason, the port is lost. Safe for use by several threads.
  *
  * @param owner the agent's name, for the thread's
- * @param platform its threads
+ * @param platform provides the sending thread
  * @param lost is called when sending finds that the port has gone; does not wait for it; may be called again, by any thread
  */
 internal class CommandSender(

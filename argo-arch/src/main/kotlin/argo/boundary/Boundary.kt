@@ -63,7 +63,7 @@ interface Boundary {
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
  * @property waiting the number of events in the agent's queue before the events of [percepts], which take turns; null: all are of one board
- * @property hasNamespaces whether a percept of it has, or has had, a namespace of its own
+ * @property hasNamespaces whether a percept of the agent has, or has had, a namespace of its own
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
 
@@ -71,7 +71,7 @@ class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = 
  * A call of an internal action.
  *
  * @property name the action as the agent writes it, such as `argo.act`
- * @property args its arguments, as Jason prepares them
+ * @property args the call's arguments, as Jason prepares them
  * @property un the unifier by which the call may bind the variables in [args]
  * @property suspend suspends the intention as a successful call does; null: the call suspends none
  */

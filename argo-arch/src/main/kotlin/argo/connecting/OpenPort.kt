@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * A port that an agent holds open. Safe for use by several threads.
  *
- * @param names the agent's terms for it, each with the name that the transport opens
+ * @param names the agent's terms for the port, each with the name that the transport opens
  * @property link the line to its board
  * @property openedNanos the time at which it was opened, by the platform's clock
  * @property losses the number of times in a row that it was lost soon after it had been opened

@@ -23,7 +23,7 @@ import kotlin.concurrent.withLock
  * @param user uses the ports
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens the ports, and times the search for lost ones
- * @param warn takes reports that are no state of a port, such as the reason why one cannot be opened although its device has returned
+ * @param warn takes reports that are no state of a port, such as why a port cannot be opened although its device has returned
  */
 internal class Ports(
     private val owner: String,
@@ -59,7 +59,7 @@ internal class Ports(
      * Makes the port [name] the one in use, and opens it if it is not open yet, on another thread.
      *
      * @param term the port as the agent calls it
-     * @param options how to use it, or null for the options that the agent gave last
+     * @param options the options of the port; null: the options that the agent gave last
      * @param outcome is called once by another thread, with null or with the reason why the port in use is still the one before; not called
      * if the agent is being stopped
      */
@@ -295,7 +295,7 @@ internal class Ports(
  *
  * @property term the port as the agent calls it
  * @property name the port in the form for the transport
- * @property options its options; null: those that the agent gave last
+ * @property options the port's options; null: the options that the agent gave last
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
 

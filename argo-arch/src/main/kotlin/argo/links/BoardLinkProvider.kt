@@ -61,7 +61,7 @@ interface BoardLinkProvider {
 /**
  * A board that a test plays.
  *
- * @property link the agent's end of it
+ * @property link the agent's end of the link
  */
 abstract class PlayedBoard(val link: BoardLink) {
     /**

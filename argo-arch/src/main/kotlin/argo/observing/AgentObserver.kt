@@ -35,7 +35,7 @@ interface AgentObserver : AutoCloseable {
     /**
      * A port has changed its state.
      *
-     * @param port the agent's term for it
+     * @param port the agent's term for the port
      * @param status `on`, `off` or `timeout`
      * @param reason the reason why it is not on, for a person, if known
      */
@@ -82,7 +82,7 @@ interface PerceivedMessage {
  * A command for a board.
  *
  * @property number counts the agent's commands, from 1
- * @property port its port, by the name with which it was opened
+ * @property port the board's port, by the name with which the port was opened
  * @property text the text that is sent
  * @property issuedNanos the time at which it was issued, in ns of [ObservedAgent.nanos]
  */

@@ -93,11 +93,11 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 /**
  * A port that an agent has asked for.
  *
- * @property name the agent's term for it, as a literal: `ttyACM0`, or a string in its quotes
+ * @property name the agent's term for the port, as a literal: `ttyACM0`, or a string in its quotes
  * @property status `on`, `off` or `timeout`
  * @property isInUse whether it is the port in use, which gets commands for which no other board is found
  * @property isStale whether the agent believes `stale(P)` about it
- * @property isPerceived whether its board is among those that the agent perceives
+ * @property isPerceived whether the agent perceives the board on the port
  * @property namespace the namespace of its board's percepts; null: the default namespace
  * @property intervalMs the sensing interval in ms of its board; null: it is not perceived
  * @property filter the name of the filter of its board; null: it has none, or is not perceived

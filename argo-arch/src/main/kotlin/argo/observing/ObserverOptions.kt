@@ -7,7 +7,7 @@ import java.util.logging.Logger
 /**
  * The observers that an agent's options ask for.
  *
- * @param options those beginning with `argo_` that `argo.Arch` does not read itself, and their values
+ * @param options the options beginning with `argo_` that `argo.Arch` does not read itself, with their values
  */
 internal class ObserverOptions(private val options: Map<String, String>, private val log: Logger) {
     private val providers: List<AgentObserverProvider> =

@@ -21,7 +21,7 @@ import jason.asSyntax.Term
  * A text that Jason cannot read, or that no sensor can mean, is left out by itself, with one warning per distinct text. Literals of a text
  * seen before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace the namespace of the percepts; null: the one that each names itself, mostly the default one
+ * @param namespace the namespace of the percepts; null: the namespace that each percept names itself, mostly the default one
  * @param warn takes one line for each text that cannot be read
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {

@@ -18,7 +18,7 @@ annotation class FilterDsl
  * }
  * ```
  *
- * @param name what agents call it
+ * @param name the name by which agents call the filter
  * @param onSwitch the fate of beliefs that it hides when an agent changes to it
  * @throws IllegalArgumentException if no agent can ask for a filter of that name, or a predicate, a value or a pattern cannot be read; the
  * message names the fault

@@ -68,7 +68,7 @@ class Declared<A : TypedArgument<*>> internal constructor(private val make: (nam
  * An argument of a [PerceptType].
  *
  * @param V the type of the values that conditions compare it with
- * @property index its position, counted from 0
+ * @property index the argument's position, counted from 0
  */
 sealed class TypedArgument<V>(
     internal val type: PerceptType,

@@ -6,7 +6,7 @@ package argo.filters
  * Immutable, and safe to share between agents. Two filters are equal if they decide alike; their [name]s may differ, since a name only
  * finds a filter.
  *
- * @property name what agents call the filter
+ * @property name the name by which agents call the filter
  * @property mode the fate of the percepts that a rule meets
  * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
  * @param critical the rules on percepts that must not wait, which have the last word

@@ -9,10 +9,10 @@ import argo.filters.Syntax
 /**
  * The text of a percept, cut into the parts that rules look at.
  *
- * @param functor where the functor starts
+ * @param functor the place where the functor starts
  * @param functorEnd the character after the functor
  * @param tail arity and annotations, see [TermBounds.tail]
- * @param head its namespace and negation; null: it has neither
+ * @param head the functor's namespace and negation; null: it has neither
  */
 internal class PerceptText private constructor(
     private val text: String,

@@ -72,9 +72,9 @@ internal interface Answers {
  * An operation that an agent begins outside of its thread.
  *
  * @property cycle the cycle in which the agent begins it
- * @property kind its kind, as in [End.kind]
- * @property what its description
- * @property delayNs its time in ns, if it is a timer
+ * @property kind the operation's kind, as in [End.kind]
+ * @property what the operation's description
+ * @property delayNs the time in ns of an operation that is a timer
  * @property isDropped returns true if the agent has given it up
  * @property complete takes its end
  */

@@ -53,9 +53,9 @@ class Recording(private val file: Path) : AutoCloseable {
      * A file that an agent has included, or asked for in vain.
      *
      * @property within the file of the program that includes it
-     * @property name its name in that file
+     * @property name the name of the included file in that file
      * @property address the address at which Jason has found it
-     * @property text its content; null: there was no such file
+     * @property text the content of the included file; null: there was no such file
      */
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 

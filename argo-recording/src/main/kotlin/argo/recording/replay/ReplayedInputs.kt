@@ -64,7 +64,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     /**
      * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
      *
-     * @param recorded the agent with the recorded program, if that of [ts] has another program
+     * @param recorded the agent with the recorded program, if the agent of [ts] has another program
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts

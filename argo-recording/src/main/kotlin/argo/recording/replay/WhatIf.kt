@@ -29,9 +29,9 @@ import java.time.Duration
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
  * @param agent the agent's name
- * @param program its program; null: the recorded one
- * @param senses its percepts
- * @param cycles its recorded cycles, from [Recording.start] on
+ * @param program the agent's program; null: the recorded program
+ * @param senses the agent's percepts
+ * @param cycles the agent's recorded cycles, from [Recording.start] on
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */

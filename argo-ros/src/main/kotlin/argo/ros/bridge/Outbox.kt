@@ -7,7 +7,7 @@ import kotlin.concurrent.withLock
 /**
  * A message for a bridge.
  *
- * @property text its text
+ * @property text the text of the message
  * @property isUrgent whether it goes before waiting messages that are not urgent
  * @property functor the functor of its command; null: it is no command
  * @property replaces whether it replaces waiting messages of its [functor]

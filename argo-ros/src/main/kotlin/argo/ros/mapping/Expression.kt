@@ -152,8 +152,8 @@ internal data class Comparison(val left: Expression, val operator: String, val r
 /**
  * The functions that a mapping may use.
  *
- * @property taken its argument, in words
- * @property of returns its value; null: it does not take the argument
+ * @property taken the function's argument, in words
+ * @property of returns the function's value; null: the function does not take the argument
  */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),

@@ -3,9 +3,9 @@ package argo.tools.migration
 /**
  * A piece of AgentSpeak or of a project file.
  *
- * @property text as in the file; a string with its quotes
+ * @property text the token as in the file; a string with its quotes
  * @property line counted from 1
- * @property start its offset in the file, in characters
+ * @property start the token's offset in the file, in characters
  */
 internal data class Token(val kind: Kind, val text: String, val line: Int, val start: Int) {
     enum class Kind { WORD, NUMBER, STRING, SYMBOL }
@@ -41,8 +41,8 @@ private val TOKEN = Regex(
 /**
  * A name with arguments: `.argo.port(P,[baud(9600)])`, `port(P,on)`.
  *
- * @property name with all its dots: `.argo.port`
- * @property line its first, counted from 1
+ * @property name the name with all its dots: `.argo.port`
+ * @property line the first line of the call, counted from 1
  * @property arguments the tokens of each
  */
 internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
