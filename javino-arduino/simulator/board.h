@@ -61,7 +61,7 @@ struct board {
  *
  * @param firmware  an .elf or .hex file
  * @param sink      null: board_foretell follows
- * @return false with a message on stderr if it cannot be loaded
+ * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
 

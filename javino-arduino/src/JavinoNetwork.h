@@ -99,7 +99,7 @@ public:
    * before is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once. Not
    * within a callback.
    *
-   * @param stream  open; it lasts until another one is set
+   * @param stream  an open stream, which must last until another one is set
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);

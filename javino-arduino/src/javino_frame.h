@@ -113,7 +113,7 @@ typedef struct {
  * Prepares a decoder.
  *
  * @param bytes       memory that belongs to the decoder from now on
- * @param size        its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost, but at least 12
+ * @param size        number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost, but at least 12
  * @param timeout_ms  silence between two bytes after which a frame that has begun is given up; at most
  *                    10,000. javino_decoder_next must be called more often than every 20 s.
  * @return false if the size is less than 12: such a decoder finds nothing

@@ -109,7 +109,7 @@ typedef struct {
  * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
- * @param size     its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
+ * @param size     number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
  * @param write    puts bytes on the line; may call javino_link_receive, but nothing else of this link
  * @param context  handed to write
  */

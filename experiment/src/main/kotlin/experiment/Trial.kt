@@ -8,8 +8,8 @@ import samples.collision.Sensors
 /**
  * The way in which agent and board work together in a run.
  *
- * @property letter its name on the command line and in records
- * @property title its name in the report
+ * @property letter the condition's name on the command line and in records
+ * @property title the condition's name in the report
  * @property sensing the agent's sensing policy
  * @property protocol the version of Javino with which the port is opened, null for the default
  */
@@ -39,7 +39,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
 /**
  * The part of the percepts that the agent perceives.
  *
- * @property word its name on the command line and in records
+ * @property word the view's name on the command line and in records
  */
 @Serializable
 internal enum class View(val word: String) {

@@ -16,7 +16,7 @@ public interface TransportProvider {
     /**
      * Opens the port at {@code address}.
      *
-     * @param address what follows {@code scheme:}, not blank
+     * @param address the text behind {@code scheme:}, not blank
      * @throws PortException of the kind that says why it cannot be opened
      */
     Transport open(String address, LineSettings line) throws PortException;

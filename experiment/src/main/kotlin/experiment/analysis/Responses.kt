@@ -13,8 +13,8 @@ import samples.collision.Course
  *
  * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for it is a choice.
  *
- * @property title its name
- * @property unit its unit
+ * @property title the response's name
+ * @property unit the response's unit
  * @property collisions the number that a robot that ran into the wall gets, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {

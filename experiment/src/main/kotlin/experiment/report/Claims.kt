@@ -25,7 +25,7 @@ internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"),
  *
  * @property claim the published result or the promise
  * @property seen the measured result
- * @property why its explanation
+ * @property why the explanation of the claim
  */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 

@@ -63,7 +63,7 @@ public final class FakeBoard implements AutoCloseable {
     /**
      * A new board that is not plugged in and goes by {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
      *
-     * @param name its name in messages
+     * @param name the board's name in messages
      */
     public static FakeBoard unplugged(String name, LineClock clock) {
         return new FakeBoard(name, clock);

@@ -178,10 +178,10 @@ final class FrameWriter implements WaitingCommands<Command> {
     /**
      * Waits for a turn of its own, before the commands that wait, and writes a frame.
      *
-     * @param bytes of the frame
+     * @param bytes number of the frame's bytes
      * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
      *     and again for the driver
-     * @return when its last byte leaves the line, by the clock
+     * @return the time, by the clock, at which the frame's last byte leaves the line
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
     long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {

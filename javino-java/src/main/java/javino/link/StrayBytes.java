@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
  * Bytes that a line brought since the last message and that are no message, for a person who looks for the reason of a silence.
  *
  * @param count number of the bytes
- * @param first the first ones, at most {@link #MAX_FIRST}, a character for each byte
+ * @param first the first stray bytes, at most {@link #MAX_FIRST}, a character for each byte
  * @param baud the rate at which they were read
  */
 public record StrayBytes(long count, String first, int baud) {

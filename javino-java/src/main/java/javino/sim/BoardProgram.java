@@ -36,7 +36,7 @@ public interface BoardProgram {
     /**
      * The answer to a request for percepts, each with a {@code ;} behind it.
      *
-     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for those of some functors
+     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for the percepts of some functors
      * @return null: no answer
      */
     String percepts(String request) throws PortException, InterruptedException;

@@ -29,7 +29,7 @@ public final class BoardSession {
         /**
          * Sends a frame; may be called on several threads at a time.
          *
-         * @param nonce of the session that the frame belongs to, 0: none
+         * @param nonce the nonce of the session that the frame belongs to; 0: none
          */
         void send(WireFrame frame, int nonce) throws PortException, InterruptedException;
     }

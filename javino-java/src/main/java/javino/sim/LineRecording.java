@@ -52,8 +52,8 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param direction from the board or to it
-     * @param message its text, a character a byte
+     * @param direction the direction of the message
+     * @param message the message's text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
         /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */

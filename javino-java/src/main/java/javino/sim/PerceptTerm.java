@@ -7,7 +7,7 @@ import java.util.List;
  * A percept's text as a board reads it to watch a rule.
  *
  * @param functor the text in front of the arguments, with a {@code ~} if it is negated
- * @param arguments their texts without the blanks around them
+ * @param arguments the texts of the arguments, without the blanks around them
  */
 record PerceptTerm(String functor, List<String> arguments) {
     PerceptTerm {

@@ -23,7 +23,7 @@ public final class PerceptDecoder {
     /**
      * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
      *
-     * @param items those of all parts of the answer; a few of their bytes may stand for thousands
+     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands
      * @param limit bytes that the text has at most
      * @throws TooLongException if it has more; no more of it is made, and the shapes up to there are kept
      */

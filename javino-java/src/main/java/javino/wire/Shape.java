@@ -23,7 +23,7 @@ public record Shape(List<String> pieces) {
     /**
      * The shape of a text.
      *
-     * @param runs to which the text's runs of digits are added, in their order
+     * @param runs the list to which the text's runs of digits are added, in their order
      */
     public static Shape of(String text, List<String> runs) {
         List<String> pieces = new ArrayList<>();

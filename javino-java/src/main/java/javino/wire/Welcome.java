@@ -7,7 +7,7 @@ package javino.wire;
  * @param credit bytes of frames that it can hold while its program is busy
  * @param longestPayload bytes of payload that it takes
  * @param rules number of critical rules that it holds at most
- * @param revision the revision of version 2 that it speaks; 0: one before {@link #REVISION}
+ * @param revision the revision of version 2 that the board speaks; 0: a revision before {@link #REVISION}
  * @param actionsLost number of actions of its program that found no room
  */
 public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {

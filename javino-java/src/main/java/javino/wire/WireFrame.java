@@ -52,7 +52,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /**
      * The bytes for the line, in an array of the caller's own.
      *
-     * @param nonce the session's, 0 to 255; those of HELLO and WELCOME are the same in all sessions
+     * @param nonce the session's nonce, 0 to 255; the bytes of HELLO and WELCOME are the same in all sessions
      */
     public byte[] toBytes(int nonce) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(length() + 2);

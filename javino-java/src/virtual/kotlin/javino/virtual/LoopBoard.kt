@@ -12,10 +12,10 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop of a round of the sketch's `loop()`, without the times below
- * @property action of an action
- * @property sensors to read the sensors for an answer and to code it
- * @property ruleSensors to read the sensors of the rules and to compare
+ * @property loop time of a round of the sketch's `loop()`, without the times below
+ * @property action time of an action
+ * @property sensors time to read the sensors for an answer and to code it
+ * @property ruleSensors time to read the sensors of the rules and to compare
  * @property isSteady each time is the longest; else it is drawn, up to the longest
  */
 internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Long, val ruleSensors: Long, val isSteady: Boolean)

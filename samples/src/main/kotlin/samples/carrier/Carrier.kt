@@ -8,7 +8,7 @@ import kotlin.time.DurationUnit
  * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
  * thread.
  *
- * @param clock its time
+ * @param clock the robot's time
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO

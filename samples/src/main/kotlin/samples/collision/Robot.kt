@@ -9,8 +9,8 @@ import kotlin.random.Random
  * A 4WD robot in front of a wall: it drives with `front`, halts with `stop`, and has two lamps that `ledLightOn`,
  * `ledLightOff`, `ledTempOn` and `ledTempOff` switch.
  *
- * @param clock its time
- * @param sensors its sensors
+ * @param clock the robot's time
+ * @param sensors the robot's sensors
  * @param noticed receives each change of the robot's state when the board notices it, at the next message
  */
 class Robot(
