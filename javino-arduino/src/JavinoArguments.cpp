@@ -66,7 +66,7 @@ public:
   /** Returns its value if it fits; 0 if it is too small. */
   double value() const {
     double power = 1;
-    /* A power that is too large is infinity, and a number divided by it is 0. */
+    /* A power that is too large is infinity, and a number divided by infinity is 0. */
     for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
       power *= 10;
     return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;

@@ -340,7 +340,7 @@ protected:
   /** Opens a port at this rate. */
   typedef void (*Open)(Stream &port, unsigned long baud);
 
-  /* Only for the compiler, which asks for it in `Javino javino = Javino();` and then copies nothing. */
+  /* Only for the compiler, which wants a copy constructor in `Javino javino = Javino();` and then copies nothing. */
   JavinoBoard(const JavinoBoard &);
 
   /** A board on this stream. The memory is aligned for pointers. */
@@ -422,7 +422,7 @@ private:
   void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
-  /* Any other pointer would be a truth value. */
+  /* Deleted, since any other pointer would count as a truth value. */
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 

@@ -114,7 +114,7 @@ static bool is_named(const javino_link *link, const char *functor, uint8_t lengt
     uint8_t left = link->length;
     uint8_t same = NOT_SAME; /* bytes of a name that are those of the functor */
     bool all = true;
-    /* Each name stands between a bracket or comma and another. */
+    /* In front of each name, and behind it, stands a bracket or a comma. */
     for (; left; left--) {
         char c = *p++;
         if (c == '(' || c == ',' || c == ')') {
@@ -174,7 +174,7 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
         javino_encoder_put(&l->encoder, part);
 }
 
-/* Sends an item that is a part of its own. */
+/* Sends an item as a part of its own. */
 static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_encoder *e = &b->link.encoder;
@@ -447,7 +447,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 }
 
 #ifndef JAVINO_VERSION_2_ONLY
-/* In parts of whole percepts. */
+/* Sends the text in parts of whole percepts. */
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
     javino_nesting n = {0, 0, false, false, 0};

@@ -186,7 +186,7 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *
 #endif
 
 #ifndef JAVINO_VERSION_2_ONLY
-/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: its bytes are too few. */
+/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: there are too few bytes. */
 static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t *length)
 {
     uint8_t i;

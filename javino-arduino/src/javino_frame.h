@@ -28,9 +28,9 @@ extern "C" {
 #endif
 
 #if defined(__AVR__) && defined(__GNUC__)
-/* Here a copy of a function that knows its arguments takes more flash than the calls it saves. */
+/* On this machine, a copy of a function for known arguments takes more flash than the calls that it saves. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
-/* Here such a copy takes less than the arguments in each call. */
+/* On this machine, such a copy takes less flash than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
 #else
 #define JAVINO_OUTLINE

@@ -34,7 +34,7 @@ enum { UART0_INTERRUPT = 3, UART1_INTERRUPT = 4 };
 #define PLIC_ON (*(reg *)0x0C002000)
 #define PLIC_CLAIM (*(reg *)0x0C200004)
 
-/* The clock, and the time of its next interrupt. QEMU's has 10 MHz; that of a real FE310 has 32,768 Hz, which is 32.8 ticks a
+/* The clock, and the time of its next interrupt. QEMU's clock has 10 MHz; a real FE310's has 32,768 Hz, which is 32.8 ticks a
  * millisecond. */
 #define TIME_LOW (*(reg *)0x0200BFF8)
 #define TIME_HIGH (*(reg *)0x0200BFFC)

@@ -48,7 +48,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // called by the boundary, made once for all cycles
+    // functions that the boundary calls; they are made once for all cycles
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }

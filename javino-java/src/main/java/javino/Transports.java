@@ -90,7 +90,7 @@ public final class Transports {
 
     private static Map<String, TransportProvider> providers() {
         List<ServiceLoader.Provider<TransportProvider>> services = Services.providers(TransportProvider.class);
-        // this library's come first
+        // this library's providers come first
         services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES)));
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
         for (ServiceLoader.Provider<TransportProvider> service : services) {

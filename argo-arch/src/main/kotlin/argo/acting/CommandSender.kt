@@ -73,7 +73,7 @@ internal class CommandSender(
         try {
             link.writeCommandsUntilClosed()
         } catch (_: PortGoneException) {
-            // the commands that waited for the line have failed
+            // nothing is left to do: the commands that waited for the line have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
         } catch (unforeseen: Throwable) { // the port is opened anew, with another thread: without one no command would go out

@@ -61,7 +61,7 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the whole system is being stopped: nobody is left for it
+                    // the whole system is being stopped: nobody is left to need the action
                 }
             }
 

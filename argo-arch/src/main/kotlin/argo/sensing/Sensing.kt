@@ -83,7 +83,7 @@ internal class Sensing(
         try {
             while (!isClosed()) if (!(if (awaitTurn()) exchange() else watch())) return
         } catch (_: InterruptedException) {
-            // close() ends this thread
+            // close() has interrupted this thread to end it
         }
     }
 

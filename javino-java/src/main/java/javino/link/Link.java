@@ -255,7 +255,7 @@ public final class Link implements AutoCloseable {
             }
             return answer;
         });
-        // no answer: the board has turned out to be one that takes it for a command
+        // no answer: the board has turned out to take the request for a command
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 

@@ -111,7 +111,7 @@ internal class JoinedBoard(
         try {
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
-            // the thread that senses finds it gone
+            // the thread that senses finds that the board has gone
         } catch (unforeseen: Throwable) { // thrown, it would end the thread that sends commands
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()
