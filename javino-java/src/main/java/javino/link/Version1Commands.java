@@ -17,7 +17,7 @@ final class Version1Commands {
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // only urgent commands went out when this one began (see SilentBoardHold), so its arrival says nothing of the others
+    // only urgent commands went out when this one began (SilentBoardHold), so its arrival says nothing of the others
     private boolean isHeldBack;
     private Command unasked; // may go out although the board should be asked for something before
     private volatile long movedNanos;
