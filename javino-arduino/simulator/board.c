@@ -23,7 +23,7 @@ enum {
     UBRR0H = 0xC5
 };
 
-/* A quarter of a millisecond. */
+/* The cycles between two looks at the pins: a quarter of a millisecond. */
 #define LOOK_CYCLES (BOARD_HZ / 4000)
 
 /* The pins that timers drive: the place of the bit that connects the pin, and the register with the duty. */
@@ -108,7 +108,7 @@ static void report(board *b, int pin)
     b->watcher(b->context, pin, state, board_ms(b));
 }
 
-/* Puts the look off by a few cycles, since the register has not been written yet when this is called. */
+/* Looks a few cycles later, since the register has not been written yet when simavr reports the write. */
 static avr_cycle_count_t look(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     int pin;
@@ -148,7 +148,7 @@ static bool has_bit(const board *board, uint16_t address, int pin)
     return board->avr->data[address] >> (pin - PORTS[port_of(pin)].first) & 1;
 }
 
-/* The register of a port's inputs is the one below that of its directions. */
+/* The register of a port's inputs lies directly below the register of its directions. */
 bool board_level(const board *board, int pin)
 {
     return has_bit(board, (uint16_t)(PORTS[port_of(pin)].ddr - 1), pin);
@@ -213,7 +213,7 @@ static void drive_inputs(board *b)
         drive_input(b, input);
 }
 
-/* Sets the converter's input at the beginning of a conversion to the one selected then. */
+/* At the beginning of a conversion, sets the converter's input to the level of the input that is selected then. */
 static void conversion(avr_irq_t *irq, uint32_t value, void *context)
 {
     board *b = (board *)context;
@@ -249,7 +249,7 @@ static avr_uart_t *uart(const board *b)
     return (avr_uart_t *)io;
 }
 
-/* The time of a byte is that of ten bits. simavr assumes eleven, so this corrects it at each call, that is with every byte. */
+/* A byte takes the time of ten bits. simavr assumes eleven, so this corrects simavr's value with every byte. */
 static avr_cycle_count_t byte_cycles(const board *b)
 {
     const uint8_t *data = b->avr->data;
@@ -309,7 +309,7 @@ void board_receive(board *board, uint8_t byte)
     put(board, byte, 0, byte_cycles(board));
 }
 
-/* simavr hands a byte over the time of a byte after it was given it. */
+/* simavr hands a byte over one byte time after it got the byte. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle)
 {
     uint64_t now = board->avr->cycle;

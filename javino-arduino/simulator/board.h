@@ -36,15 +36,15 @@ struct board {
     void *context;
     pin_watcher watcher;
     byte_sink sink;
-    byte_forecast forecast; /* in place of sink; may be null */
+    byte_forecast forecast; /* called in place of sink; may be null */
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
-    bool converted[BOARD_ANALOGUE]; /* since power-on */
-    uint8_t levels[BOARD_PINS];     /* put on a pin from outside: 1 low, 2 high; 0: none */
+    bool converted[BOARD_ANALOGUE]; /* read since power-on */
+    uint8_t levels[BOARD_PINS];     /* level put on a pin from outside: 1 low, 2 high; 0: none */
     int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
     uint8_t in[4096];
-    uint64_t in_at[4096]; /* the cycle at which each begins; 0: behind the one before */
+    uint64_t in_at[4096]; /* the cycle at which each byte begins; 0: behind the byte before */
     unsigned in_begin;
     unsigned in_end;
     bool feeding;
@@ -61,11 +61,11 @@ struct board {
  *
  * @param firmware  an .elf or .hex file
  * @param sink      null: board_foretell follows
- * @return false with a message on stderr if it cannot be loaded
+ * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
 
-/** Runs until so many cycles have passed since power-on. @return false if the sketch has crashed or ended */
+/** Runs until this number of cycles has passed since power-on. @return false if the sketch has crashed or ended */
 bool board_run(board *board, uint64_t cycle);
 
 /** Presses the reset button. Time goes on; bytes on the line are lost. */

@@ -18,7 +18,7 @@ static bool fail(const char *what)
     return false;
 }
 
-/* True if the link is there and leads to this pseudo-terminal. */
+/* Returns true if the link is there and leads to this pseudo-terminal. */
 static bool leads_to(const char *link, const char *path)
 {
     char target[sizeof((line *)0)->path];
@@ -73,7 +73,7 @@ bool line_opened(line *line)
         while (at < buffer + got) {
             const struct inotify_event *event = (const struct inotify_event *)at;
             if (event->mask & IN_OPEN) {
-                /* Bytes of the board for the previous program are dropped. */
+                /* Drops bytes that the board sent for the previous program. */
                 if (line->users++ == 0)
                     tcflush(line->slave, TCIFLUSH);
                 opened = true;

@@ -11,16 +11,16 @@ typedef struct {
     int master;      /**< For poll: readable when the far end has written. */
     int opens;       /**< For poll: readable when somebody has opened or closed the far end. */
     int slave;       /* held open, so that the terminal's settings stay raw */
-    int users;       /* how many have the far end open */
+    int users;       /* how many programs have the far end open */
     char path[64];   /**< The far end's device. */
-    const char *link; /* a symbolic link to it, or null */
+    const char *link; /* a symbolic link to the device, or null */
 } line;
 
 /**
  * Opens a line.
  *
- * @param link  where to put a symbolic link to the far end, replacing one that is there; may be null
- * @return false with a message on stderr if there is none to be had
+ * @param link  the place for a symbolic link to the far end, which replaces a link that is there; may be null
+ * @return false, with a message on stderr, if no pseudo-terminal can be had
  */
 bool line_open(line *line, const char *link);
 
@@ -30,8 +30,8 @@ bool line_opened(line *line);
 /**
  * Reads the bytes that the far end has written, as the board receives them: other bytes, if a program has set another rate there.
  *
- * @param baud  the board's rate; 0: that of the far end
- * @return how many, at most size
+ * @param baud  the board's rate; 0: the rate of the far end
+ * @return the number of bytes, at most size
  */
 size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud);
 

@@ -23,7 +23,7 @@
 #define SLICE_NS 250000ull
 /* If the machine has kept the simulator waiting for longer, the lost time is not made up for. */
 #define LAG_NS 50000000ull
-/* From one look at the pins for a person to the next. */
+/* Time between two looks at the pins for a person. */
 #define PANEL_NS 100000000ull
 
 static const char USAGE[] =
@@ -56,7 +56,7 @@ typedef struct {
     line line;
     line soft_line;
     soft soft;
-    uint64_t offset_ns;   /* the real time of power-on, moved by what was not made up for */
+    uint64_t offset_ns;   /* the real time of power-on, plus the lost time that was not made up for */
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;
@@ -80,7 +80,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000ull + (uint64_t)now.tv_nsec;
 }
 
-/* RX,TX,BAUD */
+/* Reads an option's text RX,TX,BAUD. */
 static bool read_soft(options *o, const char *text)
 {
     char receives[8];
@@ -158,7 +158,7 @@ static bool booting(simulator *s)
     return false;
 }
 
-/* False when the sketch has ended. */
+/* Lets the sketch run on. Returns false when it has ended. */
 static bool advance(simulator *s)
 {
     uint64_t now = now_ns();
@@ -191,7 +191,7 @@ static void take_soft_bytes(simulator *s)
         soft_receive(&s->soft, bytes[i]);
 }
 
-/* Takes a byte of a command. True: it ends there. One that is too long is refused, and empty then. */
+/* Takes a byte of a command. Returns true if the command ends there. A command that is too long is refused, and is then empty. */
 static bool end_command(simulator *s, char byte)
 {
     if (byte != '\n') {
@@ -208,7 +208,7 @@ static bool end_command(simulator *s, char byte)
     return true;
 }
 
-/* False when there are no more commands to come, or one was quit. */
+/* Takes the commands that have come. Returns false when no more can come, or one of them was to quit. */
 static bool take_commands(simulator *s)
 {
     char bytes[256];

@@ -73,7 +73,7 @@ static size_t width(void)
     return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : USUAL_WIDTH;
 }
 
-/* One line: the pins, as many as fit, and the text that is being typed. */
+/* Draws one line: as many pins as fit, and the text that is being typed. */
 static void draw(panel *p)
 {
     char line[sizeof p->line] = "";

@@ -13,12 +13,12 @@
 typedef struct {
     board *board;
     sonar *sonar;
-    bool is_drawn;                   /* on a terminal, as a line that is redrawn */
+    bool is_drawn;                   /* true on a terminal, where the line is redrawn */
     bool is_typed;                   /* the keyboard's settings are changed */
-    struct termios keyboard;         /* as they were */
-    bool is_set[BOARD_PINS + 2];     /* by a person; A6 and A7 are behind the pins */
+    struct termios keyboard;         /* the keyboard's settings before */
+    bool is_set[BOARD_PINS + 2];     /* pins set by a person; A6 and A7 are behind the others */
     char shown[BOARD_PINS + 2][32];
-    char line[512];                  /* as drawn last */
+    char line[512];                  /* the line that was drawn last */
     char typed[128];
     size_t typed_length;
 } panel;

@@ -13,8 +13,8 @@ void rate_forget(int terminal);
 /**
  * Returns the byte that a receiver reads: the same, if the rates differ by at most 3 %; else the bits that it samples.
  *
- * @param sent      the sender's rate, in baud; 0: that of the receiver
- * @param received  the receiver's; 0: that of the sender
+ * @param sent      the sender's rate, in baud; 0: the receiver's rate
+ * @param received  the receiver's rate, in baud; 0: the sender's rate
  */
 uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received);
 

@@ -15,9 +15,9 @@ typedef struct {
     uint8_t in[1024]; /* bytes to the board */
     unsigned in_begin;
     unsigned in_end;
-    unsigned bits; /* of the byte on its way to the board, the next one lowest */
+    unsigned bits; /* remaining bits of the byte on its way to the board; the next bit is the lowest */
     int bits_left;
-    int taken; /* bits of the byte on its way from the board */
+    int taken; /* number of bits received of the byte on its way from the board */
     uint8_t byte;
 } soft;
 
@@ -34,7 +34,7 @@ void soft_connect(soft *soft, board *board, int receives, int sends, unsigned ba
 /** @return how many bytes soft_receive takes at present */
 unsigned soft_room(const soft *soft);
 
-/** Sends a byte to the board, behind those before. */
+/** Sends a byte to the board, behind the bytes sent before. */
 void soft_receive(soft *soft, uint8_t byte);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "board.h"
 
-/** The range of such a sensor, in centimetres. */
+/** The range of a sonar, in centimetres. */
 #define SONAR_MAX_CM 400
 
 /**
@@ -17,7 +17,7 @@ typedef struct sonar {
         struct sonar *sonar;
         int number;
         bool is_echo;
-        int cm;              /* that the sensor of this echo measures; 0: nothing in sight */
+        int cm;              /* distance that the sensor of this echo measures; 0: nothing in sight */
         uint64_t high_since; /* the cycle at which a trigger pulse may have begun; 0: none has */
     } pins[BOARD_PINS];
 } sonar;

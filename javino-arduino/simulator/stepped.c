@@ -35,7 +35,7 @@ static bool send(board *board, const char *command)
     return true;
 }
 
-/* False if the sketch has ended. */
+/* Carries out a command to run. Returns false if the sketch has ended. */
 static bool run(board *board, const char *command)
 {
     uint64_t cycle;

@@ -29,12 +29,12 @@
  */
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
-  /** On Serial. */
+  /** A board on Serial. */
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * On a port that start() opens, such as Serial1 or a SoftwareSerial, or on a stream that the sketch opens since it has no rate, such as a
-   * WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial, or on a stream that the sketch opens since it has no rate,
+   * such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
@@ -52,13 +52,13 @@ public:
     setTimeLimit(JAVINO_TIMEOUT_MS(baud));
   }
 
-  /** The same as start(), under the name that other libraries use. */
+  /** Does the same as start(), under the name that other libraries use. */
   void begin(unsigned long baud = 9600) { start(baud); }
 
 private:
   template <typename Port> static void open(Stream &port, unsigned long baud) { open(static_cast<Port &>(port), baud, 0); }
 
-  /* The first where it compiles. */
+  /* The first open() is taken where it compiles. */
   template <typename Port> static auto open(Port &port, unsigned long baud, int) -> decltype(port.begin(baud), void()) { port.begin(baud); }
   template <typename Port> static void open(Port &, unsigned long, long) {}
 

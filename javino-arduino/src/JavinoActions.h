@@ -19,7 +19,7 @@ public:
   /** An action without arguments. */
   typedef void (*Function)();
 
-  /** One that is handed the board. */
+  /** An action without arguments that is handed the board. */
   typedef void (*BoardFunction)(JavinoBoard &board);
 
   /** Any number of arguments. */
@@ -37,7 +37,7 @@ public:
         actions_.add(name, function);
     }
 
-    /** The same. A template, so that NULL is a Function. */
+    /** The same for a function that is handed the board. A template, so that NULL is a Function. */
     template <typename = void> void operator=(BoardFunction function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
@@ -88,7 +88,7 @@ private:
 
   enum Outcome : uint8_t {
     DONE,
-    REFUSED,  /* by its function */
+    REFUSED,  /* the action's function has refused it */
     UNKNOWN,  /* there is no such action, or it takes another number of arguments */
     UNCERTAIN /* a longer text that begins with this one could be for another action */
   };
@@ -126,7 +126,7 @@ private:
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     if (!function)
       return false;
-    reader() = callByFunctor; /* which does more */
+    reader() = callByFunctor; /* which also finds an action by its functor */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
@@ -209,7 +209,7 @@ private:
   javino_board *board_;
   /* Null until an action needs it, so that other sketches do not link the code. */
   Reader reader_;
-  Reader known_;     /* In its place while the board does not describe itself, and so is the next. */
+  Reader known_;     /* In place of reader_ while the board does not describe itself. So is unknown_. */
   Function unknown_; /* Called for unknown actions. */
   uint8_t count_;
   bool described_; /* Computers are told which actions there are. */

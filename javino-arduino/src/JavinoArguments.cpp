@@ -60,13 +60,13 @@ public:
     exponent_ += static_cast<int16_t>(exponent < -MOST ? -MOST : exponent > MOST ? MOST : exponent);
   }
 
-  /** Returns true if it is within the range of a double, or too small for it. */
+  /** Returns true if the number is within the range of a double, or too small for it. */
   bool fits() const { return mantissa_ == 0 || digits_ + exponent_ <= DBL_MAX_10_EXP; }
 
   /** Returns its value if it fits; 0 if it is too small. */
   double value() const {
     double power = 1;
-    /* A power that is too large is infinity, and a number divided by it is 0. */
+    /* A power that is too large is infinity, and a number divided by infinity is 0. */
     for (int16_t n = exponent_ < 0 ? -exponent_ : exponent_; mantissa_ && n > 0; n--)
       power *= 10;
     return exponent_ < 0 ? mantissa_ / power : mantissa_ * power;
@@ -82,7 +82,7 @@ private:
   static const int16_t MOST = 400;
 
   Mantissa mantissa_;
-  uint8_t digits_; /* of the mantissa */
+  uint8_t digits_; /* number of digits of the mantissa */
   int16_t exponent_;
 };
 #endif

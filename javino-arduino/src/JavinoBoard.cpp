@@ -216,7 +216,7 @@ void JavinoBoard::term(char value) {
   term(text);
 }
 
-/** Writes at least so many digits, with zeros before them. */
+/** Writes a number with at least `least` digits, filled up with zeros in front. */
 static void putDigits(javino_board *board, uint64_t number, uint8_t least) {
   char digits[20];
   uint8_t n = 0;
@@ -235,12 +235,12 @@ void JavinoBoard::longTerm(uint64_t magnitude, bool negative) {
 #ifndef JAVINO_NO_DECIMALS
 void JavinoBoard::term(const JavinoDecimals &number) {
   uint8_t digits = number.digits < 1 ? 1 : number.digits > 9 ? 9 : number.digits;
-  uint32_t parts = 1; /* of a whole */
+  uint32_t parts = 1; /* number of parts of a whole */
   for (uint8_t i = 0; i < digits; i++)
     parts *= 10;
   bool negative = number.value < 0;
   double magnitude = negative ? -number.value : number.value;
-  if (!(magnitude < 4294967040.0)) { /* nor is NaN */
+  if (!(magnitude < 4294967040.0)) { /* not >=, since NaN must enter here too */
     term(number.value);
     return;
   }

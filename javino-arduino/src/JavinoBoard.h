@@ -24,7 +24,7 @@
 #define JAVINO_LIBRARY_VERSION 100
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number with so many decimals, see decimals(). */
+/** A number and how many decimals are written, see decimals(). */
 struct JavinoDecimals {
   double value;
   uint8_t digits;
@@ -70,9 +70,9 @@ public:
 
 private:
   friend class JavinoBoard;
-  void (*hook_)(JavinoBoard &); /* The board's, which is called behind counting. */
-  unsigned long look_ms_;                    /* The time of its last look for messages. */
-  uint8_t frames_;                           /* As the core counts them. */
+  void (*hook_)(JavinoBoard &); /* The board's hook, which is called behind counting. */
+  unsigned long look_ms_;                    /* The time of the board's last look for messages. */
+  uint8_t frames_;                           /* The counts of the core. */
   uint8_t damaged_;
 };
 
@@ -90,7 +90,7 @@ public:
   typedef void (*Callback)();
 
   /**
-   * The same, and is handed the board, whatever its class. Its functions do for several boards, and a class derived from a board finds
+   * As Callback, but handed the board, whatever its class. Such functions do for several boards, and a class derived from a board finds
    * its members with `static_cast<Robot &>(board)`.
    */
   typedef JavinoActions::BoardFunction BoardCallback;
@@ -184,7 +184,7 @@ public:
    *                  refused, so that it may count or show it; or `bool`: true if it has carried it out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
-  /** The same. A template, so that NULL is a function of the other kind. */
+  /** The same for a function that returns bool. A template, so that NULL is a function of the other kind. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
@@ -340,7 +340,7 @@ protected:
   /** Opens a port at this rate. */
   typedef void (*Open)(Stream &port, unsigned long baud);
 
-  /* Only for the compiler, which asks for it in `Javino javino = Javino();` and then copies nothing. */
+  /* Only for the compiler, which wants a copy constructor in `Javino javino = Javino();` and then copies nothing. */
   JavinoBoard(const JavinoBoard &);
 
   /** A board on this stream. The memory is aligned for pointers. */
@@ -355,7 +355,7 @@ protected:
   }
 
   Stream &stream_;
-  Open open_; /* for a subclass that opens its stream */
+  Open open_; /* set by a subclass that opens its stream */
 
 private:
   JavinoBoard &operator=(const JavinoBoard &);
@@ -382,7 +382,7 @@ private:
   void handle();
   bool carryOutAction();
 
-  /** As javino_percept_begin. */
+  /** Does the same as javino_percept_begin. */
   bool begins(const __FlashStringHelper *functor);
 
   /** Writes a percept's terms and ends it. */
@@ -422,18 +422,18 @@ private:
   void term(const JavinoQuoted &value) { javino_percept_string(&board_, value.text); }
   void term(char *value) { javino_percept_term(&board_, value); }
   void term(const __FlashStringHelper *value);
-  /* Any other pointer would be a truth value. */
+  /* Deleted, since any other pointer would count as a truth value. */
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
   void (*look_)(JavinoBoard &); /* Calls the next one. */
   Callback perceive_;            /* Set together with look_. */
   void (*supervise_)(JavinoBoard &); /* Null in a sketch that does not supervise its link, and so does not link the code. */
-  Callback lost_;                    /* Set together with supervise_, and so is the time. */
+  Callback lost_;                    /* Set together with supervise_ and silence_ms_. */
   unsigned long silence_ms_;
   Hook hook_;
   JavinoCounters *counters_; /* Set together with the hook count. */
-  int free_;                                  /* The room of the port when all earlier bytes have left. */
+  int free_;                                  /* The port's room for bytes when all earlier ones have left. */
   bool waiting_; /* The action in hand waits for the bytes that follow it. */
   bool busy_;    /* run() or availableMsg() is under way. */
   bool mute_;    /* The port takes nothing more of this message. */

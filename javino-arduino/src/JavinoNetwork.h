@@ -25,17 +25,17 @@
 
 #include "JavinoBoard.h"
 
-/** Bytes that are gathered for one write; longer answers take more than one. Of TCP over Ethernet a packet holds 1,460. */
+/** Bytes that are gathered for one write; longer answers take several writes. A packet of TCP over Ethernet holds 1,460 bytes. */
 #ifndef JAVINO_GATHERED_BYTES
 #define JAVINO_GATHERED_BYTES 300
 #endif
 
-/** For JavinoNetworkSized: gathers the bytes for a stream, which may change and be none. */
+/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change, and there may be none. */
 class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
 
-  /** Sets the stream, and forgets the bytes for the one before. */
+  /** Sets the stream, and forgets the bytes gathered for the stream before. */
   void setStream(Stream *stream) {
     to_ = stream;
     length_ = 0;
@@ -43,7 +43,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops those that the stream does not take: nobody is there any more. */
+  /** Writes the gathered bytes. Drops the bytes that the stream does not take: nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {
@@ -82,10 +82,10 @@ struct JavinoGatheringHolder {
 /** A board on streams, with this many bytes of memory, as JavinoSized has them. */
 template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
 public:
-  /** On no stream until setStream(). */
+  /** A board on no stream until setStream(). */
   JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
 
-  /** On this stream, which lasts as long as it is used. */
+  /** A board on this stream, which must last as long as it is used. */
   explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
     begin();
     setStream(stream);
@@ -99,7 +99,7 @@ public:
    * before is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once. Not
    * within a callback.
    *
-   * @param stream  open; it lasts until another one is set
+   * @param stream  an open stream, which must last until another one is set
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);

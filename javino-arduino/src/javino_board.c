@@ -16,7 +16,7 @@
 /* The bytes of an answer in a frame, without the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
-#define SPLITS /* in pieces, if a percept is longer than the memory */
+#define SPLITS /* a percept longer than the memory is sent in pieces */
 #endif
 #endif
 
@@ -114,7 +114,7 @@ static bool is_named(const javino_link *link, const char *functor, uint8_t lengt
     uint8_t left = link->length;
     uint8_t same = NOT_SAME; /* bytes of a name that are those of the functor */
     bool all = true;
-    /* Each name stands between a bracket or comma and another. */
+    /* In front of each name, and behind it, stands a bracket or a comma. */
     for (; left; left--) {
         char c = *p++;
         if (c == '(' || c == ',' || c == ')') {
@@ -152,7 +152,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Begins the frame of a part of an answer, of so many bytes of it. */
+/* Begins the frame of one part of an answer; length is the number of the answer's bytes in it. */
 static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
@@ -174,7 +174,7 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
         javino_encoder_put(&l->encoder, part);
 }
 
-/* Sends an item that is a part of its own. */
+/* Sends an item as a part of its own. */
 static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_encoder *e = &b->link.encoder;
@@ -226,7 +226,7 @@ static void put(javino_board *b, char c);
 static void begin_item(javino_board *b)
 {
     put(b, (char)JAVINO_ITEM_NEW);
-    put(b, 0); /* its length */
+    put(b, 0); /* the item's length */
 }
 #endif
 
@@ -447,7 +447,7 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 }
 
 #ifndef JAVINO_VERSION_2_ONLY
-/* In parts of whole percepts. */
+/* Sends the text in parts of whole percepts. */
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
     javino_nesting n = {0, 0, false, false, 0};

@@ -75,23 +75,23 @@ enum {
 /** A board. The members are private but for link, on which javino_link_receive and so on are called. */
 typedef struct javino_board {
     char *text;
-    uint16_t memory; /* bytes */
-    javino_room room;   /* bytes for text */
-    javino_room length; /* bytes of text */
-    javino_room whole;  /* bytes of whole percepts in it */
+    uint16_t memory; /* number of bytes */
+    javino_room room;   /* number of bytes that text may have */
+    javino_room length; /* number of bytes of text */
+    javino_room whole;  /* number of bytes of whole percepts in the text */
     bool overlong;   /* the percept that is being written does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool split;         /* of the percept that is being written a piece has been ended */
-    javino_room coded;  /* bytes of items that are as they are sent */
-    uint8_t part;       /* parts that have gone out; 0: no answer has been begun */
+    bool split;         /* a piece of the percept that is being written has been ended */
+    javino_room coded;  /* number of bytes of items in the form in which they are sent */
+    uint8_t part;       /* number of parts that have gone out; 0: no answer has been begun */
     uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
-    bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: it holds no rules */
+    bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: the board holds no rules */
     bool (*watches)(const struct javino_board *board, const char *functor, uint8_t length);
     struct javino_rules *rules;
 #endif
     javino_link link;
 #ifndef JAVINO_VERSION_1_ONLY
-    javino_shape shapes[JAVINO_SHAPES]; /* as many as the link says */
+    javino_shape shapes[JAVINO_SHAPES]; /* the first link.shapes of them are in use */
 #endif
 } javino_board;
 
@@ -122,8 +122,8 @@ void *javino_board_take(javino_board *board, uint16_t size);
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
- * As javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise forgotten. Unasked
- * percepts wait for the next answer, or are forgotten if they do not fit there.
+ * Does the same as javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise forgotten.
+ * Unasked percepts wait for the next answer, or are forgotten if they do not fit there.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
@@ -163,7 +163,7 @@ bool javino_percept_end(javino_board *board);
 /** Sends the percepts written so far, even none, as the answer; without a request unasked. */
 void javino_board_answer(javino_board *board);
 
-/** For javino_rules.c: sends so many bytes of the text, as the end of an answer or ahead of the rest of it. */
+/** For javino_rules.c: sends n bytes of the text, as the end of an answer or ahead of the rest of the answer. */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
 /** For javino_rules.c: lays the text at the end of the memory, behind at least this many bytes for incoming frames. */

@@ -35,7 +35,7 @@ static uint8_t digit_value(uint8_t c)
     c = (uint8_t)(c - '0');
     if (c < 10)
         return c;
-    c = (uint8_t)((c | 0x20) - ('a' - '0')); /* of either case */
+    c = (uint8_t)((c | 0x20) - ('a' - '0')); /* letters of either case */
     return c < 6 ? c + 10 : NO_DIGIT;
 }
 #endif
@@ -104,7 +104,7 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce)
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Of a computer's frame. */
+/* Returns true if this is a kind of a computer's frame. */
 static bool is_kind(uint8_t kind)
 {
     switch (kind) {
@@ -186,7 +186,7 @@ static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *
 #endif
 
 #ifndef JAVINO_VERSION_2_ONLY
-/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: its bytes are too few. */
+/* Reads the header of a frame of version 1, with the length of its payload. FOLLOWS_UNKNOWN: there are too few bytes. */
 static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t *length)
 {
     uint8_t i;

@@ -28,9 +28,9 @@ extern "C" {
 #endif
 
 #if defined(__AVR__) && defined(__GNUC__)
-/* Here a copy of a function that knows its arguments takes more flash than the calls it saves. */
+/* On this machine, a copy of a function for known arguments takes more flash than the calls that it saves. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
-/* Here such a copy takes less than the arguments in each call. */
+/* On this machine, such a copy takes less flash than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
 #else
 #define JAVINO_OUTLINE
@@ -48,7 +48,7 @@ extern "C" {
 /** Bytes that a decoder needs for every possible frame: the longest one and the next one's header. */
 #define JAVINO_WINDOW (JAVINO_OVERHEAD + JAVINO_MAX_PAYLOAD + 6)
 
-/** The inter-byte timeout for a rate of so many baud: 100 ms or 20 byte times, whichever is longer. */
+/** The inter-byte timeout for a line of baud bits a second: 100 ms or 20 byte times, whichever is longer. */
 #define JAVINO_TIMEOUT_MS(baud) ((uint16_t)((baud) >= 2000 ? 100 : 200000UL / ((baud) < 50 ? 50 : (baud))))
 
 /** Kinds of version 2 frames, as in their byte CC. */
@@ -97,15 +97,15 @@ typedef uint8_t javino_follows;
 typedef struct {
     uint8_t *bytes;
     uint16_t size;
-    uint16_t end;      /* bytes there are */
-    uint16_t gap;      /* where a silence lies between them; 0: nowhere */
+    uint16_t end;      /* number of bytes there are */
+    uint16_t gap;      /* place of a silence between the bytes; 0: there is none */
     uint16_t taken;    /* bytes of the frame at the front: all of them, or in version 2 those that stand without escapes already */
     uint16_t timeout_ms;
     uint16_t last_ms;
-    uint16_t silence; /* ms at the end of the bytes, as far as is known */
+    uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */
     bool held; /* the frame at the front has been handed out */
     bool quiet;     /* a frame of version 1 may begin here */
-    uint8_t session; /* its nonce; 0: there is none, and such a frame may begin anywhere */
+    uint8_t session; /* nonce; 0: there is no session, and a frame of version 1 may begin anywhere */
     uint8_t damaged; /**< Frames of version 2 that have been dropped, modulo 256. May be read. */
 } javino_decoder;
 
@@ -113,7 +113,7 @@ typedef struct {
  * Prepares a decoder.
  *
  * @param bytes       memory that belongs to the decoder from now on
- * @param size        its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost, but at least 12
+ * @param size        number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost, but at least 12
  * @param timeout_ms  silence between two bytes after which a frame that has begun is given up; at most
  *                    10,000. javino_decoder_next must be called more often than every 20 s.
  * @return false if the size is less than 12: such a decoder finds nothing

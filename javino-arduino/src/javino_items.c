@@ -25,7 +25,7 @@ static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
         if (value_of(c) <= 9) {
             if (before == '0')
                 continue;
-            c = '0'; /* stands for any number */
+            c = '0'; /* 0 stands for any number */
         }
         before = c;
         crc = javino_crc16(crc, (uint8_t)c);
@@ -48,8 +48,8 @@ void javino_items_code(javino_board *board)
     uint8_t *out = (uint8_t *)b->text + b->coded;
     const uint8_t *in = out;
     const uint8_t *end = (uint8_t *)b->text + b->whole;
-    uint8_t *row = NULL; /* of digits, which the next percept may continue */
-    bool half = false;   /* its last byte has room for a digit */
+    uint8_t *row = NULL; /* row of digits that the next percept may continue */
+    bool half = false;   /* the row's last byte has room for a digit */
     javino_room rest = b->length - b->whole;
     while (in < end) {
         uint8_t length = in[1];

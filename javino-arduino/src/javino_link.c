@@ -3,13 +3,13 @@
 #include <string.h>
 
 #ifndef JAVINO_VERSION_2_ONLY
-#define REQUEST_LENGTH 11 /* of getPercepts */
+#define REQUEST_LENGTH 11 /* length of getPercepts */
 #endif
 
 /* The most frames that one poll handles by itself, so that a flood of them cannot hold the program up. */
 #define FRAMES_PER_POLL 8
 
-/* Behind a payload. */
+/* Bytes of the checksum behind a payload. */
 #define CRC_LENGTH 2
 
 /* The first bytes of items in a row of commands. */
@@ -21,7 +21,7 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    /* As javino_decoder_init does, which would clear it once more. */
+    /* Does what javino_decoder_init does, which would clear the decoder once more. */
     link->decoder.bytes = (uint8_t *)bytes;
     link->decoder.size = size;
     link->decoder.timeout_ms = 100;
@@ -99,7 +99,7 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
-    memset(&l->due, 0, 5); /* and flags, known, shapes, rules */
+    memset(&l->due, 0, 5); /* clears flags, known, shapes and rules too */
     javino_decoder_session(&l->decoder, nonce);
 }
 
@@ -191,7 +191,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        if (number != l->session) /* else it has come twice */
+        if (number != l->session) /* else the same HELLO has come twice */
             begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
@@ -325,7 +325,7 @@ JAVINO_OUTLINE void javino_link_supervise(javino_link *link, uint32_t now_ms)
 JAVINO_NOINLINE bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
     if (link->heard) {
-        /* It may have waited since the receive buffer was empty. */
+        /* The valid message may have waited since the receive buffer was empty. */
         link->heard = link->lost = false;
         link->since_ms = link->drained_ms;
     }

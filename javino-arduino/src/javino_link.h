@@ -13,7 +13,7 @@ extern "C" {
 
 /** The bytes of version 2 that the receive buffer holds while the program is busy; at most 255. */
 #ifndef JAVINO_CREDIT
-#if !defined(SERIAL_RX_BUFFER_SIZE) /* which Arduino builds may set for all files */
+#if !defined(SERIAL_RX_BUFFER_SIZE) /* Arduino builds may set it for all files */
 #define JAVINO_CREDIT 63
 #elif SERIAL_RX_BUFFER_SIZE > 255
 #define JAVINO_CREDIT 255
@@ -44,7 +44,7 @@ typedef struct {
 /** The revision of version 2 that this library speaks, as WELCOME says. */
 #define JAVINO_REVISION 1
 
-/** How many actions a board has at most: on the line the next numbers stand for no command and for rules. */
+/** The most actions of a board: on the line, the next numbers stand for no command and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
 /** Bytes of an action's name at most, so that a page of the vocabulary holds it. */
@@ -69,25 +69,25 @@ typedef struct {
     uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, as at first: the actions have no numbers. */
     bool answered;
     bool drained; /* the last poll has read all that there was */
-    bool heard;   /* something valid, since javino_link_lost was asked */
+    bool heard;   /* something valid has come since javino_link_lost was asked */
     bool lost;
     uint8_t frames; /**< Intact ones that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
     uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. With the next five the payload of WELCOME. */
     uint8_t credit;
-    uint8_t longest;    /* bytes of payload that a frame may have */
-    uint8_t rules_max;  /* how many the board holds */
+    uint8_t longest;    /* most bytes of payload that a frame may have */
+    uint8_t rules_max;  /* number of rules that the board can hold */
     uint8_t revision;
 #endif
     uint8_t actions_lost; /**< Actions of the program that are left out, 255 at most: the computer is told. */
 #ifndef JAVINO_VERSION_1_ONLY
-    javino_later later; /* the newest */
+    javino_later later; /* the newest action whose outcome is reported later */
     uint8_t request;    /* number of the request in hand; 0: there is none, or it is answered */
     uint8_t due;        /* number of the command that is carried out next. It and the next four begin as 0 in each session. */
     uint8_t flags;      /* JAVINO_REFUSED, JAVINO_BUSY */
-    uint8_t known;      /* shapes whose text the computer knows */
-    uint8_t shapes;     /* shapes that have been sent in this session */
-    uint8_t rules;      /* how many are set */
+    uint8_t known;      /* number of shapes whose text the computer knows */
+    uint8_t shapes;     /* number of shapes that have been sent in this session */
+    uint8_t rules;      /* number of rules that are set */
     bool row;           /* the frame in hand holds commands; its length is of those that are left, its number the next one's */
 #endif
     javino_encoder encoder;
@@ -109,7 +109,7 @@ typedef struct {
  * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
- * @param size     its bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
+ * @param size     number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
  * @param write    puts bytes on the line; may call javino_link_receive, but nothing else of this link
  * @param context  handed to write
  */

@@ -1,6 +1,6 @@
 #include "javino_literal.h"
 
-/* 1 for round brackets, 2 for square ones, 3 for braces. */
+/* Returns the kind of a bracket: 1 for round brackets, 2 for square ones, 3 for braces. */
 static uint8_t kind_of(char bracket)
 {
     return bracket < 'A' ? 1 : bracket < 'a' ? 2 : 3;

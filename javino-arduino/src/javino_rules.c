@@ -66,7 +66,7 @@ static char digit_at(const decimal *d, uint8_t i)
     return i < d->length ? d->text[i] : '0';
 }
 
-/* Returns less than, equal to or more than 0, as a is than b. */
+/* Returns a number below 0 if a < b, 0 if they are equal, and a number above 0 if a > b. */
 static int8_t compare(decimal a, decimal b)
 {
     bool zero = true;
@@ -101,7 +101,7 @@ static bool is_operator(char c, bool number)
     return c == '=' || c == '!' || (number && (c == '<' || c == '>' || c == '{' || c == '}'));
 }
 
-/* The bytes of a word that ends with 00; none if it does not end. */
+/* Returns the number of bytes of a word that ends with 00; 0 if the word does not end. */
 static uint8_t word(const char *text, const char *end)
 {
     const char *p = text;
@@ -149,7 +149,7 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     }
 }
 
-/* Returns true if a percept meets a rule; sets reflex to the beginning of its reflex, the rule's end without one. */
+/* Returns true if a percept meets a rule. Sets reflex to the beginning of the rule's reflex; to the rule's end if it has none. */
 static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -166,14 +166,14 @@ static bool meets(const char *rule, const char *end, const char *text, uint8_t l
 
 /* ---- All rules ---- */
 
-/* The bits below this one stay; those above it move down. */
+/* Takes a bit out: the bits below it stay, and the bits above it move down. */
 static uint8_t without_bit(uint8_t bits, uint8_t bit)
 {
     uint8_t below = bits & (uint8_t)(bit - 1);
     return below | ((bits >> 1) & (uint8_t)~(bit - 1));
 }
 
-/* Returns where the rule of this number begins, or the end of all if there is none. Sets bit to its bit in met. */
+/* Returns where the rule of this number begins, or the end of all rules if there is none. Sets bit to the rule's bit in met. */
 static uint16_t place_of(const struct javino_rules *r, uint8_t number, uint8_t *bit)
 {
     uint16_t at = 0;
@@ -266,7 +266,7 @@ static void report(javino_board *b, uint8_t number, uint8_t outcome, const char 
     javino_encoder_finish(e, text, length);
 }
 
-/* Compares the percept behind the whole ones with all rules. */
+/* Compares the percept behind the whole percepts with all rules. */
 static void watch(javino_board *b)
 {
     struct javino_rules *r = b->rules;
@@ -322,7 +322,7 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
 
 /* ---- Answers part by part ---- */
 
-/* Sends the next part of an answer. A message in hand is not the one that it answers. */
+/* Sends the next part of an answer. The answer is to an earlier message than the message in hand. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -353,7 +353,7 @@ static void make_room(javino_board *b)
     javino_board_place(b, place < arrived ? arrived : place);
 }
 
-/* Returns true if the answer goes out part by part from now on, or if unasked percepts join one that does. */
+/* Returns true if the answer goes out part by part from now on, or if unasked percepts join such an answer. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -367,7 +367,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* Sends the next part if the line is free, or all that are left. False if no answer goes out so. */
+/* Sends the next part of the answer if the line is free; with any `where` but JAVINO_RULES_GO_ON, all remaining parts. Returns false if no
+ * answer is being sent. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;

@@ -35,11 +35,11 @@ struct javino_rules {
     bool (*is_free)(void *context);
     uint8_t *texts; /* each behind its length: the rule's number, functor and so on */
     uint16_t looked_ms;
-    uint16_t size; /* bytes of texts */
+    uint16_t size; /* bytes that texts has room for */
     uint16_t used;
-    uint8_t met;  /* which of them were met at the last look, the first in the lowest bit */
-    uint8_t seen; /* at this look */
-    uint8_t session; /* of the answer that goes out part by part */
+    uint8_t met;  /* rules that were met at the last look, the first in the lowest bit */
+    uint8_t seen; /* rules that are met at this look */
+    uint8_t session; /* session of the answer that goes out part by part */
 };
 
 /**

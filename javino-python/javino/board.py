@@ -92,9 +92,9 @@ class Board:
         self._running = False
         self._inbox = b""  # frames that came while a function ran
         self._texts = []  # percepts that were written and not sent
-        self._waiting = 0  # their bytes, while nobody has asked
+        self._waiting = 0  # bytes of the unsent percepts, while nobody has asked
         self._asked = None  # the functors of the request in hand
-        self._version = 0  # of that request
+        self._version = 0  # version of the request in hand
         self._doubtful = None  # an action of version 1 that may be the beginning of another
         self._rules = None
         self._is_looking = False
@@ -469,7 +469,7 @@ class Board:
     def take2(self, kind, number, payload):
         """Takes a frame of version 2."""
         self._note_valid()
-        if kind == frames.HELLO and number != self._session:  # else it has come twice
+        if kind == frames.HELLO and number != self._session:  # else the same HELLO has come twice
             self._begin(number)
         if kind == frames.HELLO or not self._session:
             rules = 0 if self._rules is None else self._rules.room

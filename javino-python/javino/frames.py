@@ -87,7 +87,7 @@ class Receiver:
         self._sink = sink
         self._timeout = timeout
         self._longest = longest
-        self._last = None  # when bytes came last
+        self._last = None  # time at which bytes came last
         self._body = None  # the frame of version 2 that is being read, without escapes
         self._escaped = False
         self._window = b""  # bytes that may belong to a frame of version 1
@@ -220,5 +220,5 @@ class Receiver:
             self._body = None
             nonce = 0 if body[1] == HELLO else self.session
             is_unchecked = body[1] != HELLO and not nonce  # a board without a session cannot tell, and only says so
-            if is_unchecked or crc16(body, nonce) == 0:  # of the bytes and their own checksum
+            if is_unchecked or crc16(body, nonce) == 0:  # over the bytes and their own checksum it is 0
                 self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

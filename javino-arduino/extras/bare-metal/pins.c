@@ -11,11 +11,11 @@ typedef enum { INPUT, LOW, HIGH, PWM } kind;
 static struct {
     kind kind;
     uint8_t duty;
-    bool level; /* of an input */
+    bool level; /* level of an input */
     bool watched;
 } pins[PIN_COUNT];
 
-/* An analogue input, perhaps behind a multiplexer. */
+/* The analogue inputs, each perhaps behind a multiplexer. */
 static struct {
     uint16_t millivolts[CHANNELS];
     uint8_t selects[SELECTS];
@@ -42,7 +42,7 @@ static void print_number(uint32_t number)
     print(p);
 }
 
-/* Reads a number and moves behind it. False: there is none. */
+/* Reads a number and moves behind it. Returns false if there is none. */
 static bool read_number(const char **text, uint16_t *number)
 {
     const char *begin = *text;
@@ -191,7 +191,7 @@ static void carry_out(char **words, uint8_t count)
     }
 }
 
-/* Takes the line apart in place. */
+/* Splits the line into words, in place. */
 static void read_line(char *line)
 {
     char *words[WORDS];

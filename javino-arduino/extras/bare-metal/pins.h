@@ -12,10 +12,10 @@
 extern "C" {
 #endif
 
-/** Pins. Those from PIN_A0 on are analogue inputs too. */
+/** Pins. The pins from PIN_A0 on are analogue inputs too. */
 enum { PIN_A0 = 14, PIN_COUNT = 22 };
 
-/** Carries out the commands that have arrived. In each turn of the main loop. */
+/** Carries out the commands that have arrived. Call it in each turn of the main loop. */
 void pins_poll(void);
 
 /** Makes a pin an output that is low. */
@@ -24,7 +24,7 @@ void pin_output(uint8_t pin);
 /** Sets an output high or low. */
 void pin_write(uint8_t pin, bool high);
 
-/** Turns an output on for so many of 255 parts of the time. */
+/** Turns an output on for duty parts of 255 of the time. */
 void pin_pwm(uint8_t pin, uint8_t duty);
 
 /** @return the level of an output, or of an input as it was set */

@@ -2,7 +2,7 @@
 
 /* ---- Received bytes and the clock ---- */
 
-/* One more than the bytes that are kept of a port; a power of two of at most 256. More than JAVINO_CREDIT. */
+/* One more than the received bytes that are kept of a port. A power of two, at most 256, and more than JAVINO_CREDIT. */
 #define RING_BYTES 256
 
 /* Only the receive interrupt puts and only the main loop takes. So on a machine with one core neither needs to lock out the other. */

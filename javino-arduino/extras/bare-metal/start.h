@@ -13,7 +13,7 @@ void machine_receive(uint8_t port, uint8_t byte);
 /** Counts one of the milliseconds of machine_ms. */
 void machine_tick(void);
 
-/** Where exceptions end. */
+/** Halts the machine: exceptions end here. */
 void machine_halt(void);
 
 /** The first function, called with a stack: sets the memory up, calls constructors, then main. */

@@ -56,7 +56,7 @@ static __attribute__((interrupt)) void tick(void)
 
 typedef void (*function)(void);
 
-/* Exceptions, then interrupts by their numbers. They begin on a border of a MiB, as their register wants. */
+/* Exceptions, then interrupts by their numbers. The table begins on a border of a MiB, as its register demands. */
 enum { FIRST = 64, TIMER = FIRST + TIMER_NUMBER, LINE = FIRST + UART_NUMBER, PANEL = LINE + 1, VECTOR_COUNT = 128 };
 
 __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_COUNT] = {

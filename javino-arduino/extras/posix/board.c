@@ -114,7 +114,7 @@ static bool is(const char *text, uint8_t length, const char *name)
     return strlen(name) == length && memcmp(text, name, length) == 0;
 }
 
-/* Carries out the action in hand. False: it is unknown or malformed. */
+/* Carries out the action in hand. Returns false if it is unknown or malformed. */
 static bool act(const char *text, uint8_t length)
 {
     const char *argument = text;

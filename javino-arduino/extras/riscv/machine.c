@@ -34,7 +34,7 @@ enum { UART0_INTERRUPT = 3, UART1_INTERRUPT = 4 };
 #define PLIC_ON (*(reg *)0x0C002000)
 #define PLIC_CLAIM (*(reg *)0x0C200004)
 
-/* The clock, and the time of its next interrupt. QEMU's has 10 MHz; that of a real FE310 has 32,768 Hz, which is 32.8 ticks a
+/* The clock, and the time of its next interrupt. QEMU's clock has 10 MHz; a real FE310's has 32,768 Hz, which is 32.8 ticks a
  * millisecond. */
 #define TIME_LOW (*(reg *)0x0200BFF8)
 #define TIME_HIGH (*(reg *)0x0200BFFC)
@@ -120,7 +120,7 @@ void machine_start(void)
     }
     set_alarm((uint64_t)TIME_HIGH << 32 | TIME_LOW); /* set once: at the start its upper half does not change */
     __asm__ volatile("csrs mie, %0" ::"r"(1u << 11 | 1u << 7)); /* external interrupts and the clock's */
-    __asm__ volatile("csrsi mstatus, 8");                        /* all interrupts */
+    __asm__ volatile("csrsi mstatus, 8");                        /* enables all interrupts */
 }
 
 void machine_put(uint8_t port, uint8_t byte)

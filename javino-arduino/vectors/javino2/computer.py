@@ -164,7 +164,7 @@ class Computer:
                     break
                 row.append(waiting.command)
             in_use = self.ask_bytes + sum(c.bytes for c in self.carriers)
-            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # as if all was escaped
+            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # as if all bytes were escaped
                 return
             sent, self.waiting = self.waiting[:len(row)], self.waiting[len(row):]
             self.deadlines.update({w.command: w.deadline for w in sent if w.deadline is not None})

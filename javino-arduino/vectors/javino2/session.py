@@ -14,8 +14,8 @@ class Session:
 
     def __init__(self, next_nonce, numbers=256, size=16, impossible=16):
         self.next_nonce, self.numbers, self.size = next_nonce, numbers, size
-        self.impossible = impossible  # so many impossible numbers in a row end a session
-        self.other_revision = None  # from a board with which there is no session
+        self.impossible = impossible  # number of impossible numbers in a row that ends a session
+        self.other_revision = None  # revision of a board with which there is no session
         self.nonce = 0
         self.outcomes, self.answers, self.critical, self.pages = [], [], [], []
         self.window = Window(numbers, size)

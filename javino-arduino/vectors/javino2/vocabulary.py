@@ -1,6 +1,6 @@
 """The actions of a board, in pages."""
 
-ANY_NUMBER = 0xFF  # of arguments
+ANY_NUMBER = 0xFF  # stands for any number of arguments
 MAX_ACTIONS = 126
 MAX_NAME = 250
 

@@ -9,9 +9,9 @@ MAX_ROW = 32
 
 
 class Out(NamedTuple):
-    command: object  # as in commands.py
-    over: bool = False  # its time is over, or nobody waits for it
-    as_nothing: bool = False  # it went out as FE
+    command: object  # a command of commands.py
+    over: bool = False  # the command's time is over, or nobody waits for it
+    as_nothing: bool = False  # the command went out as FE
 
 
 class News(NamedTuple):

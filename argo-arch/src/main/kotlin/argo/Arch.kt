@@ -40,15 +40,15 @@ import java.util.logging.Logger
  *
  * The methods of [AgArch] are called by Jason; a project has no reason to call any.
  *
- * @param platform its time, threads and ports; Jason makes it with those of the machine
+ * @param platform the agent's time, threads and ports; Jason makes the architecture with the machine's
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
     private val deleted = DeletedPercepts()
-    private var waiting: Int? = null // see Perception
+    private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // called by the boundary, made once for all cycles
+    // functions that the boundary calls; they are made once for all cycles
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }

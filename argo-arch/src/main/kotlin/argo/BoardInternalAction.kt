@@ -47,7 +47,7 @@ abstract class BoardInternalAction internal constructor(private val name: String
     /** Is never called: the links that an action waits for have time limits of their own. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
-    /** One call of the action in a plan. */
+    /** A call of the action in a plan. */
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
         /** The call as the agent wrote it, for messages. */
         val text: String get() = "$name(${args.joinToString(",")})"
@@ -87,6 +87,6 @@ internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: archite
 /** The boundary of the agent of this transition system. */
 internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
 
-/** Returns the failure of an action whose agent, that of [ts], has no [Arch]. */
+/** Returns the failure of an action if the agent of [ts] has no [Arch]. */
 internal fun notArgo(ts: TransitionSystem) =
     Failure("not_argo", "agent ${ts.agArch.agName} has no board: declare it with \"agentArchClass argo.Arch\" in the .mas2j")

@@ -90,7 +90,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
         return if (isKnown) within(module, command, inUse) else null
     }
 
-    /** Returns the one of [some] that has described itself with [command]; null: none has. */
+    /** Returns the board of [some] that has described itself with [command]; null: none has. */
     private fun among(some: List<Board>, command: Literal, inUse: OpenPort): Route? {
         val knowing = some.filter { it.knows(command) }
         return when (knowing.size) {

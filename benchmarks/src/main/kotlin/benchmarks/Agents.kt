@@ -40,7 +40,7 @@ class Agents : AutoCloseable {
 
     /** Ends the system; returns when its agents have ended. */
     override fun close() {
-        mas.finish(0, false, 0) // on a thread of its own
+        mas.finish(0, false, 0) // Jason ends the agents on a thread of its own
         if (!awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }) System.err.println("agents still run after $LIMIT_S s: ${mas.ags.keys}")
         directory.toFile().deleteRecursively()
     }

@@ -19,7 +19,7 @@ internal fun figuresApart(vararg arguments: String, options: List<String> = empt
     return figures.filterNotNull()
 }
 
-/** Starts this program with [arguments] in a Java machine of its own; its errors are shown with those of this one. */
+/** Starts this program with [arguments] in a Java machine of its own; its errors are shown with this program's errors. */
 internal fun programApart(vararg arguments: String, options: List<String> = emptyList()): Process {
     val java = listOf(File(System.getProperty("java.home"), "bin/java").path, "--enable-native-access=ALL-UNNAMED")
     val program = listOf("-cp", System.getProperty("java.class.path"), "benchmarks.MainKt")

@@ -9,7 +9,7 @@ class Distribution(nanos: LongArray) {
     /** The number of durations. */
     val size: Int get() = sorted.size
 
-    /** Returns the duration in ms that a [share] of them, 0 to 1, does not exceed; NaN if there are none. */
+    /** Returns the duration in ms that a [share] of the durations, 0 to 1, does not exceed; NaN: there are none. */
     fun ms(share: Double): Double = if (sorted.isEmpty()) Double.NaN else sorted[((sorted.size - 1) * share).toInt()] / 1e6
 }
 

@@ -17,7 +17,7 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 private const val WIDTH = 640
 private const val HEIGHT = 400
 
-/** The ages of the snapshots on which intentions acted, with so many [sensors] and so many [plans] for each percept. */
+/** The ages of the snapshots on which intentions acted, with the number of [sensors] and of [plans] for each percept. */
 internal class Ages(val sensors: Int, val plans: Int, val distribution: Distribution)
 
 /** Plots the distribution of the ages in SVG: the share of actions against the age that it does not exceed. */

@@ -23,7 +23,7 @@ internal const val REPLAY = "replay-recordings"
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
     val folder = createTempDirectory("argo-bench-record")
-    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // Java compiles all code meanwhile
+    listOf(null, folder.resolve("warm-up.mcap")).forEach { drive(it, intervalMs = WARM_UP_MS) } // in the warm-up Java compiles all code
     val files = (1..DRIVES).map { folder.resolve("drive-$it.mcap") }
     val (without, with) = files.map { drive(null) to drive(it) }.unzip().run { Cycles(first) to Cycles(second) }
     println("without a recording: $without")
@@ -61,7 +61,7 @@ internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of
 private fun pace(file: Path): Double {
     val begin = System.nanoTime()
     return Recording(file).use { recording ->
-        Replay(recording, isChecking = true).use { replay -> // it has an architecture of its own
+        Replay(recording, isChecking = true).use { replay -> // the replay has an architecture of its own
             val firstNs = checkNotNull(replay.nextNs) { "$file holds no cycle" }
             replay.run()
             check(replay.differences.isEmpty()) { replay.differences.first() }
@@ -167,7 +167,7 @@ private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3
 private const val DRIVE_S = 8
-private const val LOADING_S = 2 // meanwhile classes are loaded and the port is opened
+private const val LOADING_S = 2 // in this time classes are loaded and the port is opened
 private const val MINUTE_S = 60
 private const val MOST_COST = 5
 private const val MOST_MEGABYTES = 2

@@ -15,7 +15,7 @@ import javino.sim.SimulatedBoard
  * @param percepts returns its answer to the nth request, n counted from 1
  * @param answered called by the board's thread with n, the time of [System.nanoTime] at which the last byte of the answer leaves the line,
  * and the bytes of request and answer
- * @param acted called by the board's thread with each action that is not the repetition of the last one
+ * @param acted called by the board's thread with each action that does not repeat the action before
  */
 class SensorBoard(
     private val speaks: Protocol,
@@ -41,7 +41,7 @@ class SensorBoard(
     }
 
     companion object {
-        /** Returns the message of a robot with sensors on its four sides: twelve percepts, all different from those of [n] - 1. */
+        /** Returns the message of a robot with sensors on its four sides: twelve percepts, all different from the percepts of [n] - 1. */
         fun robot(n: Int): String {
             val sides = listOf("f", "b", "l", "r")
             val readings = sides.map { "dist($it,${n % 100 + 20})" } +

@@ -46,7 +46,7 @@ class SingleThread : AgArch() {
     /** Writes a message, without a time limit, which would take another thread. Called by the agent's thread. */
     fun say(message: String) = Frame.of(message).toBytes().let { line.write(it, 0, it.size, 0) }
 
-    /** It never sleeps: it waits in [perceive]. */
+    /** The agent never sleeps: it waits in [perceive]. */
     override fun canSleep() = false
 
     override fun stop() {

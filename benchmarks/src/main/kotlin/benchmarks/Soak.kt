@@ -33,7 +33,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
 
     private val boards = (1..agents).map { Account() }
 
-    /** Runs it, on this thread and those of the agents. */
+    /** Runs the test, on this thread and the agents' threads. */
     fun run(): Result {
         acts.heard = { n, _, (_, agent, what) -> boards["$agent".toInt() - 1].told(n, "$what") }
         val plugged = boards.mapIndexed { i, account ->
@@ -126,7 +126,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
 
-        /** After so many actions every agent has loaded and allocated all that it needs. */
+        /** The number of actions after which every agent has loaded and allocated all that it needs. */
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB

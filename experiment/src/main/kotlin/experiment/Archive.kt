@@ -74,7 +74,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         val lock = try {
             channel.tryLock()
         } catch (_: OverlappingFileLockException) {
-            null // by another experiment of this program
+            null // another experiment of this program holds the lock
         }
         if (lock != null) return channel
         channel.close()
@@ -83,7 +83,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         )
     }
 
-    /** Writes all settings or none: a program that is killed meanwhile leaves no half of them. */
+    /** Writes all settings or none: a program that is killed meanwhile leaves no half of the settings. */
     private fun begin(asked: Settings) {
         val whole = settingsFile.resolveSibling("settings.json.new")
         whole.writeText(JSON.encodeToString(Settings.serializer(), asked) + "\n")

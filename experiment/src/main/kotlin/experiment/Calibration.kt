@@ -38,7 +38,7 @@ internal object Calibration {
      * Measures the events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it
      * faster. Takes 1.5 s.
      *
-     * @param nanoTime the time that the calling thread has worked, in ns, without that of other threads
+     * @param nanoTime the time that the calling thread has worked, in ns, without the time of other threads
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()

@@ -55,7 +55,7 @@ internal class Campaign(
         val pool = Executors.newFixedThreadPool(jobs)
         val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
         pool.shutdown()
-        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // when all have come to their end
+        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only when all workers have come to their end
         return over.toList()
     }
 
@@ -72,7 +72,7 @@ internal class Campaign(
             makeAll(missing, over, all)
             isDone = true
         } finally {
-            if (!isDone) given.giveUp() // else the others would run for an hour before the failure is reported
+            if (!isDone) given.giveUp() // else the other workers would run for an hour before the failure is reported
         }
     }
 

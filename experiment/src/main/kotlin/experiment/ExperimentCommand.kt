@@ -155,7 +155,7 @@ internal class ExperimentCommand : Callable<Int> {
         return if (failed.isEmpty()) 0 else 1
     }
 
-    /** Returns the published runs in one random order, followed by those with more work for the machine. */
+    /** Returns the published runs in one random order, followed by the runs with more work for the machine. */
     private fun trials(settings: Settings, conditions: List<Condition>): List<Trial> =
         randomised(conditions.flatMap(settings.plan::trials), settings.seed) +
             if (scaling) randomised(conditions.flatMap(settings.plan::scaling), settings.seed) else emptyList()

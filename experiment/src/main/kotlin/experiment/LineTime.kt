@@ -39,7 +39,7 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     val asked = trial.view.functors
     val texts = all.split(';').filter { it.isNotEmpty() && (asked == null || it.substringBefore('(') in asked) }.map { "$it;" }
     val writer = PerceptWriter(MAX_KNOWN)
-    writer.items(texts, 0) // from then on it knows their shapes
+    writer.items(texts, 0) // from then on the writer knows the shapes of the texts
     val items = writer.items(texts, known)
     val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
     val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())

@@ -19,11 +19,11 @@ internal enum class Plan(
     @SerialName("full")
     FULL(listOf(40, 80, 120), listOf(20, 35, 50), 3, listOf(12, 48, 192, 768), listOf(9_600, 38_400, 115_200, 250_000, 1_000_000)),
 
-    /** A part of it, for a few minutes: 12 combinations, 24 runs. */
+    /** A part of the experiment, for a few minutes: 12 combinations, 24 runs. */
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** One combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
+    /** A combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
@@ -48,5 +48,5 @@ internal enum class Plan(
 /** Returns [trials] in an order that depends only on [seed]. */
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
-/** Returns the seed of the noise of a robot's sensors in [trial]: another in each run, the same whenever that run is made. */
+/** Returns the seed of the noise of a robot's sensors in [trial]: each run has a seed of its own, also when it is made again. */
 internal fun noiseSeed(trial: Trial, seed: Long): Long = 31 * seed + trial.id.hashCode()

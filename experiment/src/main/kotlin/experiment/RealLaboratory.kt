@@ -15,7 +15,7 @@ import kotlin.concurrent.thread
  * @param tell receives the instruction for the person
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
-    private val answers = LinkedBlockingQueue<Boolean>() // false: there are no more
+    private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come
     private val reader = lazy {
         thread(name = "keyboard", isDaemon = true) { // a read of the keyboard cannot be interrupted
             keyboard.forEachLine { answers.put(true) }
@@ -71,7 +71,7 @@ internal class RealLaboratory(
                 )
             }
             halt(witness)
-            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the command has to go out
+            pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // in this time the command goes out
             if (witness.beliefs.mayDrive) println("the robot on $port may still drive: its agent could not send stop")
             return null
         } finally {

@@ -70,7 +70,7 @@ internal enum class Outcome {
     @SerialName("collided")
     COLLIDED,
 
-    /** It never drove: no command to drive reached its board. */
+    /** The robot never drove: no command to drive reached its board. */
     @SerialName("idle")
     IDLE,
 
@@ -126,7 +126,7 @@ internal fun readRecord(file: Path): List<Entry>? {
     val entries = try {
         Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }
     } catch (_: SerializationException) {
-        return null // cut off in the middle, or of another version of this program
+        return null // the line is cut off, or from another version of this program
     } catch (_: java.nio.charset.CharacterCodingException) {
         return null
     }

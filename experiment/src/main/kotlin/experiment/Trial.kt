@@ -8,14 +8,14 @@ import samples.collision.Sensors
 /**
  * The way in which agent and board work together in a run.
  *
- * @property letter its name on the command line and in records
- * @property title its name in the report
+ * @property letter the condition's name on the command line and in records
+ * @property title the condition's name in the report
  * @property sensing the agent's sensing policy
  * @property protocol the version of Javino with which the port is opened, null for the default
  */
 @Serializable
 internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
-    /** As published: each reasoning cycle waits for the line, commands are written at once, version 1. */
+    /** The published setting: each reasoning cycle waits for the line, commands are written at once, version 1. */
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
@@ -27,7 +27,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /** As [VERSION_2], and the board watches a critical rule at the limit, whose reflex stops the robot. */
+    /** As [VERSION_2]; also, the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
@@ -39,11 +39,11 @@ internal enum class Condition(val letter: String, val title: String, val sensing
 /**
  * The part of the percepts that the agent perceives.
  *
- * @property word its name on the command line and in records
+ * @property word the view's name on the command line and in records
  */
 @Serializable
 internal enum class View(val word: String) {
-    /** All sensors. */
+    /** The agent perceives all sensors. */
     @SerialName("none")
     NONE("none"),
 
@@ -81,7 +81,7 @@ internal enum class View(val word: String) {
  *
  * @property limit the front distance at which the agent stops, in cm
  * @property interval the sensing interval in ms
- * @property replication its number, from 1
+ * @property replication the number of the replication, from 1
  * @property baud the line's rate
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */

@@ -65,8 +65,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. A robot that its board has stopped drives on if a command of its agent was on the way; the agent
-     * then stops it.
+     * Returns true if the run is over. When the board has stopped the robot, a command that is already on its way may start the robot
+     * again; then the agent stops it.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
@@ -131,7 +131,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors(): String = robot.percepts() // several a frame, which no computer receives
+    override fun sensors(): String = robot.percepts() // several percepts a frame; no computer receives them here
 
     override fun act(command: String) {
         robot.act(command)

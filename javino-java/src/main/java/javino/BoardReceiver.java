@@ -12,7 +12,7 @@ import javino.wire.WireFrame;
  * one clock. One thread at a time.
  */
 public final class BoardReceiver {
-    /** A frame, of one of the two versions. */
+    /** A frame of one of the two versions; the other is null. */
     public record Found(Frame version1, WireFrame version2) {
         /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
         public OptionalInt nonceBehind() {
@@ -96,7 +96,7 @@ public final class BoardReceiver {
         }
     }
 
-    /** Takes bytes that version 1 leaves, the first of which begins a frame of version 2. */
+    /** Takes bytes that version 1 leaves. The first byte begins a frame of version 2. */
     private void readAgain(byte[] rest) {
         for (int i = 0; i < rest.length; i++) {
             if (i == 0) {

@@ -18,7 +18,7 @@ public abstract class DriverTransport implements Transport {
 
     /**
      * @param name the port's name, for messages
-     * @param line as the port was opened
+     * @param line the settings with which the port was opened
      */
     protected DriverTransport(String name, LineSettings line) {
         this.name = name;
@@ -29,7 +29,7 @@ public abstract class DriverTransport implements Transport {
     /**
      * Reads the bytes that have arrived.
      *
-     * @param nanos how long to wait for it at most, less if that is long; not at all if it is 0 or less
+     * @param nanos the time to wait for a byte at most; less if this is long; no wait if it is 0 or less
      * @return bytes read; 0 if there were none
      */
     protected abstract int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException;

@@ -25,7 +25,7 @@ public final class Frame {
 
     private static final Pattern HEADER = Pattern.compile(PREAMBLE + "\\p{XDigit}{2}");
 
-    private final String text; // a byte a character
+    private final String text; // each character is a byte
 
     private Frame(String text) {
         if (text.length() > MAX_PAYLOAD) {
@@ -63,7 +63,7 @@ public final class Frame {
                         i + 1));
             }
         }
-        if (text.contains(PREAMBLE)) { // found sooner than a pattern, and each command passes here
+        if (text.contains(PREAMBLE)) { // this test is faster than a pattern, and each command passes here
             requireNoHeader(text);
         }
         return of(text);

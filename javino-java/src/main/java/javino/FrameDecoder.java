@@ -133,12 +133,12 @@ public final class FrameDecoder {
         return frames;
     }
 
-    /** Bytes so far that belonged to no frame, or to one that was put in doubt. */
+    /** The number of bytes so far that belonged to no frame, or to a frame that was put in doubt. */
     public long discarded() {
         return discarded;
     }
 
-    /** Sets whether a frame may begin at any byte from now on, or only at one in front of which it was {@link #quiet}. */
+    /** Sets whether a frame may begin at any byte from now on, or only at a byte before which it was {@link #quiet}. */
     void anywhere(boolean value) {
         isAnywhere = value;
     }
@@ -156,7 +156,7 @@ public final class FrameDecoder {
         return start == end;
     }
 
-    /** Takes the bytes from the first on that begins a frame of the other protocol; empty if there is none. */
+    /** Takes the bytes from where a frame of the other protocol begins; empty if none begins. */
     byte[] takeOther() {
         if (!isOtherAt(start)) {
             return new byte[0];

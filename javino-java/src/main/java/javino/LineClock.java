@@ -25,7 +25,7 @@ public interface LineClock {
      * Returns a new reentrant lock for code that goes by this clock; {@link #await} takes only conditions of such locks. A clock that moves
      * only when all threads that go by it wait returns locks of its own kind.
      *
-     * @param fair whether threads that wait for it get it in their order
+     * @param fair whether threads that wait for the lock get it in their order
      */
     default Lock newLock(boolean fair) {
         return new ReentrantLock(fair);

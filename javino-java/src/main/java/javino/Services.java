@@ -37,7 +37,7 @@ public final class Services {
                 }
                 found.add(providers.next());
             } catch (ServiceConfigurationError e) {
-                warn(service, e); // the loader goes on with the next one
+                warn(service, e); // the loader goes on with the next provider
             }
         }
     }

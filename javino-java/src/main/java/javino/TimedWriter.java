@@ -54,8 +54,8 @@ final class TimedWriter {
      */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
-        AtomicBoolean isTaken =
-                new AtomicBoolean(); // by the thread that writes it, or by its caller, who has given it up
+        // set by the thread that writes the frame, or by the caller when it gives up
+        AtomicBoolean isTaken = new AtomicBoolean();
         CompletableFuture<Outcome> write;
         underWay.incrementAndGet();
         try {
@@ -76,7 +76,7 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            if (!isTaken.getAndSet(true)) { // a write that has not begun does not
+            if (!isTaken.getAndSet(true)) { // a write that has not begun never will
                 underWay.decrementAndGet();
             }
         }

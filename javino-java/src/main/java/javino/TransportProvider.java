@@ -16,7 +16,7 @@ public interface TransportProvider {
     /**
      * Opens the port at {@code address}.
      *
-     * @param address what follows {@code scheme:}, not blank
+     * @param address the text behind {@code scheme:}, not blank
      * @throws PortException of the kind that says why it cannot be opened
      */
     Transport open(String address, LineSettings line) throws PortException;
@@ -32,7 +32,7 @@ public interface TransportProvider {
     }
 
     /**
-     * One address for all the addresses of one device, so that a device under two names still has one owner.
+     * Returns one address for all the addresses of one device, so that a device under two names still has one owner.
      *
      * @return {@code address} itself, unless the provider knows better
      */
@@ -41,8 +41,8 @@ public interface TransportProvider {
     }
 
     /**
-     * One name for all the names of one device, whatever their schemes: a provider that finds devices of another one gives the other's
-     * name.
+     * Returns one name for all the names of one device, whatever their schemes: a provider that finds devices of another provider
+     * gives the name which that one gives.
      *
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */

@@ -43,8 +43,8 @@ public final class Transports {
     }
 
     /**
-     * One name for all the names of one device: symbolic links are followed, a USB device is the serial device that it is now, and a
-     * scheme is written in front. The port need not exist, nor its scheme.
+     * Returns one name for all the names of one device: symbolic links are followed, a USB device is the serial device that it is now, and
+     * a scheme is written in front. Neither the port nor its scheme need exist.
      */
     public static String canonicalName(String port) {
         return ask(port, TransportProvider::canonicalName, port); // a name that cannot be opened is nobody else's name
@@ -90,7 +90,7 @@ public final class Transports {
 
     private static Map<String, TransportProvider> providers() {
         List<ServiceLoader.Provider<TransportProvider>> services = Services.providers(TransportProvider.class);
-        // this library's come first
+        // this library's providers come first
         services.sort(Comparator.comparing(service -> !service.type().getName().startsWith(OWN_PACKAGES)));
         Map<String, TransportProvider> providers = new LinkedHashMap<>();
         for (ServiceLoader.Provider<TransportProvider> service : services) {

@@ -53,7 +53,7 @@ private fun valueOf(value: GroundTerm): String? = when (value) {
     is GroundTerm.Text, is GroundTerm.Sequence -> null
 }
 
-/** Returns [value] as a decimal with so few digits that decimals compare as their doubles do; null: it has more. */
+/** Returns [value] as a decimal; null: it has too many digits for decimals to compare as doubles do. */
 private fun decimalOf(value: Double): String? =
     if (value.isInfinite()) null
     else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()

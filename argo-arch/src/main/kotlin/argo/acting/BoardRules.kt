@@ -14,8 +14,8 @@ import kotlin.concurrent.withLock
  * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
  * carried out twice, by the board and by the computer, but no percept is missed by both.
  *
- * Commands that wait on the line stay there when the board starts anew, and reach its next session. So what is sent in a session after
- * another begins with the removal of all rules: whatever goes out late stands in front of that.
+ * Commands that wait on the line stay there when the board starts anew, and reach its next session. Therefore, in a
+ * session after another, the first thing sent is the removal of all rules: late commands go out before it.
  *
  * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
  * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
@@ -96,7 +96,7 @@ internal class BoardRules(
 
     private fun adjust() {
         val now = wanted().distinct()
-        if (now != wishes) refused.clear() // there may be room now
+        if (now != wishes) refused.clear() // the board may have room for the refused rules now
         wishes = now
         val next = now.asSequence().filter { it !in refused }
             .mapNotNull { rule -> boardRuleOf(rule)?.let { rule to it } }.take(room).toMap()
@@ -114,7 +114,7 @@ internal class BoardRules(
         unsent += Message(boardRule.setting(new.number), new)
     }
 
-    /** Returns the number that was not used for longest, so that a report under way is not taken for one of another rule. */
+    /** Returns the number that has been unused for longest, so that a report under way is not taken for a report of another rule. */
     private fun freeNumber(): Int {
         do lastNumber = lastNumber % MAX_NUMBER + 1 while (held.values.any { it.number == lastNumber })
         return lastNumber

@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  *
  * @param nowMs a clock in ms that never goes back
  * @param countsElsewhere whether commands to this other port count; not while its board does not answer
- * @param port the port of the board itself; any object that is one and the same for one open port
+ * @param port the port of the board itself; any object, always the same one for one open port
  */
 internal class CommandLedger(
     private val nowMs: () -> Long = Platform.system.nowMs,
@@ -21,11 +21,11 @@ internal class CommandLedger(
     private val port: () -> Any?,
 ) {
     private val lock = ReentrantLock()
-    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port the numbers, each with the time of issue in ms
-    private val movedMs = HashMap<Any, Long>() // by port, when a command was done last while others were pending
+    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port: the times of issue in ms, by command number
+    private val movedMs = HashMap<Any, Long>() // by port: the time in ms at which a command was last done while others were pending
     private var issued = 0L
 
-    /** Enters a new command to [port] and returns its number. */
+    /** Records a new command for [port] and returns the command's number. */
     fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeMap)[it] = nowMs() } }
 
     /** Notes that command [number] to [port] has gone out, failed or timed out. */

@@ -20,7 +20,7 @@ import java.util.logging.Logger
  * first command, writes them until the link is closed. If it ends for another reason, the port is lost. Safe for use by several threads.
  *
  * @param owner the agent's name, for the thread's
- * @param platform its threads
+ * @param platform provides the sending thread
  * @param lost is called when sending finds that the port has gone; does not wait for it; may be called again, by any thread
  */
 internal class CommandSender(
@@ -34,7 +34,7 @@ internal class CommandSender(
     /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
     fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
 
-    /** As [send], for a command that changes the board's rules, ahead of waiting commands. */
+    /** Queues [change], a command that changes the board's rules, ahead of waiting commands; else as [send] of a text. */
     fun send(change: CommandItem.Rule): Transmission =
         transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
 
@@ -73,10 +73,10 @@ internal class CommandSender(
         try {
             link.writeCommandsUntilClosed()
         } catch (_: PortGoneException) {
-            // the commands that waited for the line have failed
+            // nothing is left to do: the commands that waited for the line have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // without this thread no command would go out; the port is opened anew with another
+        } catch (unforeseen: Throwable) { // the port is opened anew, with another thread: without one no command would go out
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

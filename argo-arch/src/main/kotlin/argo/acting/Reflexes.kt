@@ -38,7 +38,7 @@ internal class Reflexes(
 ) {
     private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
-    /** One reflex, from the time when its rule begins to be met until it is not met any more. */
+    /** One reflex, from the time when its rule begins to be met until the rule is not met any more. */
     private class Run {
         var phase = Phase.BEGUN
 
@@ -76,7 +76,7 @@ internal class Reflexes(
     /** Forgets which rules are met: that was at another time or place. */
     fun forget() = keepOnly(emptyList())
 
-    /** Watches only [rules] from now on. Those of them that are met stay met. */
+    /** Watches only [rules] from now on. Rules that are met now stay met. */
     fun keepOnly(rules: Collection<CriticalRule>) = lock.withLock { keep(rules) }
 
     private fun keep(rules: Collection<CriticalRule>) {
@@ -107,13 +107,13 @@ internal class Reflexes(
         val command = rule.reflex ?: return
         try {
             send(port, command) { end(rule, run, it) }
-        } catch (unforeseen: RuntimeException) { // sensing must go on
+        } catch (unforeseen: RuntimeException) { // caught, since sensing must go on
             end(rule, run, failureOf(unforeseen))
         }
     }
 
     private fun end(rule: CriticalRule, run: Run, failure: Failure?) {
-        val isFinal = failure == null || failure.error == "act_refused" // asking again would be refused again
+        val isFinal = failure == null || failure.error == "act_refused" // the board would refuse it again
         lock.withLock { if (run.phase == Phase.UNDER_WAY) note(run, if (isFinal) Phase.DONE else Phase.FAILED, failure == null) }
         tell(rule, RuleWatcher.COMPUTER, failure)
     }

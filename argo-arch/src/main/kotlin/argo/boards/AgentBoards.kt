@@ -55,7 +55,7 @@ internal class AgentBoards(
     private val queues: ReasoningQueues,
     private val observing: () -> Observers,
 ) {
-    /** The boards that the agent perceives, and those that it perceived before and still has beliefs about. Immutable. */
+    /** The boards that the agent perceives, and former ones about which it still has beliefs. Immutable. */
     private class Perceived(val boards: List<Board>, val former: List<Board>)
 
     /** True if the agent perceives its boards. */
@@ -63,12 +63,12 @@ internal class AgentBoards(
     var isPerceiving = false
         private set
 
-    /** The sensing interval in ms of boards without one of their own. */
+    /** The sensing interval in ms of boards that have no interval of their own. */
     @Volatile
     var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
-    /** The filter of boards without one of their own; null: everything is kept. */
+    /** The filter of boards that have no filter of their own; null: everything is kept. */
     @Volatile
     var filter: PerceptionFilter? = null
         private set
@@ -77,7 +77,7 @@ internal class AgentBoards(
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that were perceived since all ports were last closed; changes while the ports in use change. */
+    /** All boards that were perceived since all ports were last closed; the list changes while the ports in use change. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
@@ -161,7 +161,7 @@ internal class AgentBoards(
     /** Wakes the agent until [seen] is true; other threads call [seen]. */
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Starts or stops perceiving. When it has stopped no further reflex is sent; a board carries its own out until that is removed. */
+    /** Starts or stops perceiving. Once stopped, no reflex is sent; a board carries out its own reflexes until its rules are removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
@@ -198,7 +198,7 @@ internal class AgentBoards(
     /** Tells the lines that the agent's wishes to its boards have changed. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
-    /** Begins a perception of the agent, on its thread, by which it sees that the boards may be others; returns true if they are. */
+    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last one. */
     fun perceiving(): Boolean {
         val wereOthers = areOthers
         areOthers = false
@@ -250,7 +250,7 @@ internal class AgentBoards(
             lines[port]?.sensing?.start()
         }
 
-        /** Perceives the boards on the ports in use. Those that were perceived before are disturbed only if their ports are opened anew. */
+        /** Perceives the boards on the ports in use. Boards perceived before are disturbed only if their ports are opened anew. */
         override fun portInUseChanged() {
             val before = current
             val renewed = LinkedHashSet<Board>()
@@ -278,7 +278,7 @@ internal class AgentBoards(
             if (it.namespace != null) hasNamespaces = true
             boards -= setOfNotNull(known)
             boards += it
-            it.renewFilter() // the agent may have changed its own meanwhile
+            it.renewFilter() // the agent may have changed its filter meanwhile
         }
     }
 

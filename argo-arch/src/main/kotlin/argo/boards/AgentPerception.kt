@@ -26,7 +26,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         if (snapshots.isNotEmpty()) boards.forgetFormer()
         snapshots.forEach { snapshot -> boards.observers.each { it.messagePerceived(snapshot) } }
         newlyCritical = snapshots.flatMap { snapshot -> snapshot.critical.map { it.percept } }
-        val isBoardNews = boards.current.count(Board::update) > 0 // each is to be updated
+        val isBoardNews = boards.current.count(Board::update) > 0 // count, not any: each board must be updated
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 

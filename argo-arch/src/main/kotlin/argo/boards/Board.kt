@@ -54,7 +54,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     private val believed = AtomicReference(BelievedPercepts.NONE)
 
-    /** The percepts of it that the agent believes. Any thread may read. */
+    /** The percepts of this board that the agent believes. Any thread may read. */
     override val sensed: List<Literal> get() = believed.get().percepts
 
     /** The time at which the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
@@ -70,10 +70,10 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
-    /** Its filter; null: everything is kept. Any thread may read. */
+    /** The board's filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
-    /** The time at which its answer is expected. */
+    /** The time at which the board's answer is expected. */
     val answer = ExpectedAnswer()
 
     /** The commands for which its snapshots wait. */
@@ -112,7 +112,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         stale.renew()
     }
 
-    /** Takes [port] as its line after its device has come back: the beliefs about it stay as old as they were. Any thread. */
+    /** Takes [port] as the board's line after the device has come back. Beliefs about the board stay as old as they were. Any thread. */
     fun reconnect(port: OpenPort) {
         this.port = port
     }
@@ -126,7 +126,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         forget()
     }
 
-    /** Perceives it through [filter], whatever the filter of the others; null: everything. */
+    /** Perceives this board through [filter], whatever filter other boards have; null: everything is kept. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         ownFilter = OwnFilter(filter)
         renewFilter()
@@ -205,7 +205,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** Recomputes if it is stale; returns true if that, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
-    /** Returns the beliefs `stale(P)` and those about outcomes of reflexes. */
+    /** Returns the beliefs `stale(P)` and the beliefs about outcomes of reflexes. */
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
     /** Returns the time in ms until there is something to do without news from the board; null: there will not be. */

@@ -21,14 +21,14 @@ internal class ExpectedAnswer {
 
     /** Notes that the answer has come; it counts as expected until it is [read]. */
     fun came(nanos: Long) {
-        val asked = askedNanos ?: return // a board that speaks unasked
+        val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked
         askedNanos = null
         usualNanos = usualNanos?.let { it + (took - it) / WEIGHT } ?: took
         expectedNanos = nanos
     }
 
-    /** Notes that the answer can be perceived. The next is expected after [nextNanos], even before the board has been asked for it. */
+    /** Notes that the answer can be perceived. The next answer is expected after [nextNanos], even before the board has been asked. */
     fun read(nextNanos: Long) = expectAfter(nextNanos)
 
     private fun expectAfter(nanos: Long) {

@@ -55,7 +55,7 @@ internal class ReadySnapshots(
      */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
-    /** Returns true if the ready snapshots of [boards] wait for others of them. The first call with that result begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first call with that result begins the wait. */
     private fun areAwaiting(boards: List<Board>) =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 
@@ -70,7 +70,7 @@ internal class ReadySnapshots(
         if (awaited.isEmpty()) return null
         val begun = Wait(nowNanos, awaited)
         if (!wait.compareAndSet(null, begun)) return wait.get()
-        awaited.filter(Board::isReady).forEach(begun::leave) // answers that came before the wait was visible
+        awaited.filter(Board::isReady).forEach(begun::leave) // their answers came before the wait was visible
         platform.later(TimeUnit.NANOSECONDS.toMillis(MAX_NANOS)) { if (wait.get() === begun) wake { wait.get() !== begun } }
         return begun
     }

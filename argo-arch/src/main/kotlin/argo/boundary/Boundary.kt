@@ -18,7 +18,7 @@ interface Boundary {
     /** Begins a reasoning cycle of the agent of [ts]. Carries out completions of [suspended] and the like. */
     fun cycleStarting(ts: TransitionSystem)
 
-    /** Returns the agent's perception in this cycle; [live] returns that of its boards and its environment. */
+    /** Returns the agent's perception in this cycle; [live] returns the perception of its boards and its environment. */
     fun perceive(live: () -> Perception): Perception
 
     /** Returns the percepts that meet critical rules and are new in this cycle; their events come first. */
@@ -62,8 +62,8 @@ interface Boundary {
  * The perception of an agent in one cycle.
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
- * @property waiting the number of events in its queue before those of [percepts], which take turns; null: they are all of one board
- * @property hasNamespaces whether a percept of it has, or has had, a namespace of its own
+ * @property waiting the number of events in the agent's queue before the events of [percepts], which take turns; null: all are of one board
+ * @property hasNamespaces whether a percept of the agent has, or has had, a namespace of its own
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
 
@@ -71,7 +71,7 @@ class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = 
  * A call of an internal action.
  *
  * @property name the action as the agent writes it, such as `argo.act`
- * @property args its arguments, as Jason prepares them
+ * @property args the call's arguments, as Jason prepares them
  * @property un the unifier by which the call may bind the variables in [args]
  * @property suspend suspends the intention as a successful call does; null: the call suspends none
  */

@@ -23,7 +23,7 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
  *
  * @param example a list as it should be, for the message
  * @param known the known options, for the message
- * @param with sets an option, or returns null for one that does not exist
+ * @param with sets an option; returns null if there is no such option
  * @throws ArgumentException as above, or with all options that cannot be used
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {

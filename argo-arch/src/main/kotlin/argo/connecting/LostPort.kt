@@ -20,7 +20,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
     private var delayMs = FIRST_DELAY_MS
     private val failures = HashMap<Class<*>, Int>()
 
-    /** The number of times in a row that the port was lost soon after it had been opened: 0 for one that worked. */
+    /** The number of times in a row that the port was lost soon after it had been opened; 0: it worked for a while. */
     var losses = if (wasSound) 0 else port.losses + 1
         private set
 

@@ -26,7 +26,7 @@ internal class LostPorts(
 ) {
     private val lock = ReentrantLock()
     private val lost = ArrayList<LostPort>()
-    private val closing = LinkedHashMap<OpenPort, Set<String>>() // what was lost and is not closed yet, with its names
+    private val closing = LinkedHashMap<OpenPort, Set<String>>() // lost ports that are not closed yet, each with its names
 
     /** The number of lost ports. */
     val size: Int get() = lock.withLock { lost.size }
@@ -50,7 +50,7 @@ internal class LostPorts(
         givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
     }
 
-    /** Forgets all of them; what is being closed still is. */
+    /** Forgets all lost ports. Ports that are being closed are still closed. */
     fun clear() = lock.withLock { lost.clear() }
 
     /** Closes the ports with the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
@@ -58,7 +58,7 @@ internal class LostPorts(
         .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
         .keys.forEach(::close)
 
-    /** Closes all of them; returns when their devices are free. */
+    /** Closes all lost ports; returns when their devices are free. */
     fun closeAll() = lock.withLock { closing.keys.toList() }.forEach(::close)
 
     private fun close(port: OpenPort) {
@@ -69,7 +69,7 @@ internal class LostPorts(
     /** Closes [port] and looks for it, now and again until it is removed. Does not wait. */
     fun lookFor(port: LostPort) {
         val trouble = troubleOf { platform.start("argo-$owner-looking-for-${port.name}") { look(port) } }
-        if (trouble != null) lookLater(port, trouble) // the machine has no thread for it
+        if (trouble != null) lookLater(port, trouble) // the machine has no thread for the look
     }
 
     private fun lookLater(port: LostPort, trouble: Throwable?) {
@@ -82,7 +82,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // at the first look: the thread that finds it lost may be one that must not wait
+            close(port.port) // closed here and not earlier, since the thread that finds the loss may not be allowed to wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap
 /**
  * A port that an agent holds open. Safe for use by several threads.
  *
- * @param names the agent's terms for it, each with the name that the transport opens
+ * @param names the agent's terms for the port, each with the name that the transport opens
  * @property link the line to its board
  * @property openedNanos the time at which it was opened, by the platform's clock
  * @property losses the number of times in a row that it was lost soon after it had been opened
@@ -21,7 +21,7 @@ internal class OpenPort(
     val losses: Int,
     use: (OpenPort) -> AutoCloseable,
 ) {
-    /** Its options. */
+    /** The options with which the port was opened. */
     @Volatile
     var options: PortOptions = options
         private set
@@ -29,17 +29,17 @@ internal class OpenPort(
     private val namesByTerm = ConcurrentHashMap(names)
     private val user = use(this)
 
-    /** The agent's terms for it, each with the name that the transport opens: a device may have several. */
+    /** The agent's terms for the port, each with the name that the transport opens: a device may have several names. */
     val names: Map<Term, String> get() = namesByTerm
 
-    /** The agent's terms for it. */
+    /** The agent's terms for the port. */
     val terms: Set<Term> get() = namesByTerm.keys
 
     /** True if a message has come from the board. */
     @Volatile
     var hasSpoken = false
 
-    /** Adds a [term] of the agent for it, and the [name] that the transport opens. */
+    /** Adds a [term] of the agent for the port, and the [name] that the transport opens. */
     fun addName(term: Term, name: String) {
         namesByTerm[term] = name
     }

@@ -42,7 +42,7 @@ internal class PortOpenings(private val platform: Platform) {
                 underWay.remove(device)
                 changed.signalAll()
             }
-            Thread.interrupted() // it was meant only for this work
+            Thread.interrupted() // an interrupt was meant only for this work
         }
     }
 

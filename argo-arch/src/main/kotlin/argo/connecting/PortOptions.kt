@@ -17,7 +17,7 @@ import javino.link.LinkSettings
  * @property listens whether the board speaks unasked, so that it is listened to and never asked
  * @property hasBaud whether the rate is set; else it is the usual one of the port's kind, see [on]
  * @property namespace the namespace of the board's percepts; null: the default namespace
- * @property staleMs the time in ms without a message after which `stale(Port)` is believed, 0: never; null: the default of [staleAfterMs]
+ * @property staleMs the time in ms without a message after which `stale(Port)` is believed, 0: never; null: the default
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
@@ -27,15 +27,6 @@ internal data class PortOptions(
     val staleMs: Int? = null,
     val namespace: String? = null,
 ) {
-    /**
-     * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is the time in which two
-     * answers in a row may have stayed out; never for a board that sends only when it has news.
-     *
-     * @param intervalMs the sensing interval in ms
-     */
-    fun staleAfterMs(intervalMs: Int): Long? =
-        if (staleMs != null) staleMs.toLong().takeIf { it > 0 } else (intervalMs + 2L * timeoutMs).takeUnless { listens }
-
     companion object {
         /** The time that an answer may take without `timeout(Ms)`: three times that of twelve percepts at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
@@ -60,7 +51,7 @@ internal data class PortOptions(
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
-    /** Returns true if a port opened with [other] is the same as with these, whatever its namespace. */
+    /** Returns true if a port is opened in the same way with [other] as with these options; the namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
     private fun with(option: Term): PortOptions? {

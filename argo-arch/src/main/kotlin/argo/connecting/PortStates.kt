@@ -11,7 +11,7 @@ internal enum class PortStatus(val word: String) {
     /** Open, and without trouble since the last answer. */
     ON("on"),
 
-    /** Not open: it could not be opened, or its device has gone. */
+    /** Not open: opening failed, or the port's device has gone. */
     OFF("off"),
 
     /** Open, but the board did not answer in time. */

@@ -23,7 +23,7 @@ import kotlin.concurrent.withLock
  * @param user uses the ports
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens the ports, and times the search for lost ones
- * @param warn takes reports that are no state of a port, such as the reason why one cannot be opened although its device has returned
+ * @param warn takes reports that are no state of a port, such as why a port cannot be opened although its device has returned
  */
 internal class Ports(
     private val owner: String,
@@ -36,7 +36,7 @@ internal class Ports(
     private val lock = ReentrantLock()
     private val open = LinkedHashMap<String, OpenPort>()
     private val lost = LostPorts(owner, platform, ::reopen, warn)
-    private val lastOptions = ConcurrentHashMap<String, PortOptions>() // by name
+    private val lastOptions = ConcurrentHashMap<String, PortOptions>() // by the port's name
     private var opening = 0
     private var stopped = false
 
@@ -59,7 +59,7 @@ internal class Ports(
      * Makes the port [name] the one in use, and opens it if it is not open yet, on another thread.
      *
      * @param term the port as the agent calls it
-     * @param options how to use it, or null for the options that the agent gave last
+     * @param options the options of the port; null: the options that the agent gave last
      * @param outcome is called once by another thread, with null or with the reason why the port in use is still the one before; not called
      * if the agent is being stopped
      */
@@ -99,7 +99,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Puts the failures of so many wanted ports into one; null: none failed. */
+    /** Combines the failures in [failed], of [wanted] ports in all, into one; null: none failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second
@@ -212,7 +212,7 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] with its options; called by the thread that searches for it. Under another of its names it may be open already. */
+    /** Opens [found] with its options; called by the thread that searches for it. The port may be open already by another name. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {
@@ -295,7 +295,7 @@ internal class Ports(
  *
  * @property term the port as the agent calls it
  * @property name the port in the form for the transport
- * @property options its options; null: those that the agent gave last
+ * @property options the port's options; null: the options that the agent gave last
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
 

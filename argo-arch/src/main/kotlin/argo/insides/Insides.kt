@@ -54,7 +54,7 @@ object Insides {
     /** True if Jason has notified the agent that it falls asleep: no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    // the events and intentions of an agent that a replay begins in the middle of its life: Jason makes them only by reasoning
+    // events and intentions of an agent that a replay begins in the middle of its life; Jason makes them only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
@@ -88,7 +88,7 @@ object Insides {
     val callCounter: Inside<AtomicInteger> = of(ConcurrentInternalAction::class.java, "actcount", "actCount") // 3.2.1, 3.3.0
     val atCounter: Inside<AtomicInteger> = of(at::class.java, "idCount")
 
-    /** All fields above, and those of `.wait`. */
+    /** All fields above, and the fields of `.wait`. */
     val all: List<Inside<*>> get() = found + WaitEvents.fields
 
     private fun <T> of(owner: Class<*>, vararg names: String): Inside<T> = Inside<T>({ owner }, *names).also { found += it }

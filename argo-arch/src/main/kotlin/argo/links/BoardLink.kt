@@ -115,7 +115,7 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
 /**
  * A message of a board. Immutable.
  *
- * @property text its percepts, each with its `;`
+ * @property text the message's percepts, each with its `;`
  * @property receivedNanos the time at which its end came, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
  */

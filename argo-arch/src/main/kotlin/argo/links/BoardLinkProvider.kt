@@ -14,7 +14,7 @@ import java.util.WeakHashMap
  * Called by any thread. Unlike a line, its boards may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** The scheme with which its ports begin, without the colon: `ros`; not one of a transport. */
+    /** The scheme with which the provider's ports begin, without the colon, such as `ros`. It must not be a transport's scheme. */
     val scheme: String
 
     /**
@@ -36,7 +36,7 @@ interface BoardLinkProvider {
     @Throws(PortException::class)
     fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
 
-    /** Returns true if [open] is worth trying; asked again and again for a board that has gone, so it is cheap. */
+    /** Returns true if [open] is worth trying. It is asked repeatedly for a board that has gone, so it must be cheap. */
     fun isPresent(port: String): Boolean = true
 
     companion object {
@@ -61,7 +61,7 @@ interface BoardLinkProvider {
 /**
  * A board that a test plays.
  *
- * @property link the agent's end of it
+ * @property link the agent's end of the link
  */
 abstract class PlayedBoard(val link: BoardLink) {
     /**

@@ -22,7 +22,7 @@ class JavinoLink(private val link: Link) : BoardLink {
     override fun listen(timeoutMs: Int): BoardMessage? = try {
         link.listen(timeoutMs).toMessage()
     } catch (_: PortTimeoutException) {
-        null // it sends only when it has news
+        null // a board that speaks unasked sends only when it has news
     }
 
     override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =

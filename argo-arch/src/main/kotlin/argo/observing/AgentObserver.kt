@@ -35,7 +35,7 @@ interface AgentObserver : AutoCloseable {
     /**
      * A port has changed its state.
      *
-     * @param port the agent's term for it
+     * @param port the agent's term for the port
      * @param status `on`, `off` or `timeout`
      * @param reason the reason why it is not on, for a person, if known
      */
@@ -59,7 +59,7 @@ interface AgentObserver : AutoCloseable {
 
 /** A message of a board before and after the filter. Immutable. */
 interface PerceivedMessage {
-    /** The port from which it came, by the name with which it was opened. */
+    /** The port from which the message came, by the name with which the port was opened. */
     val portName: String
 
     /** The namespace of its percepts; null: the default namespace. */
@@ -71,10 +71,10 @@ interface PerceivedMessage {
     /** The percepts that the filter lets through, and stand-ins for held-back ones. */
     val kept: List<String>
 
-    /** Those of [kept] that cannot be believed; the agent's log has the reason. */
+    /** The percepts in [kept] that cannot be believed; the agent's log has the reason. */
     val unreadable: Set<String>
 
-    /** The time of its last byte, in ns of [ObservedAgent.nanos]. */
+    /** The time of the message's last byte, in ns of [ObservedAgent.nanos]. */
     val receivedNanos: Long
 }
 
@@ -82,7 +82,7 @@ interface PerceivedMessage {
  * A command for a board.
  *
  * @property number counts the agent's commands, from 1
- * @property port its port, by the name with which it was opened
+ * @property port the board's port, by the name with which the port was opened
  * @property text the text that is sent
  * @property issuedNanos the time at which it was issued, in ns of [ObservedAgent.nanos]
  */

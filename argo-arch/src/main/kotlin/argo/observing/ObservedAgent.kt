@@ -11,13 +11,13 @@ import java.util.logging.Logger
 
 /** The interface of an agent for its observers. Any thread may call, but for [beliefs]. */
 interface ObservedAgent {
-    /** Its name in the multi-agent system. */
+    /** The agent's name in the multi-agent system. */
     val name: String
 
-    /** The policy by which it gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
+    /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
-    /** The sensing interval in ms of boards without one of their own. */
+    /** The sensing interval in ms of boards that have no interval of their own. */
     val intervalMs: Int
 
     /**
@@ -31,16 +31,16 @@ interface ObservedAgent {
     /** The actions that its boards have registered; null: no board that it perceives has described itself. */
     val actions: List<BoardAction>?
 
-    /** Its belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
+    /** The agent's belief base. For the agent's thread only: see [AgentObserver.cycleFinished]. */
     val beliefs: BeliefBase
 
-    /** Its intentions and events. For the agent's thread only, as [beliefs]. */
+    /** The agent's intentions and events. For the agent's thread only, as [beliefs]. */
     val circumstance: Circumstance
 
-    /** Jason's transition system of it, with its program and options. For the agent's thread only, as [beliefs]. */
+    /** The agent's transition system in Jason, with its program and options. For the agent's thread only, as [beliefs]. */
     val reasoning: TransitionSystem
 
-    /** The log to which its plans print with `.print`. Jason's reports about it go there too. */
+    /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
     /** Returns the time of the clock that times its messages, in ns. It never goes back. */
@@ -77,10 +77,10 @@ interface ObservedAgent {
      */
     fun act(command: String, done: (CommandFailure?) -> Unit) = act(command, SendOptions.defaults(), done)
 
-    /** As the other [act], with [options], which are those of `argo.act`. */
+    /** As the other [act], but with the [options] of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
 
-    /** Makes it run a reasoning cycle soon. */
+    /** Makes the agent run a reasoning cycle soon. */
     fun wake()
 
     /** Makes it run a reasoning cycle soon, and again, ever more slowly, until [seen] returns true. */
@@ -93,11 +93,11 @@ data class WatchedRule(val rule: CriticalRule, val watcher: RuleWatcher)
 /**
  * A port that an agent has asked for.
  *
- * @property name the agent's term for it, as a literal: `ttyACM0`, or a string in its quotes
+ * @property name the agent's term for the port, as a literal: `ttyACM0`, or a string in its quotes
  * @property status `on`, `off` or `timeout`
  * @property isInUse whether it is the port in use, which gets commands for which no other board is found
  * @property isStale whether the agent believes `stale(P)` about it
- * @property isPerceived whether its board is among those that the agent perceives
+ * @property isPerceived whether the agent perceives the board on the port
  * @property namespace the namespace of its board's percepts; null: the default namespace
  * @property intervalMs the sensing interval in ms of its board; null: it is not perceived
  * @property filter the name of the filter of its board; null: it has none, or is not perceived

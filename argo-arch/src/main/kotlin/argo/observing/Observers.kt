@@ -34,7 +34,7 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         for (observer in guarded) {
             try {
                 event(observer.observer)
-            } catch (broken: Throwable) { // not the agent's own code, and the agent must go on
+            } catch (broken: Throwable) { // an observer is not the agent's own code, and the agent must go on
                 if (broken is InterruptedException) Thread.currentThread().interrupt()
                 if (!observer.hasFailed.getAndSet(true)) {
                     log.log(Level.WARNING, broken) { "${observer.observer} failed, and is not reported again" }

@@ -27,8 +27,8 @@ internal class ReasoningQueues(
 /**
  * The work that the last snapshot of a board has left to the agent:
  * 1. its percept events in Jason's queue. Later ones, such as those of a busy Jason environment, do not count, or they could keep the agent
- *    from its sensors for good. While the queue stands, only [STANDING_MS] are awaited and no event: an atomic plan must see the world too,
- *    and each snapshot adds events that the agent works off afterwards, and Jason goes through all of them in each cycle;
+ *    from its sensors for good. While the queue stands, only [ATOMIC_PLAN_INTERVAL_MS] are awaited and no event: an atomic plan must see
+ *    the world too, and each snapshot adds events that the agent works off afterwards, and Jason goes through all of them in each cycle;
  * 2. the commands that the board holds and that were issued before that snapshot was handed over;
  * 3. the intentions that percept events of the board have begun. One is worked off when it has finished or waits, as for the outcome of a
  *    command. One that still runs after [LONG_MS] is meant to run on, and is not awaited any more.
@@ -59,7 +59,7 @@ internal class Backlog(
 
     @Volatile
     private var lastCommand = 0L
-    private val deadlines = ConcurrentHashMap<Intention, Long>() // until when each is awaited
+    private val deadlines = ConcurrentHashMap<Intention, Long>() // the time in ms until which each intention is awaited
 
     /** The number of events in Jason's queue, of any kind. */
     val waitingEvents: Int get() = queues.events().size
@@ -71,7 +71,7 @@ internal class Backlog(
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot has been taken in: later events than those in the queue now are not its own. */
+    /** Notes that the last snapshot has been taken in: events that enter the queue from now on do not belong to it. */
     fun takenIn() {
         if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
@@ -103,7 +103,7 @@ internal class Backlog(
     private fun areCommandsAndEventsDone() = commands.allDoneUpTo(lastCommand) && areEventsDone()
 
     private fun areEventsDone() =
-        if (queues.isStanding()) handedOverMs.let { it == null || nowMs() - it >= STANDING_MS }
+        if (queues.isStanding()) handedOverMs.let { it == null || nowMs() - it >= ATOMIC_PLAN_INTERVAL_MS }
         else events?.isEmpty() == true || queues.events().none(::awaits)
 
     private fun awaits(event: Event): Boolean = events?.contains(event) ?: (isPerceptEvent(event) && isOwn(event.trigger.literal))
@@ -122,8 +122,8 @@ internal class Backlog(
     }
 
     companion object {
-        /** The least time in ms between two snapshots that are handed over while Jason takes no event. */
-        const val STANDING_MS = 100
+        /** The least time in ms between two snapshots that are handed over while Jason takes no event, as during an atomic plan. */
+        const val ATOMIC_PLAN_INTERVAL_MS = 100
 
         /** The time for which an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */
         const val LONG_MS = 1000L

@@ -21,7 +21,7 @@ import jason.asSyntax.Term
  * A text that Jason cannot read, or that no sensor can mean, is left out by itself, with one warning per distinct text. Literals of a text
  * seen before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace the namespace of the percepts; null: the one that each names itself, mostly the default one
+ * @param namespace the namespace of the percepts; null: the namespace that each percept names itself, mostly the default one
  * @param warn takes one line for each text that cannot be read
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
@@ -31,7 +31,7 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Sizes the cache for messages of so many [percepts]: for present readings, not for all that sensors ever sent. */
+    /** Sizes the cache for messages with this number of [percepts]: for present readings, not for all that sensors ever sent. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
@@ -102,7 +102,7 @@ private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term 
 private fun claimsToBeAPort(literal: Literal) =
     literal.functor == "port" && literal.arity == 2 && isOneOf(PortStatus.WORDS, literal.getTerm(1))
 
-private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // off[x] matches off
+private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // the term off[x] matches the word off
 
 /** Returns [literal] without the sources it claims: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {

@@ -18,7 +18,7 @@ import kotlin.concurrent.withLock
 
 /** A board as its percepts need it. Any thread may call. */
 internal interface PerceivedBoard {
-    /** The percepts of it that the agent believes. */
+    /** The percepts of the board that the agent believes. */
     val sensed: List<Literal>
 
     /** Returns true if the agent perceives it through [port] now. */
@@ -31,8 +31,8 @@ internal interface PerceivedBoard {
 /**
  * Turns each message of a [board] into a [Snapshot] for its agent, and leaves it for the hand-over.
  *
- * Two threads make snapshots: the sensing thread from each message, and the agent's from held-back percepts. Both make and leave them under
- * one lock, so that no older snapshot follows a newer one. Safe for use by several threads.
+ * Two threads make snapshots: the sensing thread from each message, and the agent's from held-back percepts. Both threads make and leave
+ * snapshots under one lock, so that no older snapshot follows a newer one. Safe for use by several threads.
  *
  * @param reader reads the beliefs, of which [limit] selects
  * @param handOver takes the snapshots
@@ -51,7 +51,7 @@ internal class BoardPercepts(
     private val lock = clock.newLock(false)
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
-    private var message: List<String> = emptyList() // the newest one, without reports
+    private var message: List<String> = emptyList() // the newest message, without reports
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were seen last. */

@@ -33,7 +33,7 @@ internal class DeletedPercepts {
         if (deleted.isEmpty()) return
         val waiting = deleted.toMutableList()
         deleted = emptyList()
-        for (event in queue.reversed()) { // the new ones are the last
+        for (event in queue.reversed()) { // the new events are the last
             if (waiting.isEmpty()) return
             val literal = deletedPercept(event) ?: continue
             val index = waiting.indexOfFirst { it.functor == literal.functor && it.terms.orEmpty() == literal.terms.orEmpty() }

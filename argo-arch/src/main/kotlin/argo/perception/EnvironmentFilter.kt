@@ -34,7 +34,7 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     companion object {
         /** Puts a filter in front of the agent of [ts], which must not have one. Called by the agent's thread. */
         fun insertInto(ts: TransitionSystem): EnvironmentFilter {
-            // unfiltered so far, so its percept beliefs are the last result of its environment
+            // the agent had no filter so far, so its percept beliefs are the last result of its environment
             val perceived = ts.ag.bb.percepts.asSequence().filter { it.subjectToBUF() }.toList()
             return EnvironmentFilter(perceived).also { ts.agArch.insertAgArch(it) }
         }

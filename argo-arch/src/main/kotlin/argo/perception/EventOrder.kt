@@ -15,7 +15,7 @@ import java.util.Queue
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
     if (queue.none { tellsOf(it, wanted) }) return
-    val waiting = generateSequence(queue::poll).toList() // in parts of the queue an event of another thread could be passed over
+    val waiting = generateSequence(queue::poll).toList() // the whole queue: if parts were moved, an event of another thread could be missed
     val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
     queue.addAll(urgent)
     queue.addAll(others)
@@ -32,7 +32,7 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
  * does not delay the others.
  *
  * @param queue the agent's event queue; other threads may add events meanwhile; none is lost
- * @param waiting the number of events in it before those of the new snapshots were added
+ * @param waiting the number of events in the queue before the events of the new snapshots were added
  * @param boardOf returns the board of a percept; null: none has it
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {

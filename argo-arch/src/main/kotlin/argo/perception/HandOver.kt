@@ -13,7 +13,7 @@ import kotlin.concurrent.withLock
  * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent; it may be left out if there is already one of a newer message. */
+    /** Leaves [snapshot] for the agent; it may be dropped if a snapshot of a newer message is there already. */
     fun put(snapshot: Snapshot)
 
     /** Returns true if [take] would give one now. */
@@ -31,7 +31,7 @@ internal interface HandOver {
     /** Takes all snapshots out, in the order of their messages. */
     fun drain(): List<Snapshot>
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of those that have. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of the snapshots that have. */
     fun clear()
 }
 
@@ -44,9 +44,9 @@ internal interface HandOver {
  */
 internal class FreshHandOver(private val backlog: Backlog) : HandOver {
     private val lock = ReentrantLock()
-    private val critical = ArrayDeque<Snapshot>() // those with new critical percepts, in their order
+    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // those that have let a snapshot pass early since one was taken in its turn
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
 
     @Volatile
     private var newest: Snapshot? = null

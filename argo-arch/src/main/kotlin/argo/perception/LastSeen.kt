@@ -21,7 +21,7 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
     /**
      * Takes a message that came at [atNanos] by the platform's clock.
      *
-     * @param seen its percepts that the filter lets through
+     * @param seen the message's percepts that the filter lets through
      * @param delivered all percepts that the agent is to believe after it: also frozen ones, and stand-ins for held-back ones
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {

@@ -5,13 +5,14 @@ import jason.asSyntax.Literal
 
 /**
  * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message;
- * percepts beyond the limit are left out. Not safe for use by several threads at once.
+ * percepts beyond the limit are left out. It warns once, and again after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by
+ * several threads at once.
  *
  * @param max the most percepts
  * @param warning takes the message when the limit is exceeded
  */
 internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
-    /** Returns the first [max] different ones of [percepts], those of [critical] before others. */
+    /** Returns the first [max] different percepts of [percepts]; the critical ones, [critical], come before others. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
         if (percepts.size <= max) return percepts
         val different = percepts.distinct()

@@ -31,7 +31,7 @@ private fun directoryOf(source: String?): Path? = try {
     source?.let { if (it.startsWith("file:/")) Path.of(URI(it)) else Path.of(it.removePrefix("file:")) }
         ?.toAbsolutePath()?.normalize()?.parent?.takeIf(Files::isDirectory)
 } catch (_: IllegalArgumentException) {
-    null // not a file: an .asl from a jar or the class path
+    null // the source is not a file, but an .asl from a jar or the class path
 } catch (_: java.net.URISyntaxException) {
     null
 }

@@ -10,12 +10,12 @@ import javino.wire.Shape
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
 
-    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order in which they came
+    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order in which the reports came
 
-    /** Their texts. */
+    /** The texts of the reported percepts. */
     val texts: List<String> get() = reports.values.map { it.text }
 
-    /** Adds [text], which was reported at [receivedNanos], since it meets [rule]. */
+    /** Adds the percept [text], which the board reported at [receivedNanos] because it meets [rule]. */
     fun add(rule: CriticalRule, text: String, receivedNanos: Long) {
         reports -= rule
         reports[rule] = Report(text, receivedNanos)
@@ -29,7 +29,7 @@ internal class ReportedPercepts {
     /** Forgets all. */
     fun clear() = reports.clear()
 
-    /** Returns [message] with each report in place of the percept whose newer value it is, or behind the others. */
+    /** Returns [message] with each report in place of the percept whose newer value it is; if there is none, behind all percepts. */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {

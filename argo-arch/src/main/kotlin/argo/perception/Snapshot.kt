@@ -10,11 +10,11 @@ import jason.asSyntax.Literal
  *
  * @property port the port whose board sent it
  * @property texts the percepts as they came off the line
- * @property kept the percepts that passed the filter, and those that stand in for percepts which it holds back
+ * @property kept the percepts that passed the filter, and stand-ins for percepts that the filter holds back
  * @property percepts the beliefs that the agent is to get from it
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
- * @property unreadable those of [kept] that cannot be believed
+ * @property unreadable the percepts in [kept] that cannot be believed
  * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if an older message had it;
  * null: all were seen at [receivedNanos]
  */

@@ -61,13 +61,13 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the whole system is being stopped: nobody is left for it
+                    // the whole system is being stopped: nobody is left to need the action
                 }
             }
 
             private fun carryOut(action: () -> Unit) = try {
                 action()
-            } catch (broken: Throwable) { // Jason's scheduler would keep it to itself
+            } catch (broken: Throwable) { // Jason's scheduler would tell nobody of it
                 Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "what was to be done later has failed", broken)
             }
 

@@ -31,10 +31,10 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     /** The place of a layer. */
     enum class Place {
-        /** It decides when a timer ends, and is directly on Jason's scheduler. */
+        /** The layer decides when a timer ends, and is directly on Jason's scheduler. */
         TIME,
 
-        /** It sees each timer of an agent, whichever layer decides when it ends. */
+        /** The layer sees each timer of an agent, whichever layer decides when the timer ends. */
         AGENT,
     }
 

@@ -22,7 +22,7 @@ internal class SequentialExecutor(private val platform: Platform, private val na
 
     private fun startUnlessWorking() {
         if (working) return
-        platform.start(name, ::doAll) // it takes the lock first; if the machine has no thread for it, the next work tries again
+        platform.start(name, ::doAll) // doAll takes the lock first; if the machine has no thread for it, the next work tries again
         working = true
     }
 

@@ -9,7 +9,7 @@ import kotlin.concurrent.withLock
  * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param later does its last argument in so many ms
+ * @param later does its last argument after the number of ms in its first
  */
 class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Long, action: () -> Unit) -> Unit) {
     private class Kind {
@@ -25,7 +25,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
 
     /**
      * Reports a line of [kind]; there are few kinds.
-     * @param line writes it, with its argument at the end; called once, now or later, or never if newer ones come before
+     * @param line writes the line, with its argument at the end. Called once, now or later; never if newer lines come before
      */
     fun report(kind: String, line: (more: String) -> Unit) {
         var delayMs = 0L

@@ -31,7 +31,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var reasoner: Thread? = null
 
-    /** True if the thread that perceives is the one that sleeps; not known before it asks. Jason has agents of three threads too. */
+    /** True if the thread that perceives also sleeps; unknown before it asks. Jason also has agents of three threads. */
     @Volatile
     private var isOneThread: Boolean? = null
 

@@ -83,7 +83,7 @@ internal class Sensing(
         try {
             while (!isClosed()) if (!(if (awaitTurn()) exchange() else watch())) return
         } catch (_: InterruptedException) {
-            // close() ends this thread
+            // close() has interrupted this thread to end it
         }
     }
 
@@ -106,7 +106,7 @@ internal class Sensing(
 
     /** Returns the time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
     private fun nanosUntilDue(): Long = when {
-        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // not paced: the agent's own thread takes the messages
+        !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // if not paced, the agent's own thread takes the messages
         listens() -> 0
         else -> lastStart?.let { listener.nextStart(it) - clock.nanos() } ?: 0
     }
@@ -141,7 +141,7 @@ internal class Sensing(
         if (message != null) {
             port.hasSpoken = true
             listener.received(port, message, askedNanos)
-            if (listens()) askedNanos = message.receivedNanos // the next message may have been begun since
+            if (listens()) askedNanos = message.receivedNanos // the board may have begun the next message since
         }
     }
 

@@ -2,7 +2,7 @@ package argo.sensing
 
 /** The policy by which snapshots of the sensors are handed to the agent: `argo_sensing` in the `.mas2j`. */
 internal enum class SensingPolicy(val word: String) {
-    /** The newest one, as soon as the agent has taken in the one before: see `argo.perception.HandOver`. */
+    /** The newest snapshot, as soon as the agent has taken in the snapshot before: see `argo.perception.HandOver`. */
     FRESH("fresh"),
 
     /** Each one, in its order, whatever work the agent has left. */
@@ -18,7 +18,7 @@ internal enum class SensingPolicy(val word: String) {
         /** Returns the policy called [word], or null. */
         fun of(word: String): SensingPolicy? = entries.find { it.word == word }
 
-        /** All words, for a message. */
+        /** The words of all policies, for a message. */
         val words: String get() = entries.joinToString(", ") { it.word }
     }
 }

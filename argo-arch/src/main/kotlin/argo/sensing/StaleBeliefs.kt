@@ -1,6 +1,7 @@
 package argo.sensing
 
 import argo.connecting.OpenPort
+import argo.connecting.PortOptions
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
@@ -31,7 +32,7 @@ internal class StaleBeliefs(
     }
 
     /** Returns the time in ms until the port in use is stale, 0 if it is; null: the agent does not listen, or the board may be silent. */
-    fun dueInMs(): Long? = listened()?.options?.staleAfterMs(intervalMs())?.let { maxOf(0, freshMs + it - nowMs()) }
+    fun dueInMs(): Long? = listened()?.let { limitMs(it.options, intervalMs()) }?.let { maxOf(0, freshMs + it - nowMs()) }
 
     /** Recomputes the beliefs; returns true if they changed. */
     fun update(): Boolean {
@@ -45,7 +46,7 @@ internal class StaleBeliefs(
     /** Returns true if [update] would change the beliefs. */
     fun hasNews(): Boolean = silent() != believed
 
-    /** Returns true if there is no such belief. */
+    /** Returns true if the agent believes `stale` about no port. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
     /** Returns the beliefs. */
@@ -56,5 +57,15 @@ internal class StaleBeliefs(
     companion object {
         /** The functor of these beliefs. */
         const val FUNCTOR = "stale"
+
+        /**
+         * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is the time in which two
+         * answers in a row may have stayed out; never for a board that sends only when it has news.
+         *
+         * @param intervalMs the sensing interval in ms
+         */
+        fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {
+            if (staleMs != null) staleMs.toLong().takeIf { it > 0 } else (intervalMs + 2L * timeoutMs).takeUnless { listens }
+        }
     }
 }

@@ -38,11 +38,11 @@ class StaleBeliefsSpec : FunSpec({
     }
 
     test("the limit is that of the option, or two answers behind the interval, and none for a board that speaks unasked") {
-        options("[]").staleAfterMs(50) shouldBe 1_050
-        options("[timeout(2000)]").staleAfterMs(60_000) shouldBe 64_000
-        options("[stale(300)]").staleAfterMs(60_000) shouldBe 300
-        options("[stale(0)]").staleAfterMs(50) shouldBe null
-        options("[mode(listen)]").staleAfterMs(50) shouldBe null
-        options("[mode(listen),stale(200)]").staleAfterMs(50) shouldBe 200
+        StaleBeliefs.limitMs(options("[]"), 50) shouldBe 1_050
+        StaleBeliefs.limitMs(options("[timeout(2000)]"), 60_000) shouldBe 64_000
+        StaleBeliefs.limitMs(options("[stale(300)]"), 60_000) shouldBe 300
+        StaleBeliefs.limitMs(options("[stale(0)]"), 50) shouldBe null
+        StaleBeliefs.limitMs(options("[mode(listen)]"), 50) shouldBe null
+        StaleBeliefs.limitMs(options("[mode(listen),stale(200)]"), 50) shouldBe 200
     }
 })

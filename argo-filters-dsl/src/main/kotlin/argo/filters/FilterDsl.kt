@@ -18,7 +18,7 @@ annotation class FilterDsl
  * }
  * ```
  *
- * @param name what agents call it
+ * @param name the name by which agents call the filter
  * @param onSwitch the fate of beliefs that it hides when an agent changes to it
  * @throws IllegalArgumentException if no agent can ask for a filter of that name, or a predicate, a value or a pattern cannot be read; the
  * message names the fault
@@ -78,7 +78,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * As the other form, of percepts of a declared type, whose arguments have names.
+     * As the other form, but for percepts of a declared type, whose arguments have names.
      *
      * ```kotlin
      * critical(Distance) { cm lt 15; reflex("stop") }

@@ -15,7 +15,7 @@ internal fun nameProblem(name: String): String? = when {
     else -> null
 }
 
-/** Returns [name] if an agent can ask for a filter by it, and refuses others. */
+/** Returns [name] if an agent can ask for a filter by this name; else refuses it. */
 internal fun usableName(name: String): String {
     val problem = if (name == NO_FILTER) "argo.change_filter(none) ends the filtering" else nameProblem(name)
     require(problem == null) { "'$name' cannot be a filter's name: $problem" }

@@ -80,7 +80,7 @@ sealed interface GroundTerm {
          */
         fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 
-        /** As [of], or null. Variables, expressions and plans are no values. */
+        /** As [of], but null if [text] is no value. Variables, expressions and plans are no values. */
         fun ofOrNull(text: CharSequence): GroundTerm? = GroundTermReader(text, 0, text.length).readWhole()
 
         private fun explain(text: String): String {

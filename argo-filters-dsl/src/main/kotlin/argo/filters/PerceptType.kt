@@ -68,7 +68,7 @@ class Declared<A : TypedArgument<*>> internal constructor(private val make: (nam
  * An argument of a [PerceptType].
  *
  * @param V the type of the values that conditions compare it with
- * @property index its position, counted from 0
+ * @property index the argument's position, counted from 0
  */
 sealed class TypedArgument<V>(
     internal val type: PerceptType,
@@ -76,7 +76,7 @@ sealed class TypedArgument<V>(
     private val name: String,
     internal val termOf: (V) -> GroundTerm,
 ) {
-    /** Its name in the percept's type. */
+    /** The argument's name in the percept's type. */
     override fun toString(): String = name
 }
 

@@ -6,7 +6,7 @@ package argo.filters
  * Immutable, and safe to share between agents. Two filters are equal if they decide alike; their [name]s may differ, since a name only
  * finds a filter.
  *
- * @property name what agents call the filter
+ * @property name the name by which agents call the filter
  * @property mode the fate of the percepts that a rule meets
  * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
  * @param critical the rules on percepts that must not wait, which have the last word
@@ -20,10 +20,10 @@ class PerceptionFilter(
 ) {
     /** The fate of the percepts that one of a filter's rules meets. */
     enum class Mode {
-        /** They are dropped, and all others are kept: the filters of the paper. */
+        /** Percepts that meet a rule are dropped; all others are kept: the filters of the paper. */
         DROP,
 
-        /** They are kept, and all others are dropped. */
+        /** Percepts that meet a rule are kept; all others are dropped. */
         KEEP,
     }
 
@@ -32,7 +32,7 @@ class PerceptionFilter(
         /** Jason's belief update deletes them. */
         FORGET,
 
-        /** They stay as they were at the change. */
+        /** The hidden beliefs stay as they were at the change. */
         FREEZE,
     }
 

@@ -17,7 +17,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         require(isWritable(functor, negated, namespace)) { "$functor is neither negated nor in a namespace in Jason" }
     }
 
-    /** As Jason writes it: `dist`, `~open`, `house::~open`. */
+    /** The predicate as Jason writes it: `dist`, `~open`, `house::~open`. */
     override fun toString(): String = buildString {
         if (namespace != DEFAULT_NAMESPACE) append(namespace).append("::")
         if (negated) append('~')

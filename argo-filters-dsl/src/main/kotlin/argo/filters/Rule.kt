@@ -37,7 +37,7 @@ data class Rule(
  * Only an [argo.filters.matching.FilterSession], which has the time, holds percepts back.
  *
  * @property everyMs the interval in milliseconds in which at most one percept is let through; null: none
- * @property deadbands by how much numbers must move to be let through at once
+ * @property deadbands the distances by which numbers must move for a percept to be let through at once
  * @throws IllegalArgumentException if there is neither an interval nor a deadband, if one argument has two, or if the interval is
  * not at least 1 ms
  */
@@ -61,8 +61,8 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
 /**
  * The distance that a number must move to be let through.
  *
- * @property argument which argument, counted from 0; null: each argument that is a number
- * @property width a percept whose number is less than this away from the one that was let through last is held back
+ * @property argument the argument's position, counted from 0; null: each argument that is a number
+ * @property width the least distance: a percept is held back if its number is closer to the number that was let through last
  * @throws IllegalArgumentException if [width] is not a finite number above 0, or [argument] is negative
  */
 data class Deadband(val argument: Int?, val width: Double) {

@@ -127,44 +127,44 @@ sealed class AnyTerm {
     /** The term must meet all [tests]. */
     internal abstract fun must(vararg tests: TermTest)
 
-    /** It equals [value], a Jason term: `argument(0) eq "front"`. */
+    /** The term must equal [value], a Jason term: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
 
-    /** It equals [value]: `argument(1) eq 36`. */
+    /** The term must equal [value]: `argument(1) eq 36`. */
     infix fun eq(value: Number): Unit = must(TermTest.Compare(Operator.EQ, value.asTerm()))
 
-    /** It equals [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
+    /** The term must equal [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
     infix fun eq(value: GroundTerm): Unit = must(TermTest.Compare(Operator.EQ, value))
 
-    /** It differs from [value], a Jason term: `argument(0) ne "front"`. */
+    /** The term must differ from [value], a Jason term: `argument(0) ne "front"`. */
     infix fun ne(value: String): Unit = must(TermTest.Compare(Operator.NE, GroundTerm.of(value)))
 
-    /** It differs from [value]: `argument(1) ne 0`. */
+    /** The term must differ from [value]: `argument(1) ne 0`. */
     infix fun ne(value: Number): Unit = must(TermTest.Compare(Operator.NE, value.asTerm()))
 
-    /** It differs from [value]: `argument(0) ne GroundTerm.Text("ok")`. */
+    /** The term must differ from [value]: `argument(0) ne GroundTerm.Text("ok")`. */
     infix fun ne(value: GroundTerm): Unit = must(TermTest.Compare(Operator.NE, value))
 
-    /** It is a number greater than [value]: `argument(1) gt 200`. */
+    /** The term must be a number greater than [value]: `argument(1) gt 200`. */
     infix fun gt(value: Number): Unit = must(TermTest.Compare(Operator.GT, value.asTerm()))
 
-    /** It is a number, and at least [value]: `argument(1) ge 200`. */
+    /** The term must be a number, and at least [value]: `argument(1) ge 200`. */
     infix fun ge(value: Number): Unit = must(TermTest.Compare(Operator.GE, value.asTerm()))
 
-    /** It is a number less than [value]: `annotation("q") lt 0.5`. */
+    /** The term must be a number less than [value]: `annotation("q") lt 0.5`. */
     infix fun lt(value: Number): Unit = must(TermTest.Compare(Operator.LT, value.asTerm()))
 
-    /** It is a number, and at most [value]: `argument(1) le 15`. */
+    /** The term must be a number, and at most [value]: `argument(1) le 15`. */
     infix fun le(value: Number): Unit = must(TermTest.Compare(Operator.LE, value.asTerm()))
 
-    /** Its whole text matches the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
+    /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
     infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
-    /** It equals one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
+    /** The term must equal one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
     /**
-     * It is a number in [range], of which both ends are part: `argument(1) isIn 1..5` holds for 2.5, too.
+     * The term must be a number in [range], both ends included: `argument(1) isIn 1..5` holds for 2.5, too.
      *
      * @throws IllegalArgumentException if [range] is empty
      */

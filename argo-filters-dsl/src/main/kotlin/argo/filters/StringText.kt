@@ -35,7 +35,7 @@ internal object StringText {
         return text.append(asJason(written.substring(start))).toString()
     }
 
-    /** Resolves escapes as Jason does when it reads a string: these two, one after the other, and no others. */
+    /** Resolves escapes as Jason does when it reads a string: only these two, one after the other. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
     /** Returns true if the backslash at [start] begins `\uXXXX`. */

@@ -10,7 +10,7 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** The reserved words, at the index of their length: each percept's name is compared with those of its own length only. */
+    /** The reserved words, at the index of their length: each percept's name is compared only with words of its own length. */
     private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }

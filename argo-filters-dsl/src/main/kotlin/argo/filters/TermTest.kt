@@ -1,6 +1,6 @@
 package argo.filters
 
-/** A comparison of a term with a value. The names are those of the filter files. */
+/** A comparison of a term with a value. Filter files use the same names. */
 enum class Operator(internal val words: String, internal val ordering: Boolean) {
     EQ("is", false),
     NE("is not", false),

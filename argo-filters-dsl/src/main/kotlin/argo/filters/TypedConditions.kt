@@ -13,43 +13,43 @@ class TypedCriticalRule internal constructor(type: PerceptType, internal val cri
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 
-/** It equals [value]: `side eq "front"`, `cm eq 36`, `position eq "pos(1,2)"`. The text of a string is given without quotes. */
+/** The argument must equal [value]: `side eq "front"`, `cm eq 36`, `position eq "pos(1,2)"`. Give the text of a string without quotes. */
 context(rule: TypedRule)
 infix fun <V> TypedArgument<V>.eq(value: V): Unit = compare(Operator.EQ, value)
 
-/** It differs from [value]: `side ne "front"`. */
+/** The argument must differ from [value]: `side ne "front"`. */
 context(rule: TypedRule)
 infix fun <V> TypedArgument<V>.ne(value: V): Unit = compare(Operator.NE, value)
 
-/** It is one of [values]: `side isIn listOf("front", "back")`, `cm isIn listOf(0, 255)`. */
+/** The argument must be one of [values]: `side isIn listOf("front", "back")`, `cm isIn listOf(0, 255)`. */
 context(rule: TypedRule)
 infix fun <V> TypedArgument<V>.isIn(values: Collection<V>): Unit = must(TermTest.OneOf(values.map(termOf).toSet()))
 
-/** It is in [range], of which both ends are part: `cm isIn 1..5` holds for 2.5, too. An empty range is refused. */
+/** The argument must be in [range], both ends included: `cm isIn 1..5` holds for 2.5, too. An empty range is refused. */
 context(rule: TypedRule)
 infix fun <N> NumberArgument.isIn(range: ClosedRange<N>): Unit where N : Number, N : Comparable<N> = must(*range.tests())
 
-/** Its whole text, quotes included, matches the regular expression [pattern]: `side matches "front|left"`; see [TermTest.Matches]. */
+/** The argument's whole text, quotes included, must match the regular expression [pattern] ([TermTest.Matches]): `side matches "a|b"`. */
 context(rule: TypedRule)
 infix fun TypedArgument<String>.matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
-/** It is greater than [number]: `cm gt 200`. */
+/** The argument must be greater than [number]: `cm gt 200`. */
 context(rule: TypedRule)
 infix fun NumberArgument.gt(number: Number): Unit = compare(Operator.GT, number)
 
-/** It is at least [number]: `cm ge 200`. */
+/** The argument must be at least [number]: `cm ge 200`. */
 context(rule: TypedRule)
 infix fun NumberArgument.ge(number: Number): Unit = compare(Operator.GE, number)
 
-/** It is less than [number]: `cm lt 15`. */
+/** The argument must be less than [number]: `cm lt 15`. */
 context(rule: TypedRule)
 infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
 
-/** It is at most [number]: `cm le 15`. */
+/** The argument must be at most [number]: `cm le 15`. */
 context(rule: TypedRule)
 infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
-/** Holds back percepts of which it has not moved by [width]: `cm deadband 5`; see [Rate]. */
+/** Holds back percepts of which this argument has not moved by [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
 infix fun NumberArgument.deadband(width: Number) {
     specify()

@@ -17,7 +17,7 @@ fun main(arguments: Array<String>) {
     val (jar, version, classPath) = arguments
     val manifest = mapOf(
         "Main-Class" to "argo.tools.MainKt",
-        "Enable-Native-Access" to "ALL-UNNAMED", // jSerialComm loads a native library
+        "Enable-Native-Access" to "ALL-UNNAMED", // since jSerialComm loads a native library
         "Implementation-Title" to "ARGO",
         "Implementation-Version" to version,
     )

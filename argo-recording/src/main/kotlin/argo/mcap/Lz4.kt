@@ -86,7 +86,7 @@ internal class Lz4 {
         private const val HASH_FACTOR = -1640531535
         private const val MAX_OFFSET = 0xFFFF
         private const val MIN_MATCH = 4
-        private const val LAST_MATCH = 12 // the format forbids a match to begin within so many bytes of the end
+        private const val LAST_MATCH = 12 // the format forbids a match to begin within this many bytes of the end
         private const val LAST_LITERALS = 5
         private const val NIBBLE = 15
         private const val NIBBLE_BITS = 4

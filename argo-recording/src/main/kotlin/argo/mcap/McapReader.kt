@@ -6,8 +6,8 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all. Of a file that was cut off or has damaged parts it reads
- * the whole parts.
+ * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all. If a file was cut off or has damaged
+ * parts, reads its whole parts.
  *
  * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *

@@ -106,7 +106,8 @@ internal class McapScan(private val input: McapInput) {
             Op.SCHEMA -> schema(input.read(at, length))
             Op.CHANNEL -> channel(input.read(at, length))
             Op.MESSAGE -> {
-                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one") // one bit turns an index into one
+                // one wrong bit turns the record of an index into a message
+                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one")
                 val record = input.read(start, RECORD_HEAD_BYTES + length)
                 messages(record) { MessagePart(start, RECORD_HEAD_BYTES + length, Packed("", 0), it) }
             }

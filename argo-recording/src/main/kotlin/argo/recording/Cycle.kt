@@ -164,7 +164,7 @@ data class Sent(
 /** A change to a filter, through which the agent perceives from then on. */
 @Serializable
 data class FilterChange(
-    @Holds("the port of the board alone that is perceived so; missing: all boards")
+    @Holds("the port of the only board that is perceived so; missing: all boards are")
     val port: String? = null,
     @Holds("the name of the filter; missing: everything is kept")
     val name: String? = null,

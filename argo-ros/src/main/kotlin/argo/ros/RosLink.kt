@@ -185,7 +185,7 @@ internal class RosLink private constructor(
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions it is enough that the bridge is there
+        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, nothing more than the bridge is needed
     }
 
     private fun await(nanos: Long) {
@@ -216,7 +216,7 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // the socket may still take the command and lose it
+        val isOver = bridge == null || !isOpen // a socket that is closing may still take the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
@@ -249,7 +249,7 @@ internal class RosLink private constructor(
         fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
             over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
 
-        /** As [open], over the connection that [connect] makes. */
+        /** As [open], but over the connection that [connect] makes. */
         fun over(port: String, mapping: Mapping, isPaced: Boolean, clock: LineClock, connect: (BridgeListener) -> Bridge): RosLink {
             val link = RosLink(port, mapping, isPaced, clock)
             var isOpened = false

@@ -102,7 +102,7 @@ fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonO
 private fun arrayIn(json: String): List<JsonValue> = try {
     Json.createParser(StringReader(json)).use { parser ->
         if (parser.next() != JsonParser.Event.START_ARRAY) throw noEvents("it is no array")
-        parser.array.also { parser.hasNext() } // which refuses any text behind it
+        parser.array.also { parser.hasNext() } // hasNext refuses any text behind the array
     }
 } catch (unreadable: JsonException) {
     throw noEvents("${unreadable.message}")

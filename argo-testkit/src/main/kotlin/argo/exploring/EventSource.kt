@@ -116,7 +116,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         /** The longest of each sort of trouble, in ms: from a loose contact to a board that is gone. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
-        /** The longest time, in ms, by which a fault that hits a command begins before it is issued, or after its end. */
+        /** The longest time, in ms, by which a fault that hits a command begins before the command's issue, or after its end. */
         const val AROUND_MS = 3L
 
         /** The longest time after the issue of a command at which a fault that hits it begins. */

@@ -161,7 +161,7 @@ class ExploredBoard internal constructor() {
  * The percepts that a sensor can show.
  *
  * @property percepts all of them; an empty text is no percept
- * @property first the index of the one that it shows at first
+ * @property first the index of the percept that the sensor shows at first
  * @property range the numbers in the percepts; null: it has none
  */
 internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

@@ -18,7 +18,7 @@ fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = empt
 
 private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
-/** For each plan that fails there is a plan for its failure. */
+/** The rule that for each plan that fails there is a plan for the failure. */
 fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }

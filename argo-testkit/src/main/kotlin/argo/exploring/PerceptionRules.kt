@@ -131,7 +131,7 @@ private class BlindTime(
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
-    /** Returns the messages with which it begins to hold, each with the one with which that ends; null: it holds at the end. */
+    /** Returns each message with which the condition begins to hold, and the message with which it ends; null: it holds at the end. */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
         val periods = ArrayList<Pair<Perceived, Perceived?>>()

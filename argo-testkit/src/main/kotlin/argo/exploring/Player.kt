@@ -27,7 +27,7 @@ internal class Player(private val exploration: Exploration, private val events: 
                 mas.all.forEach(recorder::watch)
             }
             drive()
-        } catch (busy: AssertionError) { // of the test kit: an agent that never rests
+        } catch (busy: AssertionError) { // the test kit has found an agent that never rests
             recorder.record(NeverRests(recorder.now, busy.message.orEmpty().lineSequence().first()))
         }
         recorder.isOver = true
@@ -71,7 +71,7 @@ internal class Player(private val exploration: Exploration, private val events: 
             is Restarts -> boards().filter { it.first == event.board }.forEach { (_, board) -> board.restarts(event.booting) }
             is Floods -> repeat(event.messages) { mas.time.later(nanos(FLOOD_INTERVAL * it)) { send(event.board) } }
             is Hears -> if (event.agent in mas.names) mas[event.agent].hears(event.sender, event.performative, event.content)
-            else -> Unit // part of the world's state
+            else -> Unit // all other events are part of the world's state
         }
     }
 
@@ -83,7 +83,7 @@ internal class Player(private val exploration: Exploration, private val events: 
             } catch (_: IllegalStateException) {
                 // the board restarts
             } catch (_: PortException) {
-                // its cable is unplugged
+                // the board's cable is unplugged
             }
         }
     }

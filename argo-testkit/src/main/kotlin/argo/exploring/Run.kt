@@ -4,7 +4,7 @@ import kotlin.time.Duration
 
 /** An entry of a run's trace, at a time since the run began. Immutable. */
 sealed interface TraceEntry {
-    /** Its time. */
+    /** The time of the entry. */
     val at: Duration
 }
 
@@ -83,7 +83,7 @@ data class NeverRests(override val at: Duration, val what: String) : TraceEntry
  *
  * @property events the events that drove it, in the order of their times
  * @property trace all recorded entries, in the order of their times
- * @property ended its length
+ * @property ended the length of the run
  * @property agents the names of its agents
  * @property arrived the commands that have arrived at each board, in their order
  * @property opened the ports that its agents have opened

@@ -6,10 +6,10 @@ import kotlin.time.TimeSource
 
 /** The outcome of an exploration. */
 sealed interface Outcome {
-    /** The number of runs, those for shrinking included. */
+    /** The number of runs, including the runs for shrinking. */
     val runs: Int
 
-    /** Their length together, in virtual time. */
+    /** The length of all runs together, in virtual time. */
     val played: Duration
 }
 

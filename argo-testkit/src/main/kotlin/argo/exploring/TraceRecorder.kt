@@ -85,7 +85,7 @@ internal class TraceRecorder(private val mas: TestMas) {
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** Returns the intentions that wait for something that need not come, in words; the same key means the same step. */
+    /** Returns the intentions that wait for something that need not come, as keys and words. The same key means the same step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
         (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
             .filterNot { it.isFinished || endsByItself(it) }

@@ -7,13 +7,13 @@ import kotlin.time.Duration.Companion.milliseconds
  * An event in the outside world during a run, at a time since the run began. Immutable. A run is a function of the agents' programs, the
  * description of the boards, and a list of these.
  *
- * Times are whole milliseconds. Of several that overlap on one board, the strongest has effect.
+ * Times are whole milliseconds. If several events overlap on one board, the strongest has effect.
  */
 sealed interface WorldEvent {
-    /** Its beginning. */
+    /** The event's beginning. */
     val at: Duration
 
-    /** Its end; [at] if it takes no time. */
+    /** The event's end; [at] if it takes no time. */
     val ends: Duration get() = at
 
     /** A description for a person, without the time. */

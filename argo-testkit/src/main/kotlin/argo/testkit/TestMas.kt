@@ -18,7 +18,7 @@ import kotlin.time.Duration
 class TestMas internal constructor() : AutoCloseable {
     internal val time = VirtualTime().also { it.mas = this }
     internal val log = AgentLog(time)
-    private val agents = LinkedHashMap<String, TestAgent>() // the last of those that had the name in turn
+    private val agents = LinkedHashMap<String, TestAgent>() // by name: the last agent that had it
     private val made = ArrayList<TestAgent>()
     private var closed = false
 

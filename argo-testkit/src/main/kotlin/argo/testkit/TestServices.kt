@@ -23,7 +23,7 @@ internal class TestServices private constructor(private val real: RuntimeService
 
     private fun delegate(method: Method, arguments: Array<out Any?>): Any? {
         if (real == null) {
-            if (method.name == "isRunning") return false // a real one asks before it begins
+            if (method.name == "isRunning") return false // a real agent asks before it begins
             throw RemoteException("no multi-agent system is running here")
         }
         try {
@@ -35,7 +35,7 @@ internal class TestServices private constructor(private val real: RuntimeService
 
     private fun serve(mas: TestMas, service: String, with: Array<out Any?>): Any? = when (service) {
         "createAgent" -> createAgent(mas, with)
-        "startAgent" -> Unit.let { null } // it runs from when it was made
+        "startAgent" -> Unit.let { null } // an agent of a test runs as soon as it is made
         "killAgent" -> killAgent(mas, with[0] as String, with[1] as String, with[2] as Int)
         "stopMAS" -> mas.stop(mas.running(), with.getOrElse(0) { 0 } as Int).let { null }
         "getNewAgentName" -> mas.newName(with[0] as String)

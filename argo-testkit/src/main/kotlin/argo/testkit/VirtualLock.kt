@@ -11,7 +11,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var holds = 0
     private val asking = ArrayDeque<Any>()
 
-    private fun me(): Any = time.running ?: time // the driver
+    private fun me(): Any = time.running ?: time // else the driver
 
     private fun isFree() = holds == 0 || owner === me()
 

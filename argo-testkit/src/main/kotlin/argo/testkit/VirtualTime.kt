@@ -109,7 +109,7 @@ internal class VirtualTime : LineClock {
         threads.removeAll { it.over }
         val thread = threads.firstOrNull { it.canRun() }
         if (thread != null) {
-            threads -= thread // the others first, before it runs again
+            threads -= thread // the other threads run first, before this one runs again
             threads += thread
             resume(thread)
             return true
@@ -192,7 +192,7 @@ internal class VirtualTime : LineClock {
             awaitTurn()
             try {
                 body()
-            } catch (cause: Throwable) { // the driver throws it
+            } catch (cause: Throwable) { // kept for the driver, which throws it
                 failure = cause
             } finally {
                 over = true

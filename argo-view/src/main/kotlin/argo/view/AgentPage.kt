@@ -12,7 +12,7 @@ import java.net.URLEncoder
 internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val states: Broadcast) {
     constructor(agent: ObservedAgent) : this(agent, Routes(agent), Broadcast())
 
-    /** Its path on its server, such as `/bob/`. */
+    /** The page's path on its server, such as `/bob/`. */
     val path: String = "/${URLEncoder.encode(agent.name, Charsets.UTF_8).replace("+", "%20")}/"
 
     /** Returns the tab with which pages of other agents show it. */

@@ -97,10 +97,10 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     }
 
     private companion object {
-        /** As many names as ports can have states, twice. */
+        /** The most names of ports that are kept: twice as many as ports can have states. */
         const val MAX_PORTS = 256
 
-        /** As many as a board that sends its percepts one by one can send in a tenth of a second at 115200 baud. */
+        /** The most messages not shown yet: as many as a board that sends percepts one by one can send in 0.1 s at 115200 baud. */
         const val MAX_UNSEEN = 64
     }
 }

@@ -44,7 +44,7 @@ class AgentView private constructor(
         publisher.start()
     }
 
-    /** Its address, such as `http://127.0.0.1:8080/bob/`. */
+    /** The view's address, such as `http://127.0.0.1:8080/bob/`. */
     val address: URI get() = server.address.resolve(page.path)
 
     /**

@@ -61,7 +61,7 @@ private fun planState(means: IntendedMeans): PlanState {
     val plan = means.plan
     val trigger = means.trigger ?: plan.trigger
     val goal = (trigger.literal.capply(means.unif) as Literal).copy().apply { clearAnnots() }
-    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // a plan may have the position of its body
+    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // a plan's own may be its body's
     return PlanState(shown("${trigger.operator}${trigger.type}$goal"), source?.let { fileName(it.srcFile) }, source?.srcLine)
 }
 

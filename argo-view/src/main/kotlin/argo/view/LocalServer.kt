@@ -47,7 +47,7 @@ internal fun HttpExchange.send(response: HttpResponse) {
     responseBody.use { it.write(response.body) } // before the rest of a long request is read
 }
 
-/** Begins the response to an exchange with [status], content of [type] and so many bytes; see [HttpExchange.sendResponseHeaders]. */
+/** Begins the response to an exchange with [status], content of [type] and [length] bytes; see [HttpExchange.sendResponseHeaders]. */
 internal fun HttpExchange.begin(status: Int, type: String, length: Long) {
     HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
     responseHeaders.add("Content-Type", "$type; charset=utf-8")

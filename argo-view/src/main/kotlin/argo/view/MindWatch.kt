@@ -49,7 +49,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
 
     private fun seen(): Seen? = try {
         Seen(nanos(), look())
-    } catch (changed: RuntimeException) { // by the project's own belief base, or a change of it by another thread
+    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or since another thread changed it
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true
         null

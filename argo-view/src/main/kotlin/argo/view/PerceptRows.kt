@@ -10,8 +10,8 @@ import java.util.concurrent.TimeUnit
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
     private var port: String? = null
-    private val more = HashMap<String, Int>() // by the port
-    private val newest = HashMap<String, Long>() // message of each port
+    private val more = HashMap<String, Int>() // number of percepts without a row, by port
+    private val newest = HashMap<String, Long>() // time of the newest message, by port
 
     /** The time of the last byte of the newest message, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null

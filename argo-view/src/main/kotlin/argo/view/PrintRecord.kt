@@ -58,9 +58,9 @@ internal class PrintRecord(private val nanos: () -> Long, private val changed: (
 /**
  * A line that an agent has printed, or that Jason has logged about it.
  *
- * @property times how often it has come in a row
+ * @property times the number of times that the line has come in a row
  * @property warning whether it is a warning or worse
- * @property ageMs how long ago it came last
+ * @property ageMs the time since the line came last, in ms
  */
 @Serializable
 internal data class LineState(val number: Long, val text: String, val times: Int, val warning: Boolean, val ageMs: Long)

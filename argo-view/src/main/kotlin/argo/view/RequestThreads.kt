@@ -41,7 +41,7 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // this interruption was for the wait that is over
     }
 
-    /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of it while requests are queued, and with them their connections. */
+    /** Ends waits longer than [MAX_WAIT_NANOS], or than a tenth of that while requests are queued. Their connections end too. */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }

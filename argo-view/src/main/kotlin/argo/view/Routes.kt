@@ -145,5 +145,5 @@ internal fun parametersOf(query: String?): Map<String, String> =
 private fun decoded(value: String) = try {
     URLDecoder.decode(value, Charsets.UTF_8)
 } catch (_: IllegalArgumentException) {
-    value // not encoded
+    value // the text was not encoded
 }

@@ -10,7 +10,7 @@ internal class Site {
     /** True if no agent has a page. */
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page], in front of those of agents of the same name that are about to end. */
+    /** Adds [page], in front of the pages of agents of the same name that are about to end. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)
@@ -20,7 +20,7 @@ internal class Site {
 
     /** Finds the page to which [path], still encoded, belongs, if any, and the path within it. */
     fun find(path: String): Found {
-        val parts = path.split('/').drop(1) // the empty text before the first slash
+        val parts = path.split('/').drop(1) // without the empty text before the first slash
         val name = parts.takeIf { it.size == 2 }?.let { decoded(it[0]) }
         val page = pages.find { it.agent.name == name } ?: return Found(null, path)
         return Found(page, "/${parts[1]}")

@@ -5,7 +5,7 @@ import kotlin.concurrent.withLock
 
 /**
  * The servers of this program, one for each port that agents ask for: agents that ask for the same one share it, on purpose, so that all
- * agents of a system are on one page. Those that ask for 0, any free port, share one too. Safe for use by several threads.
+ * agents of a system are on one page. Agents that ask for 0, any free port, share a server too. Safe for use by several threads.
  */
 internal object ViewServers {
     private val lock = ReentrantLock()

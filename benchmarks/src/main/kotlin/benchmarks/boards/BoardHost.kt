@@ -25,7 +25,7 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     private val commands = process.outputWriter()
     private val answers = process.inputReader()
 
-    /** The ports of its boards, as an agent names them; for boards on devices those of their own ends. */
+    /** The ports of the boards, as an agent names them; for boards on devices, the devices of the boards' own ends. */
     val ports: List<String> = words()
 
     /** Returns the number of requests that each board has answered, in the order of [ports]. */
@@ -43,16 +43,16 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     private fun words(): List<String> = checkNotNull(answers.readLine()) { "the boards' process has ended" }.split(' ')
 
     override fun close() {
-        commands.close() // it ends with its input
+        commands.close() // the process ends with its input
         process.waitFor()
     }
 
     companion object {
-        /** Starts boards on the [devices], each with so many [percepts], all of which change with each answer. */
+        /** Starts boards on the [devices], each with this number of [percepts], all of which change with each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
             BoardHost(programApart(BOARD_HOST, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
-        /** Starts so many [boards] on TCP ports of this machine. */
+        /** Starts this number of [boards] on TCP ports of this machine. */
         fun onNetwork(boards: Int, percepts: Int) = BoardHost(programApart(BOARD_HOST, "$percepts", *Array(boards) { NETWORK }))
     }
 }

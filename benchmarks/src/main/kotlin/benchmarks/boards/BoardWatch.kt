@@ -16,8 +16,8 @@ import java.util.logging.Logger
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
     private val perceivedOf = ConcurrentHashMap<String, AtomicLong>()
-    private val newest = HashMap<String, Long>() // for the agent's thread
-    private val skews = ArrayList<Long>() // guarded by itself
+    private val newest = HashMap<String, Long>() // used only by the agent's thread
+    private val skews = ArrayList<Long>() // guarded by this list
     private var isNew = false
 
     override fun messageFiltered(message: PerceivedMessage) = count(sensedOf, message)

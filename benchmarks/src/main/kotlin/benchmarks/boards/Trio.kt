@@ -21,7 +21,7 @@ internal enum class Trouble(val title: String) {
 
 /**
  * One agent on the simulated Unos with the rates of [bauds], twelve sensors each that all change, sensing interval 20 ms, in virtual time.
- * Each drives a robot of its own, and the agent stops it at a limit.
+ * Each Uno drives a robot of its own, and the agent stops the robot at a limit.
  */
 internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
@@ -62,7 +62,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
-        for (baud in bauds) { // draws those of the others, too, so that the phases are the same in all runs
+        for (baud in bauds) { // draws for lost boards too, so that the phases are the same in all runs
             val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
             if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
@@ -128,7 +128,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
 
 /** The times after the limit at which robots stopped. */
 internal class Reactions(private val ones: List<One>) {
-    /** One of these times, in ns, with the timeline of its line from the limit on. */
+    /** A time from the limit to the stop, in ns, with the timeline of the robot's line from the limit on. */
     class One(val nanos: Long, val timeline: String)
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })

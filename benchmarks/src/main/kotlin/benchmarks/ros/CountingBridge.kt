@@ -25,7 +25,7 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
     private var waiting: Int? = null
 
     @Volatile
-    private var throttleNanos: Long? = null // null: nobody subscribes
+    private var throttleNanos: Long? = null // least time between messages; null: nobody subscribes
     private var sentNanos = System.nanoTime()
 
     /** The numbers that commands had, in their order. */

@@ -15,7 +15,7 @@ internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic
     /** The time from the limit to the stop, in ms, if only the line took time and the sensors were read at the limit. */
     val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
 
-    /** The same if they were read just before. */
+    /** The same time, if the sensors were read just before the limit. */
     val longestMs: Double get() = shortestMs + (snapshot.toBoard + snapshot.toComputer) * byteNanos / NANOS_PER_MS
 }
 

@@ -23,7 +23,7 @@ internal class Stops(
     val distribution = Distribution(responses.toLongArray())
 }
 
-/** Has the published agent stop the robot of [course] so many times; the phases between robot, line and agent come from [seed]. */
+/** Has the published agent stop the robot of [course] [stops] times; the phases between robot, line and agent come from [seed]. */
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
     run.awaitStop() // the first one finds a line and an agent that are not yet in step

@@ -61,7 +61,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, of an output from now on
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, with which the pin becomes an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)
@@ -95,7 +95,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
         /** The distance at which the agent stops it, in mm. */
         const val LIMIT_MM = 800
 
-        /** The time in which it drives a millimetre, in ns. */
+        /** The time in which the robot drives a millimetre, in ns. */
         const val MILLIMETRE_NANOS = 10_000_000L
 
         private const val FIRST_MM = 1000

@@ -22,9 +22,9 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * What Maven's POMs declare, for the Gradle build, which has no modules, versions and dependencies of its own. It fails on a dependency, a
- * plugin of the compiler or a pattern of resources that it does not know, since Gradle would build without it. Plugins of Maven are not
- * read: a build.gradle.kts does what they do.
+ * Reads the declarations of Maven's POMs for the Gradle build, which has no modules, versions and dependencies of its own. Fails on a
+ * dependency, a plugin of the compiler or a pattern of resources that is unknown here, since Gradle would build without it. Plugins of
+ * Maven are not read: a build.gradle.kts does what they do.
  */
 public final class Poms {
     /** Prints what Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
@@ -76,7 +76,7 @@ public final class Poms {
     public record Resource(String folder, String target) {}
 
     private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
-    // of type pom: no library, but a module that is built before
+    // a dependency of type pom is a module to build first, not a library
     private static final String DEPENDENCIES =
             "dependencies/dependency[not(type='pom')]|profiles/profile/dependencies/dependency[not(type='pom')]";
     private static final String UNKNOWN =
@@ -162,7 +162,7 @@ public final class Poms {
                     case "provided" -> List.of("compileOnly", "testImplementation");
                     case "runtime" -> List.of("runtimeOnly");
                     case "test" -> List.of("testImplementation");
-                    default -> List.of("api"); // as Maven does: what a library's users compile with, too
+                    default -> List.of("api"); // as in Maven, users of a library also compile with these
                 },
                 group,
                 name,
@@ -179,7 +179,7 @@ public final class Poms {
                         .toList());
     }
 
-    /** What an execution of Kotlin's compiler has besides the usual folders, Java's too. */
+    /** Returns the source folders that an execution of Kotlin's compiler adds to the usual ones, Java's included. */
     private List<String> sources(Element pom, String execution, String usual) {
         return at(
                         pom,

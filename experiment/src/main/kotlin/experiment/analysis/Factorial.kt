@@ -17,7 +17,7 @@ internal enum class Source(val factors: Set<Int>) {
  * and the lower effects.
  *
  * @property levels the level of each of the source's factors, from 0, in the order of the factors
- * @property interval its confidence interval
+ * @property interval the effect's confidence interval
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     /** True if the interval leaves out 0. */

@@ -13,8 +13,8 @@ import samples.collision.Course
  *
  * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for it is a choice.
  *
- * @property title its name
- * @property unit its unit
+ * @property title the response's name
+ * @property unit the response's unit
  * @property collisions the number that a robot that ran into the wall gets, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
@@ -41,13 +41,13 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = result.distance
     }, ;
 
-    /** True if it is a time, in seconds. */
+    /** True if the response is a time, in seconds. */
     val isTime: Boolean get() = unit == "s"
 
-    /** True if the paper has it, but for collisions. */
+    /** True if the paper has this response, apart from its values for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
-    /** Returns its value in a run with [result] of [plan]. */
+    /** Returns the response's value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }
 

@@ -40,10 +40,11 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * P. Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
  *
  * A sum of squares over the variance is noncentral chi-squared. Its noncentrality is the variance's share in the responses, times their
- * [count], so a share is `own / (own + others + count)` in noncentralities. In place of each stands a random number whose distribution
- * function is one minus that of the sum of squares that was seen, as a function of the noncentrality; in place of the variance, [error]
- * over a chi-squared number. The interval is between the percentiles of the share. Without other effects that is the interval which the
- * noncentral F distribution gives (J. H. Steiger, Beyond the F Test, Psychological Methods 9, 2004), which has none for several effects.
+ * [count], so a share is `own / (own + others + count)` in noncentralities. Each noncentrality is replaced by a random number. The
+ * distribution function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The
+ * variance is replaced by [error] over a chi-squared random number. The interval is between the percentiles of the share. Without other
+ * effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9, 2004); for
+ * several effects it gives none.
  *
  * @param error has at least one degree of freedom
  * @param draws the number of random shares
@@ -95,5 +96,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** With so many draws an end of an interval is at the wanted percentile, give or take 0.2. */
+/** The number of draws, with which an end of an interval is at the wanted percentile, give or take 0.2. */
 private const val DRAWS = 10_000

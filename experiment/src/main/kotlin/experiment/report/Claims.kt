@@ -25,7 +25,7 @@ internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"),
  *
  * @property claim the published result or the promise
  * @property seen the measured result
- * @property why its explanation
+ * @property why the explanation of the claim
  */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
@@ -45,7 +45,7 @@ private fun List<Finished>.medians(): String {
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
-/** Returns the published results with those of [runs] under the published condition. Claims on levels outside [plan] are not tested. */
+/** Returns the published results and the results of [runs] under that condition. Claims on levels outside [plan] are not tested. */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
     if (published.isEmpty()) return emptyList()
@@ -159,7 +159,7 @@ else "The agent gets the newest frame, and gets it when it has handled the event
 /** Returns the median of [values], which are not empty. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
 
-/** Writes [value] with so many decimals; a value that rounds to 0 has no sign. */
+/** Writes [value] with this number of [decimals]; a value that rounds to 0 has no sign. */
 internal fun rounded(value: Double, decimals: Int): String =
     String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
 

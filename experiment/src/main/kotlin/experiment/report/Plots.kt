@@ -99,7 +99,7 @@ internal fun words(view: View) = when (view) {
 
 private val FILTERS = View.entries.map(::words)
 
-/** The ends of a run with the shapes that show them: those of runs in which the machine was late are hollow. */
+/** The ends of a run with the shapes that show them: the shapes of runs in which the machine was late are hollow. */
 private val ENDS = listOf("stopped" to 16, "ran into the wall" to 4, "stopped, busy machine" to 1, "wall, busy machine" to 13)
 
 private fun end(run: Finished) = ENDS[(if (run.result.outcome == Outcome.COLLIDED) 1 else 0) + if (run.isLate) 2 else 0].first

@@ -5,8 +5,8 @@ import experiment.analysis.Interval
 /**
  * The unit of the times in a table or a figure: seconds, or milliseconds if all are below one second.
  *
- * @property unit its symbol
- * @property word its name in the plural
+ * @property unit the unit's symbol
+ * @property word the unit's name in the plural
  * @property perSecond the number of units in a second
  * @property fewDecimals the decimals of a time whose interval is not known
  */

@@ -63,7 +63,7 @@ public final class FakeBoard implements AutoCloseable {
     /**
      * A new board that is not plugged in and goes by {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
      *
-     * @param name its name in messages
+     * @param name the board's name in messages
      */
     public static FakeBoard unplugged(String name, LineClock clock) {
         return new FakeBoard(name, clock);
@@ -95,7 +95,7 @@ public final class FakeBoard implements AutoCloseable {
         return this;
     }
 
-    /** Accepts messages that are not expected, and the lack of those that are. */
+    /** Accepts messages that are not expected, and the lack of expected ones. */
     public FakeBoard lenient() {
         strict = false;
         return this;
@@ -282,7 +282,7 @@ public final class FakeBoard implements AutoCloseable {
         volatile int outcomeMillis; // 0: the outcome is known at once
         volatile UnaryOperator<String> answer = message -> null;
         volatile Supplier<String> sensors = () -> "";
-        volatile byte[] raw; // in place of an answer; null: none
+        volatile byte[] raw; // bytes sent in place of an answer; null: none
 
         Rule() {}
 
@@ -321,7 +321,7 @@ public final class FakeBoard implements AutoCloseable {
             return this;
         }
 
-        /** Answers with bytes as they are: a damaged frame, half of one, two at once. Characters are bytes (ISO-8859-1). */
+        /** Answers with bytes as they are: a damaged frame, half of a frame, two at once. Characters are bytes (ISO-8859-1). */
         public Rule answerRaw(String bytes) {
             raw = bytes.getBytes(StandardCharsets.ISO_8859_1);
             return this;
@@ -341,7 +341,7 @@ public final class FakeBoard implements AutoCloseable {
             return answer(message -> null, () -> "");
         }
 
-        /** Refuses the message as one that the board does not know; in version 1 it stays silent. */
+        /** Refuses the message as a command that the board does not know; in version 1 the board stays silent. */
         public Rule refuse() {
             refused = true;
             return this;

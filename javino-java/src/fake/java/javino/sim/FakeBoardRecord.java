@@ -7,7 +7,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javino.LineClock;
 
-/** The messages that a {@link FakeBoard} received, and those that no rule, expectation or test has accounted for. Safe on any thread. */
+/** The messages that a {@link FakeBoard} received; also which of them no rule, expectation or test accounts for. Safe on any thread. */
 final class FakeBoardRecord {
     private final String port;
     private final FakeBoardMonitor monitor; // guards the lists

@@ -11,7 +11,7 @@ import javino.Frame;
 final class FakeBoardScript {
     private record Entry(String message, Predicate<String> kind, FakeBoard.Rule rule) {}
 
-    private volatile List<Entry> entries = List.of(); // those for one message first
+    private volatile List<Entry> entries = List.of(); // entries for one message come first
 
     /**
      * Adds a rule.
@@ -38,7 +38,7 @@ final class FakeBoardScript {
                 .findFirst();
     }
 
-    /** Answers that are given in turn, and the last of them from then on. Safe on any thread. */
+    /** Answers that are given in turn; from then on the last answer is repeated. Safe on any thread. */
     static final class InTurn {
         private final List<String> answers;
         private final AtomicInteger turn = new AtomicInteger();
@@ -49,7 +49,7 @@ final class FakeBoardScript {
             answers = List.copyOf(all);
             answers.stream()
                     .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
-                    .forEach(Frame::of); // else the test would learn too late
+                    .forEach(Frame::of); // refuses a text here: later, the test would learn of it too late
         }
 
         /** Returns the answer whose turn it is. */

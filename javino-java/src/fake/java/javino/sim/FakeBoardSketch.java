@@ -16,7 +16,7 @@ import javino.wire.WireFrame;
 final class FakeBoardSketch implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
 
-    // as the methods of FakeBoard that set them say
+    // the methods of FakeBoard that set these fields explain them
     volatile int queueSize = Integer.MAX_VALUE;
     volatile int loopMillis;
     volatile int bootMillis;
@@ -82,7 +82,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     /** One use of the port. */
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
-        private FakeBoard.Rule begun; // its outcome is reported later; null: none
+        private FakeBoard.Rule begun; // the rule whose outcome is reported later; null: none
         private long action; // the action of that rule; 0: it is not known yet
         private long dueNanos;
 

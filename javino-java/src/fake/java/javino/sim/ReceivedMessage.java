@@ -3,7 +3,7 @@ package javino.sim;
 /**
  * A message that a board has handled.
  *
- * @param text its payload, a character a byte
+ * @param text the message's payload, a character a byte
  * @param nanos time at which the board took it up, in nanoseconds by the clock of its line; for a board that is plugged in that is
  *     {@link System#nanoTime()}
  */

@@ -26,7 +26,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
         .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself
         .addCustomScenario { parallel { thread { actor(CheckedBlock::run) } } }
-    // Of the 30 s that an invocation may take by default, a busy machine uses all to instrument the classes that the first one meets.
+    // An invocation may take 30 s by default. A busy machine needs all of that to instrument the classes that the first one meets.
     options.javaClass.getMethod("invocationTimeout\$lincheck", Long::class.java).invoke(options, 600_000L)
     options.check(CheckedBlock::class.java)
 }

@@ -51,9 +51,9 @@ final class ActionCheck {
     private static final class Shape {
         private final int open; // the place at which the arguments begin
         private int depth;
-        private int commas; // between the arguments
+        private int commas; // number of commas between the arguments
         private char quote; // 0: none
-        private boolean isBehind; // behind the arguments
+        private boolean isBehind; // the arguments have ended
 
         Shape(String command, int functorEnd) {
             open = command.startsWith("(", functorEnd) ? functorEnd : -1;

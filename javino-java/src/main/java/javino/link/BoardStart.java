@@ -6,7 +6,7 @@ import javino.LineClock;
 /** Knows whether a board runs, as far as is known: the board may start when its port is opened. Safe on any thread. */
 final class BoardStart {
     private final LineClock clock;
-    private final long startedAt; // from then on a board that has not answered is taken to run
+    private final long startedAt; // from this time on, a board that has not answered is taken to run
     private volatile boolean isReady;
     private volatile boolean hasHeard;
     private volatile boolean hasSaidHello;

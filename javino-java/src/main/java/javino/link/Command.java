@@ -21,7 +21,7 @@ final class Command implements SessionCommand {
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
     private long number;
-    private long beganBehind; // bytes
+    private long beganBehind; // number of bytes written before this command
 
     /** @param now time of its submission, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
@@ -40,7 +40,7 @@ final class Command implements SessionCommand {
         submittedAt = now;
     }
 
-    /** Its frame in version 1. For a {@link #rule}, which version 1 cannot carry, only its text and its length count. */
+    /** The command's frame in version 1. For a {@link #rule}, which version 1 cannot carry, only its text and its length count. */
     Frame frame() {
         return frame;
     }
@@ -92,7 +92,7 @@ final class Command implements SessionCommand {
                 && functorOf(text()).equals(functorOf(earlier.text()));
     }
 
-    /** Its outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */
+    /** The command's outcome. The future is completed outside of any lock, since its dependents run on the thread that completes it. */
     CompletableFuture<Void> outcome() {
         return outcome;
     }

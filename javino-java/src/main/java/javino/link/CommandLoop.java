@@ -76,7 +76,7 @@ final class CommandLoop {
             queue(command);
         } catch (PortGoneException gone) {
             fail(command, gone);
-        } catch (PortException | RuntimeException | Error unforeseen) { // thrown by a transport
+        } catch (PortException | RuntimeException | Error unforeseen) { // whatever a transport throws
             fail(command, unforeseen);
         }
         if (options.limitMillis() > 0 && !command.isOver()) {
@@ -104,7 +104,7 @@ final class CommandLoop {
             ask();
             try {
                 line.serve(line::mustAskFirst, this::patienceEnds);
-            } catch (RuntimeException | Error unforeseen) { // a transport's
+            } catch (RuntimeException | Error unforeseen) { // thrown by a transport
                 LOG.log(System.Logger.Level.ERROR, "port " + port + " failed while commands were sent", unforeseen);
                 line.abandon(unforeseen);
             }

@@ -46,10 +46,10 @@ final class FrameWriter implements WaitingCommands<Command> {
     private final LineClock clock;
     private final Pacer pacer;
     private boolean isWriting;
-    private int turnsAwaited; // of requests and HELLOs
+    private int turnsAwaited; // number of requests and HELLOs that wait for their turn
     private volatile long outcomeNanos;
     private long writtenBytes;
-    private long readBytes; // of the bytes written, those that the far end has proved to have read
+    private long readBytes; // how many of the written bytes the far end has proved to have read
     private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
@@ -61,7 +61,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         outcomeNanos = clock.nanos();
     }
 
-    /** Queues a command, and returns those whose place it takes. */
+    /** Queues a command, and returns the waiting commands whose place it takes. */
     List<Command> submit(Command command) throws PortGoneException {
         return monitor.get(() -> {
             requireLine();
@@ -69,7 +69,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Takes a command that has not begun to go out from the queue, for good; false if it has. */
+    /** Takes a command that has not begun to go out from the queue, for good; false: it has begun. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
@@ -133,14 +133,13 @@ final class FrameWriter implements WaitingCommands<Command> {
             return Monitor.FOREVER;
         }
         long now = clock.nanos();
-        return pacer.holdsActions(now) && !next.isUrgent()
-                ? pacer.nanosHeld(now)
-                : pacer.nanosUntilAction(next.frame().length(), now);
+        long held = next.isUrgent() ? 0 : pacer.nanosHeld(now);
+        return held > 0 ? held : pacer.nanosUntilAction(next.frame().length(), now);
     }
 
-    /** Returns whether only urgent commands of version 1 are written until the board answers. */
+    /** Returns whether only urgent commands of version 1 are written until the board answers: see {@link SilentBoardHold}. */
     boolean isHeldBack() {
-        return monitor.get(() -> pacer.holdsActions(clock.nanos()));
+        return monitor.get(() -> pacer.nanosHeld(clock.nanos()) > 0);
     }
 
     /** Returns whether the board's {@code loop()} seems to take longer than commands are apart: see {@link Pacer#isSlow}. */
@@ -179,10 +178,10 @@ final class FrameWriter implements WaitingCommands<Command> {
     /**
      * Waits for a turn of its own, before the commands that wait, and writes a frame.
      *
-     * @param bytes of the frame
+     * @param bytes number of the frame's bytes
      * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
      *     and again for the driver
-     * @return when its last byte leaves the line, by the clock
+     * @return the time, by the clock, at which the frame's last byte leaves the line
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
     long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
@@ -321,7 +320,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records that a message is complete, the answer to the last request if one is awaited: actions that waited for it go out. */
+    /** Records that a message is complete, the answer to the last request if an answer is awaited. Actions that waited for it go out. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }

@@ -37,7 +37,7 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** The most messages that wait to be taken: nobody may ever take those of a board that speaks unasked. The newest are kept. */
+    /** The most messages that wait to be taken; the newest are kept. Nobody may ever take the messages of a board that speaks unasked. */
     static final int MAX_MESSAGES = 64;
     /**
      * The most reads, one after the other, of bytes that a line has ready: more than any driver holds, but an end for a line that never
@@ -171,8 +171,8 @@ final class Inbox {
     }
 
     /**
-     * Reads for at most {@code nanos}, less if an unfinished frame has to be given up before. The caller holds the monitor's lock once,
-     * which is free while bytes are awaited; no thread {@link #isBeingRead reads}.
+     * Reads for at most {@code nanos}; less if an unfinished frame must be given up earlier. The caller holds the monitor's lock exactly
+     * once; the lock is released while bytes are awaited. Call this only if no thread {@link #isBeingRead reads}.
      */
     int readFor(long nanos) throws PortException {
         long start = clock.nanos();

@@ -22,14 +22,14 @@ public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
 
     private final ReentrantLock opening = new ReentrantLock();
-    private final Map<String, Link> links = new HashMap<>(); // by canonical name, guarded by opening
+    private final Map<String, Link> links = new HashMap<>(); // by the port's canonical name; guarded by opening
     private final LinkSettings settings;
     private final boolean usualRate;
     private final int timeoutMillis;
     private volatile String data = "";
     private volatile String lastError = "";
 
-    /** With {@link LinkSettings#defaults()}, each port at its {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
+    /** Uses {@link LinkSettings#defaults()}, for each port its {@linkplain Transports#usualLine usual rate}, and time limits of 1000 ms. */
     public Javino() {
         this(LinkSettings.defaults(), DEFAULT_TIMEOUT_MILLIS, true);
     }
@@ -108,7 +108,7 @@ public class Javino implements AutoCloseable {
         try {
             work.run();
             return true;
-        } catch (PortException | IllegalArgumentException e) { // the latter: a message that fits into no frame
+        } catch (PortException | IllegalArgumentException e) { // the latter: the message fits into no frame
             lastError = e.getMessage();
             return false;
         }

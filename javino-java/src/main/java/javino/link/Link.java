@@ -50,7 +50,7 @@ import javino.wire.CommandItem;
  */
 public final class Link implements AutoCloseable {
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** For this part of a request's time the line is left free behind an answer or an outcome, for commands that the agent then sends. */
+    /** Behind an answer or an outcome, the line is left free for this part of a request's time, for commands that the agent then sends. */
     private static final int GRACE_DIVISOR = 8;
 
     private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
@@ -255,7 +255,7 @@ public final class Link implements AutoCloseable {
             }
             return answer;
         });
-        // no answer: the board has turned out to be one that takes it for a command
+        // no answer: the board has turned out to take the request for a command
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 

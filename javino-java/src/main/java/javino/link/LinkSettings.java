@@ -17,7 +17,7 @@ import javino.Protocol;
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
  * @param bootMillis milliseconds since opening in which a board may not have started yet; 0 for a board that is known to run
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board does, else version 1
- * @param messageLimit bytes that a message from a version 2 board has at most, at least 255; a longer one is dropped
+ * @param messageLimit the most bytes of a message from a version 2 board, at least 255; longer messages are dropped
  */
 public record LinkSettings(
         int baud,
@@ -55,7 +55,7 @@ public record LinkSettings(
         return new LinkSettings(value, paced, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
     }
 
-    /** These settings, paced or not. */
+    /** These settings for a line that is paced, or is not. */
     public LinkSettings withPaced(boolean value) {
         return new LinkSettings(baud, value, spacingMillis, boardQueue, bootMillis, protocol, messageLimit);
     }

@@ -14,7 +14,7 @@ import javino.PerceptsRequest;
  * time.
  */
 final class LocalEchoFilter {
-    /** More frames than are ever on their way: older ones were lost on the line. */
+    /** The most frames that are remembered, more than are ever on their way: older frames were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first

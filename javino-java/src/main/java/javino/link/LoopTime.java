@@ -45,7 +45,7 @@ final class LoopTime {
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
 
     private final long[] delays = new long[SAMPLES];
-    private final long[] sorted = new long[SAMPLES]; // the same, in their order
+    private final long[] sorted = new long[SAMPLES]; // the delays in ascending order
     private int count;
     private int next;
     private long estimate;
@@ -95,7 +95,7 @@ final class LoopTime {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is to be written later than it may be. */
+    /** Nanoseconds by which the next request is written later than at the earliest possible time. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

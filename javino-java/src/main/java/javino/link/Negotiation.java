@@ -97,7 +97,7 @@ final class Negotiation {
                 FrameWriter.Kind.ACTION,
                 WireFrame.OVERHEAD,
                 timeoutMillis,
-                () -> line.isVersion2() ? null : line.hello()); // in a session, a further HELLO would end it
+                () -> line.isVersion2() ? null : line.hello()); // a further HELLO would end a session
         boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;

@@ -30,7 +30,7 @@ final class OwedAnswers {
         return asked > 1;
     }
 
-    /** Records that the one request there was has been answered at {@code now}. */
+    /** Records that the only open request has been answered at {@code now}. */
     void answered(long now) {
         longestNanos = Math.max(longestNanos, now - firstAskedAt);
         asked = 0;

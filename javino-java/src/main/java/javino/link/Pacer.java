@@ -15,9 +15,7 @@ import java.util.concurrent.TimeUnit;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
  *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request;
- *   <li>while a board that has answered before does not answer in time, it gets requests and only urgent actions, until an answer comes,
- *       or for {@value #HOLD_MILLIS} ms if it is not asked again: it does not read, and its buffer is soon full. A board that has never
- *       answered may be one that only acts.
+ *   <li>while a board that has answered before does not answer in time, it gets no actions but urgent ones: see {@link SilentBoardHold}.
  * </ul>
  * Version 2 boards tell how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
@@ -29,9 +27,7 @@ final class Pacer {
     /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** The time for which actions are held back behind the last request that was not answered. */
-    static final int HOLD_MILLIS = 2_000;
-    /** After so many late answers in a row the board is taken to be slow: one or two may be this computer's fault. */
+    /** The number of late answers in a row after which the board is taken to be slow: one or two may be this computer's fault. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
@@ -44,20 +40,18 @@ final class Pacer {
     private final int maxHoldMillis;
 
     private long lineFreeAt;
-    private long lastEnd; // of the last frame, or of the answer behind it
+    private long lastEnd; // end of the last frame, or of the answer behind it
     private final LoopTime loop = new LoopTime();
     private long requestEnd;
     private boolean answerBegun;
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
-    private int unanswered; // requests that were not answered
-    private boolean boardIsIdle; // it has nothing to handle, so the next frame meets no message
+    private int unanswered; // number of requests in a row without an answer
+    private boolean boardIsIdle; // the board has nothing to handle, so the next frame meets no message
     private long busyUntil;
-    private boolean hasAnswered;
-    private boolean isSilent; // it has not answered the last request in time
-    private long heldUntil;
+    private final SilentBoardHold silence = new SilentBoardHold();
     private int lateAnswers; // late answers in a row
-    private int actionsMeanwhile; // written while the board may have been busy with the last request
+    private int actionsMeanwhile; // actions written while the board may have been busy with the last request
     private int bytesMeanwhile;
 
     /** @param now the time at which the line was opened */
@@ -88,19 +82,14 @@ final class Pacer {
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Returns whether no action but an urgent one is to be written until an answer comes, or some time has passed. */
-    boolean holdsActions(long now) {
-        return paced && isSilent && hasAnswered && heldUntil - now > 0;
-    }
-
-    /** Nanoseconds until {@link #holdsActions} ends if no answer comes. */
+    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: all actions may. */
     long nanosHeld(long now) {
-        return Math.max(0, heldUntil - now);
+        return paced ? silence.nanosHeld(now) : 0;
     }
 
     /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
     boolean isSlow() {
-        return hasAnswered && !isSilent && lateAnswers >= MANY_LATE;
+        return silence.isAnswering() && lateAnswers >= MANY_LATE;
     }
 
     /**
@@ -141,7 +130,7 @@ final class Pacer {
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
-            loop.forget(); // it may have grown
+            loop.forget(); // the loop may take longer now
         }
         loop.asked();
         answerBegun = false;
@@ -150,7 +139,7 @@ final class Pacer {
         bytesMeanwhile = 0;
         awaitingAnswer = true;
         busyUntil = requestEnd + TimeUnit.MILLISECONDS.toNanos(MAX_ANSWER_DELAY_MILLIS);
-        hold(requestEnd);
+        silence.asked(requestEnd);
         return requestEnd;
     }
 
@@ -162,7 +151,7 @@ final class Pacer {
     long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
-            boolean buffered = now - start < duration; // it may have reached the driver as late as now
+            boolean buffered = now - start < duration; // the frame may have reached the line as late as now
             lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
         } else {
             lineFreeAt = now;
@@ -187,13 +176,8 @@ final class Pacer {
 
     /** Records that the last request has not been answered in its time, which is over at {@code now}. */
     void unanswered(long now) {
-        isSilent = true;
         lateAnswers += answerBegun ? 0 : 1;
-        hold(now);
-    }
-
-    private void hold(long from) {
-        heldUntil = from + TimeUnit.MILLISECONDS.toNanos(HOLD_MILLIS);
+        silence.unanswered(now);
     }
 
     private long maxGapNanos() {
@@ -202,15 +186,14 @@ final class Pacer {
 
     /** Records that a message is complete: the answer, if one is awaited. */
     void answered(long now) {
-        isSilent = false;
-        hasAnswered |= awaitingAnswer;
+        silence.heard(awaitingAnswer);
         if (!awaitingAnswer) {
             return;
         }
         awaitingAnswer = false;
         busyUntil = now;
         if (!actionSinceRequest) {
-            lineFreeAt = now; // all has left, if the line is faster than its rate, as a pseudo-terminal is
+            lineFreeAt = now; // all bytes have left, if the line is faster than its rate, as a pseudo-terminal is
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);

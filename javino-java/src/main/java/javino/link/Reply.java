@@ -5,7 +5,7 @@ import javino.Protocol;
 /**
  * A message from a board.
  *
- * @param text one character a byte (ISO-8859-1)
+ * @param text the reply's text, one character a byte (ISO-8859-1)
  * @param version the version of the protocol in which it came
  * @param receivedNanos time at which its last byte was read, by the link's clock
  */

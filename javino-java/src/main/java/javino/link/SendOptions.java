@@ -23,7 +23,7 @@ public record SendOptions(boolean urgent, int limitMillis, boolean latest) {
         this(urgent, limitMillis, false);
     }
 
-    /** Not urgent, without a time limit, replaces none. */
+    /** Options of a command that is not urgent, has no time limit and replaces no other. */
     public static SendOptions defaults() {
         return new SendOptions(false, 0, false);
     }

@@ -36,7 +36,7 @@ import javino.wire.WireFrame;
  */
 final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private static final System.Logger LOG = System.getLogger(SessionLine.class.getName());
-    /** The longest single read while a frame is being written, behind which another may be due. */
+    /** The longest single read while a frame is being written. Behind that frame, another may be due. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
@@ -57,7 +57,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private final BoardStart start;
     private final Protocol wanted;
     private final int answerLimit;
-    private final Queue<Runnable> reports = new ConcurrentLinkedQueue<>(); // to be passed on when the lock is free
+    private final Queue<Runnable> reports = new ConcurrentLinkedQueue<>(); // passed on when the lock is free
     private final Deque<Reply> heard = new ArrayDeque<>(); // percepts that came unasked
     private volatile Protocol protocol;
     private volatile BoardListener listener; // null: nobody is called
@@ -67,7 +67,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private int rules; // number of rules that the board can hold, in this session
     private Reply answer;
     private boolean hasDropped; // an answer was dropped, and none has come since
-    private Throwable failure; // given to commands that are out while the session is closed; null: they are unconfirmed
+    private Throwable failure; // failure of commands out while the session is closed; null: they are unconfirmed
     private boolean isAsked; // the wanted percepts have been requested, behind askedBehind bytes
     private long askedBehind;
     private int followers;
@@ -308,7 +308,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         return next;
     }
 
-    /** The bytes are those of the current session, even if another begins before they are written. */
+    /** Returns bytes of the current session, even if another session begins before they are written. */
     private Outgoing nextOfSession(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
@@ -392,11 +392,11 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         try {
             writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // the line may be gone; if not, the frame is repeated
+            inbox.look(); // finds whether the line is gone; if not, the frame is repeated
         }
     }
 
-    /** Writes a command of version 1. Those behind it go on, whatever a transport throws. */
+    /** Writes a command of version 1. The commands behind it go on, whatever a transport throws. */
     private void writeCommand(Outgoing next, int millis) throws PortGoneException {
         Throwable failure;
         try {
@@ -441,7 +441,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
 
     /** Asks for percepts in version 2; null: no answer came by {@code deadline}, or the board speaks version 2 no more. */
     Reply request(String functors, long deadline) throws PortException {
-        inbox.look(); // messages that have come are no answer to this
+        inbox.look(); // messages that came before the question are no answer to it
         monitor.change(() -> {
             answer = null;
             isAsked = false;
@@ -487,7 +487,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     @Override
     public void received(WireFrame frame, long now) {
         session.received(frame, now);
-        if (otherRevision == NONE) { // or no command would ever be given up
+        if (otherRevision == NONE) { // else no command would ever be given up
             heardNanos = now;
         }
         if (session.isSettled()) {

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
  * Bytes that a line brought since the last message and that are no message, for a person who looks for the reason of a silence.
  *
  * @param count number of the bytes
- * @param first the first ones, at most {@link #MAX_FIRST}, a character for each byte
+ * @param first the first stray bytes, at most {@link #MAX_FIRST}, a character for each byte
  * @param baud the rate at which they were read
  */
 public record StrayBytes(long count, String first, int baud) {
@@ -40,7 +40,7 @@ public record StrayBytes(long count, String first, int baud) {
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }
 
-    /** The first ones with control characters as in Java, and others that are no ASCII as {@code \xHH}. */
+    /** The first stray bytes as text: control characters as in Java, other bytes that are no ASCII as {@code \xHH}. */
     private String shown() {
         StringBuilder text = new StringBuilder();
         for (char c : first.toCharArray()) {

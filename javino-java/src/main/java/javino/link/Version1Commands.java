@@ -14,11 +14,11 @@ final class Version1Commands {
     private final FrameWriter writer;
     private final BooleanSupplier mustAsk;
     private Command underWay;
-    private boolean isWritten; // its last byte leaves at leavesAt
+    private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    private boolean
-            isHeldBack; // only urgent commands went out when it began, so its arrival has no meaning for the others
+    // only urgent commands went out when this one began (SilentBoardHold), so its arrival says nothing of the others
+    private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board should be asked for something before
     private volatile long movedNanos;
 

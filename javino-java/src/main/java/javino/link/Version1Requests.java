@@ -71,7 +71,7 @@ final class Version1Requests {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (!inbox.isReadingVersion1()) { // it would end the session that WELCOME has begun meanwhile
+            if (!inbox.isReadingVersion1()) { // a request would end the session that WELCOME has begun meanwhile
                 return null;
             }
             inbox.sends(request);
@@ -132,10 +132,10 @@ final class Version1Requests {
             return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
-        return newest(first); // behind a frame that was cut comes the intact one
+        return newest(first); // the intact answer may come behind one that was cut
     }
 
-    /** The newest message that is there already: {@code message}, unless others have come behind it. */
+    /** Returns the newest message that is there: {@code message}, unless other messages have come behind it. */
     private Reply newest(Reply message) throws PortException {
         Reply newer = inbox.newest();
         return newer == null ? message : newer;

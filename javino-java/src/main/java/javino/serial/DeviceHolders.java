@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Finds the processes that have a device open, on systems with a {@code /proc}; only those this user may look into are found. */
+/** Finds the processes that have a device open, on systems with a {@code /proc}; finds only processes that this user may look into. */
 final class DeviceHolders {
     private DeviceHolders() {}
 

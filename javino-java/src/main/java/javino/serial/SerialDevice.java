@@ -10,7 +10,7 @@ import java.util.Locale;
  * The place of a serial device of a given name. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name
  * on Windows.
  *
- * @param name as it was given
+ * @param name the name, as it was given
  * @param path the path for the driver to open
  */
 record SerialDevice(String name, String path) {
@@ -41,7 +41,7 @@ record SerialDevice(String name, String path) {
     }
 
     boolean exists() {
-        return !hasNode() || new File(path).exists(); // without one only the driver knows
+        return !hasNode() || new File(path).exists(); // without a device file, only the driver knows
     }
 
     /** Returns whether the device shows in the file system, as it does everywhere but on Windows. */

@@ -91,7 +91,7 @@ final class SerialPortErrors {
             return path + " is for the group " + group + ": run \"sudo usermod -aG " + group
                     + " $USER\", then log out and in again";
         }
-        return path + " is for its owner alone: run \"sudo chmod a+rw " + path + "\"";
+        return path + " may be opened only by its owner: run \"sudo chmod a+rw " + path + "\"";
     }
 
     /** The exception for a machine on which jSerialComm's native library cannot be loaded. */

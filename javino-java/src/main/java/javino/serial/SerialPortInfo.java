@@ -6,13 +6,13 @@ import java.util.OptionalInt;
 /**
  * The operating system's description of a serial device.
  *
- * @param name as it is given to {@link javino.link.Link#open}: {@code ttyACM0}, {@code COM8}
- * @param path its path in the file system; on Windows its name
- * @param product its name for itself, if it has one
- * @param manufacturer its manufacturer, if that is known
+ * @param name the port's name as {@link javino.link.Link#open} takes it: {@code ttyACM0}, {@code COM8}
+ * @param path the port's path in the file system; on Windows its name
+ * @param product the device's name for itself, if it has one
+ * @param manufacturer the device's manufacturer, if known
  * @param vendorId the USB vendor's number, if it is a USB device
  * @param productId the vendor's number of the product, if it is a USB device
- * @param serialNumber its serial number, if it has one
+ * @param serialNumber the device's serial number, if it has one
  */
 public record SerialPortInfo(
         String name,

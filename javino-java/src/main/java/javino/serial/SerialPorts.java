@@ -12,7 +12,7 @@ import javino.PortFaultException;
 
 /** Finds out about serial devices without opening them, which would reset most boards. Safe on any thread. */
 public final class SerialPorts {
-    private static final String UNKNOWN = "Unknown"; // jSerialComm's word
+    private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a text that it does not know
 
     private SerialPorts() {}
 

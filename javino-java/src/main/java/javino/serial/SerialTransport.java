@@ -89,7 +89,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
-        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // so that a wait of one slice is one
+        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // a bit less, so that a wait of one slice counts as one
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();

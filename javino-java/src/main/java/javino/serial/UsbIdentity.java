@@ -15,7 +15,7 @@ record UsbIdentity(int vendor, int product, String serialNumber) {
     private static final int HEX = 16;
 
     /**
-     * @param port as it was given, for messages
+     * @param port the port's name as it was given, for messages
      * @param address the part behind the scheme
      */
     static UsbIdentity of(String port, String address) throws NoSuchPortException {

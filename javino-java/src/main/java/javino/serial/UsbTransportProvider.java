@@ -13,7 +13,7 @@ import javino.Transports;
 /** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, whatever its name is now. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
-    /** macOS has each device twice, and the one that calls out is the one to open. */
+    /** On macOS each device has two names; this one begins the name for calls in. The name for calls out is the one to open. */
     private static final String MAC_CALL_IN = "tty.";
 
     private static final String MAC_CALL_OUT = "cu.";
@@ -52,14 +52,14 @@ public class UsbTransportProvider implements TransportProvider {
         try {
             return Transports.SERIAL + ':' + device(address).canonicalAddress();
         } catch (NoSuchPortException e) {
-            return port(address); // it is no device's name now
+            return port(address); // the address names no device now
         }
     }
 
     @Override
     public boolean isPresent(String address) {
         try {
-            return !fitting(address).isEmpty(); // of several, opening says so
+            return !fitting(address).isEmpty(); // if several fit, opening fails with their list
         } catch (NoSuchPortException e) {
             return false;
         }
@@ -111,7 +111,7 @@ public class UsbTransportProvider implements TransportProvider {
                 .collect(Collectors.joining(", "));
     }
 
-    /** Without the second names that macOS has for the same devices. */
+    /** Returns {@code ports} without the second names that macOS has for the same devices. */
     static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
         List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
         return ports.stream()

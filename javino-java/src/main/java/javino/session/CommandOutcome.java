@@ -8,8 +8,8 @@ public enum CommandOutcome {
     REFUSED,
     /** The board has begun it, and has reported later that it could not carry it out. */
     FAILED,
-    /** It may or may not have been carried out. */
+    /** The command may or may not have been carried out. */
     UNCONFIRMED,
-    /** It is longer than the board takes, and was not sent. */
+    /** The command is longer than the board takes, and was not sent. */
     TOO_LONG
 }

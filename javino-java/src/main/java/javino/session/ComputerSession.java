@@ -37,7 +37,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After so many frames in a row with numbers that cannot be right, the board cannot have the current session. */
+    /** After this number of frames in a row with impossible numbers, the board cannot be in the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -58,13 +58,13 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean mustResume;
     private boolean isBusy;
-    private boolean isTimed; // since timerFrom
+    private boolean isTimed; // the retransmission timer runs since timerFrom
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
     private long heardAt; // time of the last valid frame, or since when something is awaited
     private int silentRepetitions;
-    private int impossibleNumbers; // of frames in a row
+    private int impossibleNumbers; // number of frames in a row with an impossible number
     private FrameKind writing; // the frame that next() returned last
 
     /**
@@ -154,7 +154,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.cancel();
     }
 
-    /** Takes a frame that has come; WELCOME or one of this session. */
+    /** Takes a frame that has come: WELCOME, or a frame of this session. */
     public void received(WireFrame frame, long now) {
         if (frame.kind() == FrameKind.WELCOME) {
             Welcome said = Welcome.read(frame.payload());
@@ -180,8 +180,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. One that does not answer the last HELLO shows at least that the board speaks version 2. If
-     * commands of its session have begun already, another computer has begun that session with the same nonce.
+     * Takes a WELCOME while there is no session. A WELCOME that does not answer the last HELLO still shows that the board speaks version 2.
+     * A WELCOME of a session in which commands have begun already shows that another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -358,7 +358,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame request(long now) {
         if (requests.bytes() > 0) {
-            silentRepetitions++; // there is no answer to the one before
+            silentRepetitions++; // the request before this one has no answer
         } else if (window.size() == 0) {
             heardAt = now; // nothing has been awaited
         }
@@ -373,7 +373,7 @@ public final class ComputerSession<C extends SessionCommand> {
             timeout.timedOut();
             silentRepetitions++;
             window.repeat();
-            isTimed = false; // until it has gone out
+            isTimed = false; // the timer begins again when the repetition has gone out
         }
     }
 
@@ -438,21 +438,21 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
-    /** Bytes of the longest text that the board takes of a command, or of one that changes its rules. */
+    /** Bytes of the longest text that the board takes for a command, or for a command that changes its rules. */
     public int longestText(boolean isRule) {
         int payload = welcome.longestPayload();
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
     }
 
     private final class Row {
-        private final boolean isFirst; // it is the first that is out, so it may be longer than the credit
+        private final boolean isFirst; // no other row is out, so this one may be longer than the credit
         private String payload = "";
 
         Row(boolean isFirst) {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if it fits into the frame, and the frame into the credit beside those that are out; returns whether it did. */
+        /** Adds an item if the frame has room for it, and the credit for the frame beside those that are out. Returns whether it did. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
@@ -519,7 +519,7 @@ public final class ComputerSession<C extends SessionCommand> {
         long untilRepetition = isTimed ? Math.max(0, timerFrom + timeoutNanos() - now) : Long.MAX_VALUE;
         long untilRequest = requests.nanosUntilDue(now);
         if (untilRequest == 0 && !requestIsDue(now)) {
-            untilRequest = Long.MAX_VALUE; // it waits for an acknowledgement
+            untilRequest = Long.MAX_VALUE; // the request waits for an acknowledgement
         }
         return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
     }

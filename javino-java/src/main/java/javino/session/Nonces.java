@@ -6,12 +6,12 @@ import java.util.random.RandomGenerator;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions: those whose HELLO needs no escape and holds no {@code f}, with which frames of version 1 begin. */
+/** Chooses the nonces of sessions. Their HELLO needs no escape and holds no {@code f}, since frames of version 1 begin with it. */
 final class Nonces {
     private static final List<Integer> USABLE = usable();
 
     private final RandomGenerator random;
-    private int last = -1; // its place among the usable ones; -1: there was none
+    private int last = -1; // place of the last nonce among the usable ones; -1: there was none
 
     Nonces(RandomGenerator random) {
         this.random = random;

@@ -31,7 +31,7 @@ final class Requests {
     private long asked; // requests in this session
     private long answered; // requests up to the last that was asked when an answer came
     private String wanted; // functors; null: nothing is asked
-    private boolean isOut; // a request for it is out
+    private boolean isOut; // a request for the wanted functors is out
     private boolean isDamaged;
     private int repetitions;
     private int doublings;
@@ -39,7 +39,7 @@ final class Requests {
     private long leftAt;
     private long smoothedNanos; // 0: none has been timed
     private long lastByteAt;
-    private int bytes; // of the newest request, while it is not answered
+    private int bytes; // length of the newest request, while it is not answered
 
     Requests(long byteNanos) {
         quietNanos = Math.max(QUIET_NANOS, QUIET_BYTES * byteNanos);
@@ -137,7 +137,7 @@ final class Requests {
             return;
         }
         long behind = Math.floorMod((asked - 1) % NUMBERS + 1 - answer.request(), (long) NUMBERS);
-        if (behind < asked - answered) { // none from this request on has been answered
+        if (behind < asked - answered) { // neither this request nor a later one has been answered
             answered(asked - behind, text, now, listener);
         }
     }

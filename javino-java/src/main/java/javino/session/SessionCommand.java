@@ -4,10 +4,10 @@ import javino.wire.CommandItem;
 
 /** A command as a session takes it to the board. */
 public interface SessionCommand {
-    /** Its text, a character a byte; for a command that changes rules, its description for a person. */
+    /** The command's text, a character a byte; for a command that changes rules, a description for a person. */
     String text();
 
-    /** Its change of the board's rules; null: none, the text is for the board's program. */
+    /** The command's change of the board's rules; null: none, the text is for the board's program. */
     default CommandItem.Rule rule() {
         return null;
     }

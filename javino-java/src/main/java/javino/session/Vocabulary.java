@@ -12,14 +12,14 @@ import javino.wire.FrameKind;
 import javino.wire.VocabularyPage;
 import javino.wire.WireFrame;
 
-/** Asks the board for its actions, page by page, and knows the numbers of those without arguments. */
+/** Asks the board for its actions, page by page, and knows the numbers of the actions without arguments. */
 final class Vocabulary {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     private static final int MAX_DOUBLINGS = 6;
     private static final int REQUESTS = 255;
 
     private final List<BoardAction> actions = new ArrayList<>();
-    private final Map<String, Integer> numbers = new HashMap<>(); // of those without arguments
+    private final Map<String, Integer> numbers = new HashMap<>(); // numbers of the actions without arguments, by name
     private int request;
     private int doublings;
     private boolean isWanted;
@@ -48,7 +48,7 @@ final class Vocabulary {
         return complete;
     }
 
-    /** The form in which a command goes out: as a rule, by number or as text; an empty text goes out as no command. */
+    /** Returns the form in which a command goes out: a rule, a number or a text. An empty text goes out as no command. */
     CommandItem itemOf(SessionCommand command) {
         if (command.rule() != null) {
             return command.rule();
@@ -65,7 +65,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page was asked for that may come soon; one that has stayed out comes while the line is read for another reason. */
+    /** Returns whether a page may come soon. A page that has stayed out comes while the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }

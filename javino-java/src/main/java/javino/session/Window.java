@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way; it ends in front of the command at place {@code end} of those that are out. */
+    /** A frame on its way. It ends in front of the command at place {@code end} among the commands that are out. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();

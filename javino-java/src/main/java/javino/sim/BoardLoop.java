@@ -37,26 +37,25 @@ public final class BoardLoop {
     private final BoardProgram program;
     private final LineClock clock;
     private final Lock writing; // a test sends on its own thread
-    private final Condition never; // of the same lock
+    private final Condition never; // a condition of the lock writing
     private final BoardReceiver receiver;
     private final BoardSession session;
     private final Deque<BoardReceiver.Found> arrived = new ArrayDeque<>();
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
-    private volatile int version = 1; // of the message handled last
-    private long
-            silentNanos; // in all: the receiver's clock, since bytes that waited in a buffer or for this thread are not
-    // late
-    private long listenedNanos; // since the last byte
+    private volatile int version = 1; // version of the message handled last
+    // total silence: the receiver's clock, by which bytes that waited in a buffer or for this thread are not late
+    private long silentNanos;
+    private long listenedNanos; // silence since the last byte
     private long lookedNanos;
     private boolean isLooking;
     private boolean hasToldLeftOut;
-    private boolean isHandlingCommands; // of which others may follow
+    private boolean isHandlingCommands; // further commands may follow
     private boolean isAnswering;
     private int requestBytes;
     private int answerBytes;
-    private long read; // bytes
-    private volatile long handled; // bytes, all messages of which have been handled
+    private long read; // number of bytes read
+    private volatile long handled; // number of bytes whose messages have all been handled
     private volatile int silences;
 
     /** A loop that reads both versions and watches no rules. */
@@ -129,7 +128,7 @@ public final class BoardLoop {
         try {
             count = line.read(buffer, 0, buffer.length, waits ? patience(timeoutMillis) : 0);
         } catch (PortGoneException e) {
-            if (waits) { // else what arrived before comes first
+            if (waits) { // else the messages that arrived before come first
                 throw e;
             }
         }
@@ -198,7 +197,7 @@ public final class BoardLoop {
                 || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
             return;
         }
-        isLooking = true; // frames that it sends are no reason to look again
+        isLooking = true; // frames sent by this look are no reason to look again
         try {
             String percepts = program.sensors();
             session.look(percepts == null ? "" : percepts);

@@ -12,19 +12,19 @@ import javino.wire.BoardAction;
 public interface BoardProgram {
     /** The outcome of a command. */
     enum Outcome {
-        /** It was carried out. */
+        /** The command was carried out. */
         DONE,
 
-        /** It is unknown, or has wrong arguments. */
+        /** The command is unknown, or has wrong arguments. */
         REFUSED,
 
-        /** It was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
+        /** The command was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
         LATER
     }
 
     /**
-     * The actions that it reports to computers; empty: it reports none. Those without arguments may be called by their place here. At most
-     * 126 count, of names with at most 250 bytes: a computer is told how many others there are, and sends none of them.
+     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place here. At
+     * most 126 count, of names with at most 250 bytes. A computer is told how many others there are, and sends none of the others.
      */
     default List<BoardAction> vocabulary() {
         return List.of();
@@ -36,7 +36,7 @@ public interface BoardProgram {
     /**
      * The answer to a request for percepts, each with a {@code ;} behind it.
      *
-     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for those of some functors
+     * @param request {@code getPercepts}, or {@code getPercepts(dist,light)} for the percepts of some functors
      * @return null: no answer
      */
     String percepts(String request) throws PortException, InterruptedException;

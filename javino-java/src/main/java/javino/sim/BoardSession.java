@@ -29,7 +29,7 @@ public final class BoardSession {
         /**
          * Sends a frame; may be called on several threads at a time.
          *
-         * @param nonce of the session that the frame belongs to, 0: none
+         * @param nonce the nonce of the session that the frame belongs to; 0: none
          */
         void send(WireFrame frame, int nonce) throws PortException, InterruptedException;
     }
@@ -46,7 +46,7 @@ public final class BoardSession {
         /** The largest capacity that the protocol can express, without rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
-        /** This capacity, with so many rules. */
+        /** Returns this capacity, with {@code value} rules. */
         public Capacity withRules(int value) {
             return new Capacity(credit, longestPayload, value, shapes);
         }
@@ -91,7 +91,7 @@ public final class BoardSession {
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else it has come twice
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else the same HELLO has come twice
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {

@@ -35,7 +35,7 @@ final class BoardSocket {
             Run run = new Run(line, new Thread(() -> run(line), "board " + port));
             run.thread.setDaemon(true);
             current = run;
-            if (unplugged) { // asked behind the assignment: unplug() sees this run, or this sees that it is unplugged
+            if (unplugged) { // asked behind the assignment: either unplug() sees this run, or this sees unplugged
                 throw new NoSuchPortException(
                         port, "the simulated board " + port + " was unplugged while it was opened");
             }
@@ -84,7 +84,7 @@ final class BoardSocket {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");
         }
-        run.thread.interrupt(); // it has had its time to read the bytes sent before the port was closed
+        run.thread.interrupt(); // its time to read the last bytes is over
         try {
             run.thread.join(LAST_RUN_MILLIS);
         } catch (InterruptedException e) {

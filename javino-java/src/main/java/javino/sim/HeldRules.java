@@ -27,10 +27,10 @@ final class HeldRules {
         }
     }
 
-    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL holds the rule and the outcome besides
+    private static final int MAX_PERCEPT = WireFrame.MAX_PAYLOAD - 2; // CRITICAL also holds the rule and the outcome
 
     private final int capacity;
-    private final Map<Integer, Watched> rules = new TreeMap<>(); // by their numbers
+    private final Map<Integer, Watched> rules = new TreeMap<>(); // by the rule's number
 
     HeldRules(int capacity) {
         this.capacity = capacity;

@@ -39,7 +39,7 @@ public record LineRecording(List<Entry> entries) {
         /** To the board. */
         OUT,
 
-        /** From the board, of its own accord: the percept that met a critical rule on it. */
+        /** From the board, of its own accord: the percept that met one of its critical rules. */
         CRITICAL,
 
         /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
@@ -52,8 +52,8 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param direction from the board or to it
-     * @param message its text, a character a byte
+     * @param direction the direction of the message
+     * @param message the message's text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
         /** @throws IllegalArgumentException if the time is negative, or a character of the message is above U+00FF */
@@ -125,7 +125,7 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line, but of another file no more than shows that it is no recording: it may have no end. */
+    /** Reads the first line. Reads of any other file only as much as shows that it is no recording, since that file may be endless. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);

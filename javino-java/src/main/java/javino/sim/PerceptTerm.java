@@ -7,7 +7,7 @@ import java.util.List;
  * A percept's text as a board reads it to watch a rule.
  *
  * @param functor the text in front of the arguments, with a {@code ~} if it is negated
- * @param arguments their texts without the blanks around them
+ * @param arguments the texts of the arguments, without the blanks around them
  */
 record PerceptTerm(String functor, List<String> arguments) {
     PerceptTerm {
@@ -23,7 +23,7 @@ record PerceptTerm(String functor, List<String> arguments) {
         return new PerceptTerm(withoutBlanks(text.substring(0, end)), hasArguments ? arguments(text, end) : List.of());
     }
 
-    /** Without blanks around it; a control character is none. */
+    /** Returns {@code text} without blanks around it. A control character is no blank. */
     private static String withoutBlanks(String text) {
         int from = 0;
         int end = text.length();

@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // an empty directory for temporary files: nothing anybody misses
+            directory.toFile().deleteOnExit(); // an empty directory for temporary files, which nobody misses
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -24,7 +24,7 @@ public final class RecordingWriter implements AutoCloseable {
         line(LineRecording.HEADER);
     }
 
-    /** Adds a message at {@code nowNanos}; one that is earlier than the last counts as of the same time. */
+    /** Adds a message at {@code nowNanos}; a message earlier than the last gets the last one's time. */
     public synchronized void add(long nowNanos, LineRecording.Direction direction, String message) throws IOException {
         latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
         line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));

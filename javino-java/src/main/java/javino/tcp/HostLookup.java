@@ -34,7 +34,7 @@ final class HostLookup {
         } catch (ExecutionException e) {
             throw new UnknownHostException("there is no host " + host + " in this network, or its name is misspelt");
         } catch (TimeoutException e) {
-            throw new UnknownHostException("where the host " + host + " is was not found out within "
+            throw new UnknownHostException("the address of host " + host + " was not found within "
                     + TimeUnit.NANOSECONDS.toMillis(limitNanos) + " ms; does the network work?");
         }
     }
@@ -44,7 +44,7 @@ final class HostLookup {
             try {
                 return resolver.call();
             } finally {
-                UNDER_WAY.remove(host); // the next one asks anew
+                UNDER_WAY.remove(host); // the next caller looks the host up anew
             }
         });
     }

@@ -94,17 +94,17 @@ final class PinnedBoard extends X509ExtendedTrustManager {
 
     @Override
     public void checkClientTrusted(X509Certificate[] chain, String type, Socket socket) {
-        throw new UnsupportedOperationException("for the end that connects alone");
+        throw new UnsupportedOperationException("only for the end that connects");
     }
 
     @Override
     public void checkClientTrusted(X509Certificate[] chain, String type, SSLEngine engine) {
-        throw new UnsupportedOperationException("for the end that connects alone");
+        throw new UnsupportedOperationException("only for the end that connects");
     }
 
     @Override
     public void checkClientTrusted(X509Certificate[] chain, String type) {
-        throw new UnsupportedOperationException("for the end that connects alone");
+        throw new UnsupportedOperationException("only for the end that connects");
     }
 
     @Override

@@ -8,7 +8,7 @@ import javino.NoSuchPortException;
 /**
  * The address of a board or a serial server: {@code //robot.local:4000}, with an IPv6 address in brackets, {@code //[fe80::1]:4000}.
  *
- * @param host its name or address, without brackets
+ * @param host the host's name or address, without brackets
  * @param number the number of its TCP port, 1 to 65535
  */
 record TcpAddress(String host, int number) {
@@ -18,7 +18,7 @@ record TcpAddress(String host, int number) {
             Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
     /**
-     * @param port as it was given, for messages
+     * @param port the port's name as it was given, for messages
      * @param address the part behind the scheme; the two slashes may be missing
      */
     static TcpAddress of(String port, String address) throws NoSuchPortException {
@@ -50,7 +50,7 @@ record TcpAddress(String host, int number) {
                         + scheme + "://192.168.1.20:4000)");
     }
 
-    /** The same for all spellings of one place; the host is not looked up. */
+    /** A text that is the same for all spellings of one place. Does not look the host up. */
     String canonical() {
         return "//" + this;
     }

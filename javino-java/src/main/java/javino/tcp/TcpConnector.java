@@ -34,7 +34,7 @@ final class TcpConnector {
     private TcpConnector() {}
 
     /**
-     * @param port as it was given, for messages
+     * @param port the port's name as it was given, for messages
      * @throws NoSuchPortException if there is no such host, or nothing answers there
      * @throws PortInterruptedException if the thread is interrupted
      * @throws PortFaultException if the system refuses for another reason

@@ -24,7 +24,7 @@ class TcpTransport extends DriverTransport {
         this(socket, socket.getInputStream(), name, line);
     }
 
-    /** The same, with the socket's input where that is read in another way. */
+    /** As the other constructor, but reads from {@code in} in place of the socket's own input. */
     TcpTransport(Socket socket, InputStream in, String name, LineSettings line) {
         super(name, line);
         this.socket = socket;
@@ -79,7 +79,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     protected String lossWhenRefused() {
-        return "the connection broke"; // known better by then
+        return "the connection broke"; // only a default: a better reason is known by then
     }
 
     String broken(IOException e) {

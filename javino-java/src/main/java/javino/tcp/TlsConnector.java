@@ -44,8 +44,8 @@ final class TlsConnector {
     }
 
     /**
-     * @param port as it was given, for messages
-     * @param folder with the certificates; that of a board not known before is added
+     * @param port the port's name as it was given, for messages
+     * @param folder the folder with the certificates; the certificate of a new board is added
      * @param limitMillis milliseconds that each answer of the board takes at most while TLS is begun
      * @throws PortException of the kind that says why there is no connection, or why the other end is not trusted
      */
@@ -107,7 +107,7 @@ final class TlsConnector {
             }
             in.unread(first);
         } catch (SocketTimeoutException e) {
-            // it has nothing against the certificate, or the lack of one
+            // the board has nothing against the certificate, or the lack of one
         } catch (SSLException e) {
             throw refusal(e);
         }

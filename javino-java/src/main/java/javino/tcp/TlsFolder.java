@@ -67,7 +67,7 @@ record TlsFolder(Path path) {
         return path.resolve("computer.crt");
     }
 
-    /** The computer's identity: its certificate, with those of its issuers behind it, and the key. */
+    /** The computer's identity: its certificate, followed by its issuers' certificates, and the key. */
     record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**

@@ -51,8 +51,7 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // also if there was no time for it: what was written before is to
-                // arrive
+                drain(plain, plain.getInputStream()); // even without time for a farewell: earlier bytes are to arrive
             }
         } catch (IOException e) {
             noteHaste(e);

@@ -13,7 +13,7 @@ public record AnswerPart(FrameKind kind, String payload) {
     /** Parts that an answer has at most. */
     public static final int MAX_PARTS = 255;
 
-    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // behind the numbers of request and part
+    private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // less the numbers of request and part
 
     /** The frames of an answer, as few as possible; see {@link #split(int, String, int)}. */
     public static List<AnswerPart> split(int request, String items) {

@@ -3,8 +3,8 @@ package javino.wire;
 /**
  * An action that a board's program has registered.
  *
- * @param name its functor
- * @param arguments how many it takes, 0 to 254; {@link #ANY}: any number
+ * @param name the action's functor
+ * @param arguments the number of arguments that it takes, 0 to 254; {@link #ANY}: any number
  */
 public record BoardAction(String name, int arguments) {
     /** Any number of arguments. */

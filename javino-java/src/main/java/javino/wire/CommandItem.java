@@ -59,7 +59,7 @@ public sealed interface CommandItem {
     /** Bytes of the longest command. */
     int MAX_TEXT = WireFrame.MAX_PAYLOAD - 2;
 
-    /** Its bytes. */
+    /** The item's bytes on the line, a character a byte. */
     String payload();
 
     private static void requireLength(String text) {
@@ -98,6 +98,6 @@ public sealed interface CommandItem {
     char NOTHING = 0xFE;
     /** The byte in front of the length of a rule. */
     char RULE = 0xFF;
-    /** The byte in front of any length of a text, always of one of 80 and more. */
+    /** The byte in front of the length of a text. A text of 128 bytes or more needs it; any other may have it. */
     char LONG_TEXT = 0;
 }

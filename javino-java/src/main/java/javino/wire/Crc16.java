@@ -21,7 +21,7 @@ final class Crc16 {
         return table;
     }
 
-    /** Begins anew, for a frame of the session with this nonce; 0: one that belongs to none. */
+    /** Begins anew, for a frame of the session with this nonce; 0: the frame belongs to no session. */
     void reset(int nonce) {
         value = START ^ nonce << 8;
     }

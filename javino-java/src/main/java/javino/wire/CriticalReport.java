@@ -10,7 +10,7 @@ package javino.wire;
 public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
     private static final int HEADER = 2;
 
-    /** Its bytes. */
+    /** The report's bytes on the line, a character a byte. */
     public String payload() {
         return "" + (char) rule + (char) outcome.ordinal() + percept;
     }

@@ -10,7 +10,7 @@ public enum FrameKind {
     ASK(0x20),
     /** Requests a page of the vocabulary. */
     DESCRIBE(0x28),
-    /** Commands, the first of which has the frame's number. */
+    /** Commands. The first has the frame's number, the others the next ones. */
     COMMANDS(0x30),
     /** Like {@link #COMMANDS}; the computer has seen the refusal of the last command handled. */
     COMMANDS_WITH_RESUME(0x31),
@@ -53,7 +53,7 @@ public enum FrameKind {
         return (code & FROM_BOARD) != 0;
     }
 
-    /** Returns whether a frame has the same checksum in all sessions, since it begins one or tells of none. */
+    /** Returns whether a frame has the same checksum in all sessions, since it begins a session or says that there is none. */
     boolean isOfNoSession() {
         return this == HELLO || this == WELCOME;
     }

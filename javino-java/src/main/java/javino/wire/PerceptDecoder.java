@@ -23,7 +23,7 @@ public final class PerceptDecoder {
     /**
      * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
      *
-     * @param items those of all parts of the answer; a few of their bytes may stand for thousands
+     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands
      * @param limit bytes that the text has at most
      * @throws TooLongException if it has more; no more of it is made, and the shapes up to there are kept
      */
@@ -49,7 +49,7 @@ public final class PerceptDecoder {
         private static final long serialVersionUID = 1;
     }
 
-    /** One answer. Reading beyond its end shows that it is cut. */
+    /** Reads one answer. An attempt to read beyond the end shows that the answer is cut. */
     private final class Reading {
         private final String items;
         private final int limit;
@@ -120,7 +120,7 @@ public final class PerceptDecoder {
     /** Runs of digits, two a byte. */
     private static final class HalfBytes {
         private final String bytes;
-        private int position; // in half bytes
+        private int position; // place of the next half byte
 
         HalfBytes(String bytes, int from) {
             this.bytes = bytes;
@@ -145,7 +145,7 @@ public final class PerceptDecoder {
             return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
         }
 
-        /** Behind the digits, and a free half byte. */
+        /** The place behind the digits, and behind the half byte that is left over if there is one. */
         int end() {
             if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
                 throw new UnreadableException();

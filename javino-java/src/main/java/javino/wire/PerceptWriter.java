@@ -49,7 +49,7 @@ public final class PerceptWriter {
         return items.toString();
     }
 
-    /** The id of a shape that is sent for the first time; that of a text without an id if there is none. */
+    /** The id of a shape that is sent for the first time; if none is left, the id that marks a text without an id. */
     private int number(Shape shape, String percept) {
         if (ids.size() >= capacity || percept.length() > PerceptItems.MAX_LENGTH) {
             return PerceptItems.NO_ID;
@@ -73,7 +73,7 @@ public final class PerceptWriter {
     /** Percepts with ids that follow each other. */
     private static final class Row {
         private final StringBuilder items;
-        private final StringBuilder halfBytes = new StringBuilder(); // one a character
+        private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte
         private int first;
         private int count;
 

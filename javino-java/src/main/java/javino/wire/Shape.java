@@ -7,7 +7,7 @@ import java.util.List;
  * A percept's text without its digits: the pieces between the runs of the digits 0 to 9, one more than there are runs. The values of one
  * sensor have one shape.
  *
- * @param pieces the first in front of the first run, and each may be empty
+ * @param pieces the texts between the runs; the first stands before the first run, the last behind the last. Any of them may be empty
  */
 public record Shape(List<String> pieces) {
     /** A shape of these pieces. */
@@ -23,7 +23,7 @@ public record Shape(List<String> pieces) {
     /**
      * The shape of a text.
      *
-     * @param runs to which the text's runs of digits are added, in their order
+     * @param runs the list to which the text's runs of digits are added, in their order
      */
     public static Shape of(String text, List<String> runs) {
         List<String> pieces = new ArrayList<>();

@@ -9,7 +9,7 @@ import java.util.List;
  * @param request number of the request that it answers
  * @param first number of the first action in it
  * @param total number of actions that the board has
- * @param actions in the order of their numbers
+ * @param actions the actions, in the order of their numbers
  */
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
     private static final int HEADER = 3;
@@ -35,7 +35,7 @@ public record VocabularyPage(int request, int first, int total, List<BoardAction
         return new VocabularyPage(request, first, all.size(), fitting);
     }
 
-    /** Its bytes. */
+    /** The page's bytes on the line, a character a byte. */
     public String payload() {
         StringBuilder payload =
                 new StringBuilder().append((char) request).append((char) first).append((char) total);

@@ -7,7 +7,7 @@ package javino.wire;
  * @param credit bytes of frames that it can hold while its program is busy
  * @param longestPayload bytes of payload that it takes
  * @param rules number of critical rules that it holds at most
- * @param revision the revision of version 2 that it speaks; 0: one before {@link #REVISION}
+ * @param revision the revision of version 2 that the board speaks; 0: a revision before {@link #REVISION}
  * @param actionsLost number of actions of its program that found no room
  */
 public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {
@@ -24,7 +24,7 @@ public record Welcome(int nonce, int credit, int longestPayload, int rules, int 
         this(nonce, credit, longestPayload, rules, REVISION, 0);
     }
 
-    /** Its bytes. */
+    /** The payload's bytes on the line, a character a byte. */
     public String payload() {
         return "" + (char) nonce + (char) credit + (char) longestPayload + (char) rules + (char) revision
                 + (char) actionsLost;

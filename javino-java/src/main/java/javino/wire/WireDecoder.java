@@ -8,7 +8,7 @@ import java.util.function.IntSupplier;
  * time.
  */
 public final class WireDecoder {
-    private static final int PAYLOAD_AT = 3; // behind length, kind and number
+    private static final int PAYLOAD_AT = 3; // the payload stands behind length, kind and number
     private static final int CRC_LENGTH = 2;
 
     private final boolean fromBoard;
@@ -16,10 +16,10 @@ public final class WireDecoder {
     private final int longestPayload;
     private final IntSupplier nonce;
     private final Consumer<WireFrame> found;
-    private final StringBuilder content = new StringBuilder(); // without escapes: length, kind, number, payload
+    private final StringBuilder content = new StringBuilder(); // length, kind, number and payload, without escapes
     private boolean isInFrame;
     private boolean isEscaped;
-    private int checksum; // as received so far
+    private int checksum; // the part of the checksum that has been received
     private int checksumBytes;
     private long lastByteNanos;
     private long damaged;

@@ -18,7 +18,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /** Bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    /** The byte that begins a frame, and is in no other place of it. */
+    /** The byte that begins a frame. It stands in no other place of a frame. */
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;
@@ -52,7 +52,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /**
      * The bytes for the line, in an array of the caller's own.
      *
-     * @param nonce the session's, 0 to 255; those of HELLO and WELCOME are the same in all sessions
+     * @param nonce the session's nonce, 0 to 255; the bytes of HELLO and WELCOME are the same in all sessions
      */
     public byte[] toBytes(int nonce) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream(length() + 2);

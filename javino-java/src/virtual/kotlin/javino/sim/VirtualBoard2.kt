@@ -26,7 +26,7 @@ internal class VirtualBoard2(
     /** Requests and commands in the order in which they were handled, as `2:getPercepts`. */
     val handled = mutableListOf<String>()
 
-    /** All frames of version 2 that came. */
+    /** All frames of version 2 that the board has received. */
     val received = mutableListOf<WireFrame>()
 
     /** Is called with each entry of [handled]; keeps it there unless something else is wanted. */

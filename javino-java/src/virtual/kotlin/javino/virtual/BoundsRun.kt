@@ -43,7 +43,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
 
     init {
         repeat(3) { request() }
-        settle(link.send("stop", URGENT)) // and the vocabulary, which is asked for then
+        settle(link.send("stop", URGENT)) // also settles the vocabulary, which is asked for then
         if (course.hasRules) {
             link.onBoardEvents(Reports())
             settle(link.sendRule(RULE.setting(1), URGENT))
@@ -188,7 +188,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
             bounds.planFromReport(NEAR.length + Bounds.AROUND_REPORT, text.length + Bounds.AROUND_COMMAND),
         )
         sketch.isNear = false
-        watchUntil(now + 2 * bounds.reflex()) // until the board has seen it
+        watchUntil(now + 2 * bounds.reflex()) // in this time the board sees the change
     }
 
     private var reported: () -> Unit = {}
@@ -228,7 +228,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         var before = 0
             private set
         private var awaited: String? = null
-        private val ends = ArrayDeque<Long>() // of the last commands
+        private val ends = ArrayDeque<Long>() // the times at which the last commands ended
         private val others = List(course.percepts) { i -> "dist(${('a' + i % 26).toString().repeat(1 + i / 26)},%s);" }.joinToString("")
 
         /** Notes from now on when [command] is carried out. */

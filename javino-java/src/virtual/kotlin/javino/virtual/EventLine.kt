@@ -80,7 +80,7 @@ internal class EventLine(
     /** Lets time go on to the next event, or to [deadline]. */
     private fun step(deadline: Long) {
         val due = board.dueMillis.let { if (it.isInfinite()) Long.MAX_VALUE else (it * 1e6).toLong() + 1 }
-        val unread = back.nextAt <= now // and nobody reads at the moment
+        val unread = back.nextAt <= now // bytes are there and nobody reads them at the moment
         now = maxOf(now, minOf(deadline, there.nextAt, if (unread) deadline else back.nextAt, due))
         if (there.nextAt <= now || due <= now) board.look(boardEnd, millis)
     }

@@ -12,10 +12,10 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop of a round of the sketch's `loop()`, without the times below
- * @property action of an action
- * @property sensors to read the sensors for an answer and to code it
- * @property ruleSensors to read the sensors of the rules and to compare
+ * @property loop time of a round of the sketch's `loop()`, without the times below
+ * @property action time of an action
+ * @property sensors time to read the sensors for an answer and to code it
+ * @property ruleSensors time to read the sensors of the rules and to compare
  * @property isSteady each time is the longest; else it is drawn, up to the longest
  */
 internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Long, val ruleSensors: Long, val isSteady: Boolean)
@@ -44,12 +44,12 @@ internal class LoopBoard(
     private val parts = ArrayDeque<ByteArray>()
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
-    private var now = 0L // the program's, ahead of the line's while it works
-    private var spent = 0L // time spent since now
+    private var now = 0L // the program's time, ahead of the line's while the program works
+    private var spent = 0L // time that the program has spent since now
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
-    private var messages = 0 // of this call
-    private var isCalled = false // and has not returned
+    private var messages = 0 // number of messages handled in this call
+    private var isCalled = false // a call has begun and has not returned
 
     private val isRunning get() = arrived.isNotEmpty() || parts.isNotEmpty() || isCalled || session.hasRules()
 
@@ -83,7 +83,7 @@ internal class LoopBoard(
             spent += draw(times.ruleSensors)
             session.look(percepts)
             isCalled = true
-            now += spent // and takes what has arrived meanwhile
+            now += spent // then the program takes what has arrived meanwhile
             return
         }
         if (parts.isNotEmpty() && lineFreeAt <= now + spent) post(parts.removeFirst())

@@ -8,9 +8,9 @@ import kotlin.math.pow
  * Faults of a line, byte by byte and each by chance.
  *
  * @param bitErrors the probability that a bit is turned over
- * @param lost that a byte does not arrive
- * @param doubled that a byte arrives twice
- * @param late that a byte and what follows it arrive up to [latestNanos] later
+ * @param lost probability that a byte does not arrive
+ * @param doubled probability that a byte arrives twice
+ * @param late probability that a byte, with all that follows it, arrives up to [latestNanos] later
  */
 internal class RandomFaults(
     private val bitErrors: Double = 0.0,

@@ -29,7 +29,7 @@ class FieldBoard(
     private val startMs: Int = 100,
 ) {
     private var message: String? = null
-    private var bytesBehind = 0 // read behind the message
+    private var bytesBehind = 0 // number of bytes read behind the message
 
     /** The number of restarts because frames followed each other too closely. */
     @Volatile
@@ -80,7 +80,7 @@ class FieldBoard(
     }
 
     private companion object {
-        /** Up to so many bytes of the next frame, an emptied message still counts as one. */
+        /** The board restarts if at most this many bytes of the next frame are read behind a message; with more, it loses the message. */
         const val CLEARING = 4
         const val WRITE_LIMIT_MS = 30_000
     }

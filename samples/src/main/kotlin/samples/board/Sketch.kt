@@ -4,7 +4,7 @@ import javino.Frame
 
 /** The behaviour of a simulated board's firmware: percepts and actions. Only the board's thread calls it. */
 interface Sketch {
-    /** Its actions, all without arguments; empty: it does not describe them. */
+    /** The board's actions, all without arguments; empty: the board does not describe them. */
     val actions: List<String> get() = emptyList()
 
     /** Returns the percepts now, as the board sends them: each followed by `;`, of at most 255 bytes. */

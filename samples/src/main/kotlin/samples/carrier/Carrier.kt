@@ -8,7 +8,7 @@ import kotlin.time.DurationUnit
  * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
  * thread.
  *
- * @param clock its time
+ * @param clock the robot's time
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
@@ -20,7 +20,7 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val direction: Direction get() = moving
 
-    /** Its distance from its start, in cm, at least 0. */
+    /** The robot's distance from its start, in cm, at least 0. */
     @get:Synchronized
     val way: Double
         get() = (wayBefore + moving.sign * SPEED_CM_S * (clock.nanos() - since).nanoseconds.toDouble(DurationUnit.SECONDS))
@@ -82,10 +82,10 @@ internal class Carrier(private val clock: LineClock) {
         /** The reach of its hand, in cm. */
         const val REACH_CM = 12.0
 
-        /** The reading of its sensor if nothing is before it, in cm. */
+        /** The sensor's reading if nothing is before the robot, in cm. */
         const val FAR_CM = 200.0
 
-        /** Its speed, in cm/s. */
+        /** The robot's speed, in cm/s. */
         const val SPEED_CM_S = 20.0
     }
 }

@@ -51,7 +51,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private fun isEntered(): Boolean = try {
         keyboard.available() > 0 && keyboard.read() >= 0
     } catch (_: IOException) {
-        false // there is no keyboard
+        false // thrown if there is no keyboard
     }
 
     private companion object {

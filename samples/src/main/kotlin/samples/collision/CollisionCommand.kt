@@ -109,7 +109,7 @@ internal class CollisionCommand : Callable<Int> {
         return verdict.exitStatus
     }
 
-    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's closes the ports while others run. */
+    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's hook closes the ports while other hooks run. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {
@@ -143,7 +143,7 @@ internal class CollisionCommand : Callable<Int> {
     }
 
     private companion object {
-        const val INTERRUPTED = 130 // as shells report Ctrl-C
+        const val INTERRUPTED = 130 // the exit status with which shells report Ctrl-C
         const val MAX_PORT = 65_535
         const val WAIT_S = 60
         const val MAX_WAIT_S = 3600

@@ -39,7 +39,7 @@ internal class CollisionRun(
 ) {
     private val witness = Witness()
     private val mas = MasRun(project())
-    private var boards: List<RobotBoard> = emptyList() // that are plugged in
+    private var boards: List<RobotBoard> = emptyList() // the boards that are plugged in
 
     private fun project() = SampleProject("collision").apply {
         believe(

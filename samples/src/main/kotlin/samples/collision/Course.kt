@@ -57,16 +57,16 @@ class Course private constructor(private val speed: Double, private val legs: Li
 
     /** The state of the robot. */
     enum class State {
-        /** It has not driven yet. */
+        /** The robot has not driven yet. */
         STANDING,
 
-        /** It drives towards the wall. */
+        /** The robot drives towards the wall. */
         DRIVING,
 
-        /** It has driven and stands in front of the wall. */
+        /** The robot has driven and stands in front of the wall. */
         STOPPED,
 
-        /** It has run into the wall. */
+        /** The robot has run into the wall. */
         COLLIDED,
     }
 
@@ -74,7 +74,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** The distance from the wall at which the robot of the experiment starts, in cm. */
         const val START_CM = 200.0
 
-        /** Its speed, in cm/s. */
+        /** The speed of the robot of the experiment, in cm/s. */
         const val SPEED_CM_S = 10.0
 
         /** Returns the course of a robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */

@@ -9,8 +9,8 @@ import kotlin.random.Random
  * A 4WD robot in front of a wall: it drives with `front`, halts with `stop`, and has two lamps that `ledLightOn`,
  * `ledLightOff`, `ledTempOn` and `ledTempOff` switch.
  *
- * @param clock its time
- * @param sensors its sensors
+ * @param clock the robot's time
+ * @param sensors the robot's sensors
  * @param noticed receives each change of the robot's state when the board notices it, at the next message
  */
 class Robot(
@@ -24,7 +24,7 @@ class Robot(
         clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
     ) : this(clock, Sensors(random), noticed)
 
-    /** Its course by the commands so far; any thread may ask. */
+    /** The robot's course by the commands so far; any thread may ask. */
     val course: Course get() = way.get()
 
     /** The lamps that are on, of `light` and `temp`; any thread may ask. */
@@ -53,7 +53,7 @@ class Robot(
         notice(now)
     }
 
-    @Synchronized // its sensors may be on a board of their own
+    @Synchronized // the sensors may be on a board of their own, with a thread of its own
     private fun notice(now: Long) {
         val state = course.stateAt(now)
         if (state == lastNoticed) return

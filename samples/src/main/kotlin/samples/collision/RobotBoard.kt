@@ -23,7 +23,7 @@ class RobotBoard internal constructor(private val name: String, private val sket
         /** The board's name after `sim:`. */
         const val NAME = "robot"
 
-        /** The name of the board with the sensors, if they have one of their own. */
+        /** The name of the board with the sensors, if they have a board of their own. */
         const val SENSORS = "robot-sensors"
 
         /** Returns the boards of [robot]: one, or two, the first with wheels and lamps and the second with the sensors. */

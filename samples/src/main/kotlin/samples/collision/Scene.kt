@@ -7,7 +7,7 @@ internal interface Scene {
     /** Returns the run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
 
-    /** Returns the same as a picture. Any thread may call it. */
+    /** Returns the run as a picture. Any thread may call this. */
     fun picture(): TrackPicture
 
     /** Returns the result, or null while the run lasts. */

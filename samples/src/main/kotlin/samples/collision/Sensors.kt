@@ -48,7 +48,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         /** The largest excess of a distance reading over the true distance, rounded up, in cm. */
         const val DISTANCE_NOISE = 1
 
-        /** The length of the room between the wall in front and the one behind, with the robot's own taken off, in cm. */
+        /** The length of the room, in cm, from the wall in front to the wall behind, less the robot's own length. */
         const val ROOM_CM = 400.0
 
         private const val AISLE_CM = 80.0

@@ -12,10 +12,10 @@ import kotlin.math.roundToInt
  * @property doing the robot's state, such as `driving`
  */
 internal data class TrackPicture(val distance: Double?, val limit: Int, val range: Double, val doing: String) {
-    /** Draws the same for the live view, under [caption]; null: the distance and the robot's state. */
+    /** Draws the track for the live view, under [caption]; null: the distance and the robot's state. */
     fun drawn(caption: String?) = Picture(svg(), caption ?: "${distance?.let { "${cm(it)} cm" } ?: "no distance yet"} – $doing")
 
-    /** Draws the same in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
+    /** Draws the track in [CELLS] characters for a terminal: the robot `o=o>`, the limit `:` and the wall `|`. */
     fun line(): String {
         val floor = CharArray(CELLS) { '_' }
         floor[cell(limit.toDouble())] = ':'

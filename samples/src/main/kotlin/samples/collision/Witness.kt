@@ -47,7 +47,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
      * @property distance the front distance in cm, null if it has perceived none
      * @property status `front` while it has its robot drive, `stopped` when it has stopped it, null before
      * @property trouble the reason why it cannot go on, null if it can
-     * @property port the state of its port: `on`, `off`, `timeout`, or null when it has not asked for one
+     * @property port the state of the agent's port: `on`, `off` or `timeout`; null: the agent has not asked for a port
      */
     data class Beliefs(
         val distance: Double? = null,

@@ -8,7 +8,7 @@ import kotlin.concurrent.thread
 /**
  * A JADE container with Jason's agents, in a process of its own: `jason.infra.jade.RunJadeMAS` in the directory of the project.
  *
- * @property name its name in the `.mas2j`, behind `at`
+ * @property name the container's name in the `.mas2j`, behind `at`
  * @property port the port at which it listens
  * @param printed receives each line that it prints, from a thread of its own
  */
@@ -31,7 +31,7 @@ internal class Container private constructor(
         reader.join()
     }
 
-    /** Ends its process, at once if it does not end by itself. */
+    /** Asks the container's process to end; kills it if it does not end in time. */
     override fun close() {
         process.destroy()
         if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
@@ -45,7 +45,7 @@ internal class Container private constructor(
          * Starts a container of [project], a `.mas2j` file. It listens only on [HOST].
          *
          * @param port the port at which it listens
-         * @param mainPort the port of the main container; the same for that one
+         * @param mainPort the port of the main container, also if this is the main container
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()

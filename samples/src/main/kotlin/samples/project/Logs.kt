@@ -40,7 +40,7 @@ object Logs {
  * A file that receives the log of Jason, ARGO and the agents, and all other printed text, from its creation until
  * it is closed.
  *
- * @property path its path
+ * @property path the file's path
  */
 internal class LogFile private constructor(val path: Path) : AutoCloseable {
     private val out = System.out

@@ -20,7 +20,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
-        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // as Jason does, for all agents
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, as Jason does
     }
 
     /**

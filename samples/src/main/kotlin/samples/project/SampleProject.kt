@@ -19,7 +19,7 @@ class SampleProject(name: String) {
     /** The project, ready to run from any working directory. */
     val mas: MAS2JProject = source.openStream().use { mas2j(it).mas() }.apply {
         setupDefault()
-        if (source.protocol == "file") addSourcePath("${source.toURI().toPath().parent}") // where agents include files from
+        if (source.protocol == "file") addSourcePath("${source.toURI().toPath().parent}") // agents include files from there
         agents.forEach { it.setSource(URL(source, it.source.schemeSpecificPart).toString()) }
     }
 
@@ -32,7 +32,7 @@ class SampleProject(name: String) {
 
     /** Gives [agent] these initial beliefs in place of those in the project. */
     fun believe(agent: String, vararg beliefs: Literal) {
-        agent(agent).addOption("beliefs", "") // not as an option: that is text, and not every string survives being written and read
+        agent(agent).addOption("beliefs", "") // not as an option: an option is text, which not every string survives
         given[agent] = beliefs.asList()
     }
 

@@ -12,12 +12,12 @@ internal class Turtle(private val nanos: () -> Long) {
     private var metresPerSecond = 0.0
     private var sinceNanos = nanos()
 
-    /** Its distance from its dock, in m; it stays at the wall. */
+    /** The turtle's distance from its dock, in m. At the wall it stays. */
     @get:Synchronized
     val position: Double
         get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
 
-    /** Its distance from the wall, in m. */
+    /** The turtle's distance from the wall, in m. */
     val range: Double get() = WALL - position
 
     @get:Synchronized

@@ -20,7 +20,7 @@ import java.util.concurrent.TimeUnit
  * action `/dock` of ROS 1. It knows only the part of the protocol for these.
  */
 internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
-    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // of the sonar's subscribers
+    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // least time between messages, by subscriber to the sonar
     private val sentNanos = ConcurrentHashMap<WebSocket, Long>()
     private val goals = ConcurrentHashMap<String, WebSocket>()
     private val started = CompletableFuture<Unit>()

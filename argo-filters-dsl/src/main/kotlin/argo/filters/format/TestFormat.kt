@@ -55,7 +55,7 @@ internal object TestFormat {
         throw IllegalArgumentException(e.message + hint, e)
     }
 
-    /** A Jason list, or the same without its brackets. */
+    /** Reads the values of a Jason list, which may lack its brackets. */
     private fun values(written: String): Set<GroundTerm> {
         val list = GroundTerm.ofOrNull(written) as? GroundTerm.Sequence ?: GroundTerm.ofOrNull("[$written]") as? GroundTerm.Sequence
         requireNotNull(list) { "'$written' is not a list of values; expected [front,back] or front,back" }

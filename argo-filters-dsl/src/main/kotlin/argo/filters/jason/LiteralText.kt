@@ -31,7 +31,7 @@ fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
     depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
-    term.isVar -> term.toString() // to Jason a variable is a list, a string and a number as well
+    term.isVar -> term.toString() // asked first, since to Jason a variable is a list, a string and a number as well
     term is StringTerm -> term.string?.let { "${GroundTerm.Text(it)}" } ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"
@@ -55,5 +55,5 @@ private fun isPlain(literal: Literal) = when (literal) {
     else -> true
 }
 
-/** A variable: every condition is false for it. */
+/** A variable, for which every condition is false. */
 private const val NO_VALUE = "_"

@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // a ParseException; or a RuntimeException, for expressions that are no formulas and for large numbers
+        throw refusal(percept, e) // a ParseException; for expressions that are no formulas, and for large numbers, a RuntimeException
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

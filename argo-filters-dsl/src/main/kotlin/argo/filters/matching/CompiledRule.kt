@@ -89,7 +89,7 @@ internal class CompiledTest(private val test: TermTest) {
     private val atoms: Array<String> = values.mapNotNull(::plainAtom).toTypedArray()
     private val numbers: DoubleArray = values.filterIsInstance<GroundTerm.Number>().map(GroundTerm.Number::value).toDoubleArray()
 
-    /** Returns true if the term that [text] holds from [start], where it is not blank, to [end] meets the test. Never throws. */
+    /** Returns true if the term in [text] from [start] to [end] meets the test. The character at [start] is never a blank. Never throws. */
     fun isMetBy(text: CharSequence, start: Int, end: Int): Boolean {
         if (test is TermTest.Matches) return isMetBy(GroundTermReader(text, start, end).readWhole())
         if (text[start] in 'a'..'z') {
@@ -110,7 +110,7 @@ internal class CompiledTest(private val test: TermTest) {
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: it equals one of the values; [number]: its value, NaN if it is no number. */
+    /** Returns true if a term meets the test. [isEqual]: the term equals one of the values; [number]: its value, NaN if it is no number. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual

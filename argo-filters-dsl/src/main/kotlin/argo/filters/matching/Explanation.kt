@@ -14,7 +14,7 @@ import argo.filters.TermTest
  * @property percept the percept's text
  * @property outcome the fate of the percept
  * @property rule the rule that decided; null if the percept matches no rule
- * @property reason the same in words, as in `it matches rule 3: distance where argument 0 is not front`
+ * @property reason the reason in words, as in `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
@@ -23,7 +23,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** It is kept back for a while; the agent perceives the percept of its kind that was let through last. */
+        /** The percept is kept back for a while; the agent perceives the percept of its kind that was let through last. */
         HELD_BACK("is held back"),
     }
 

@@ -23,7 +23,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on [rules], before which [first] decide. */
+/** Returns the warnings on [rules]. The rules in [first] decide before them. */
 private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->
@@ -53,7 +53,7 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
-            // each rule remembers the percepts it let through, so one of the same rate must match just the same percepts
+            // each rule remembers the percepts it let through, so a rule of the same rate must match exactly the same percepts
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)

@@ -9,7 +9,7 @@ import java.util.Collections
  * @property received the percepts of the picture, as they came
  * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back,
  * the one of its kind that was let through last; frozen percepts follow
- * @property seen those of [kept] that are in [received] and passed: no stand-ins, no frozen ones
+ * @property seen the percepts of [kept] that are in [received] and passed: no stand-ins, no frozen percepts
  * @property critical the percepts of [received] that critical rules meet, once for each such rule
  * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: none is
  */

@@ -9,10 +9,10 @@ import argo.filters.Syntax
 /**
  * The text of a percept, cut into the parts that rules look at.
  *
- * @param functor where the functor starts
+ * @param functor the place where the functor starts
  * @param functorEnd the character after the functor
  * @param tail arity and annotations, see [TermBounds.tail]
- * @param head its namespace and negation; null: it has neither
+ * @param head the functor's namespace and negation; null: it has neither
  */
 internal class PerceptText private constructor(
     private val text: String,
@@ -33,7 +33,7 @@ internal class PerceptText private constructor(
     /** The rules of [index] that are for the percept, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], which is for it. */
+    /** Returns true if the percept meets the conditions of [rule], which is for percepts of this name and arity. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
     /** The first condition of [rule] that the percept does not meet. */

@@ -21,7 +21,7 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations, of which [open] have not ended yet. */
+    /** Continues after [last] begun operations; the operations in [open] have not ended yet. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)
@@ -57,7 +57,7 @@ internal class KeptAction(action: ActionExec, private val ended: (ActionExec) ->
 
 /** Returns the texts of the arguments of [call] that have variables, as [un] binds them, by their places. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
-    if (call.args.all { it.isGround }) return emptyMap() // as in most calls
+    if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }
 }
 

@@ -4,19 +4,19 @@ import jason.asSemantics.ArithFunction
 
 /** The relation of an internal action or function of Jason's to the world outside of its agent. */
 internal enum class Nature {
-    /** None: its result follows from the agent, and it changes nothing else. A replay carries it out again. */
+    /** No relation: the result follows from the agent, and nothing else changes. A replay carries the action out again. */
     PURE,
 
     /**
-     * Its messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay carries it
-     * out again.
+     * The action's messages, percepts and timers pass the [argo.boundary.Boundary] and the [Keeper], which a replay provides. A replay
+     * carries the action out again.
      */
     BOUNDARY,
 
-    /** Its result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded one. */
+    /** The result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded result. */
     INPUT,
 
-    /** It changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry it out. */
+    /** The action changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry the action out. */
     EFFECT,
 }
 
@@ -47,7 +47,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.skew
-        """, // from the second line on ARGO's own actions, in their other forms
+        """, // the lines from the second on are other names of ARGO's own actions
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()

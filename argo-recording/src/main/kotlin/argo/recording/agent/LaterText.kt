@@ -17,7 +17,7 @@ internal fun <T> laterText(terms: List<Term?>, mayChange: Boolean = false, text:
     if (mayChange || terms.any(::changes)) text().let { { it } } else text
 
 private fun changes(term: Term?): Boolean = when (term) {
-    is VarTerm -> false // it passes for a term of any kind
+    is VarTerm -> false // asked first, since a variable passes for a term of any kind
     is ObjectTerm, is MapTerm, is SetTerm -> true
     is PlanBody -> changes(term.bodyTerm) || changes(term.bodyNext)
     is ListTerm -> term.asList.any(::changes)

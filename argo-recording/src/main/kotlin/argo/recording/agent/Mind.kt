@@ -29,10 +29,10 @@ internal class Mind(
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions that have got a number; [numbers] has their numbers in the same order. */
+    /** The intentions that have a number; [numbers] has these numbers in the same order. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
-    /** The agent's plans; null: those of its program. */
+    /** The agent's plans; null: the plans of its program. */
     val plans: ArrayList<Plan>?,
 ) : Serializable {
     private companion object {
@@ -78,7 +78,7 @@ internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Bool
 internal fun Wait.make(ts: TransitionSystem): CircumstanceListener {
     val before = intention.suspendedReason
     Insides.selectedIntention[ts.c] = intention
-    ts.c.listeners.clear() // other listeners would be notified of the new one
+    ts.c.listeners.clear() // other listeners would be notified of the new mind
     val made = WaitEvents.make(trigger, formula, un, ts, if (timer == null) -1L else 0L, elapsed)
     intention.suspendedReason = before
     WaitEvents.reason[made] = reason

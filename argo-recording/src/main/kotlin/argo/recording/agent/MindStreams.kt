@@ -39,10 +39,10 @@ internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {
     MindInput(bytes, program, code).use { it.readObject() as Mind }
 } catch (refused: InvalidClassException) {
-    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // the filter's own reason
+    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // the cause holds the filter's own reason
 } catch (missing: ClassNotFoundException) {
     throw InvalidClassException("class ${missing.message} is missing")
-} catch (other: RuntimeException) { // the objects do not fit together
+} catch (other: RuntimeException) { // thrown if the objects do not fit together
     throw InvalidClassException("$other")
 }
 
@@ -73,8 +73,8 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
 private class MindInput(bytes: ByteArray, private val program: ProgramParts, private val code: WatchedCode) :
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
-    private var elements = 0L // of all arrays
-    private var replacement: Class<*>? = null // of the last object that replaced a reference: Java asks the filter about it, too
+    private var elements = 0L // number of elements of all arrays so far
+    private var replacement: Class<*>? = null // the last object that replaced a reference is of this class, which Java shows the filter too
 
     init {
         enableResolveObject(true)
@@ -144,7 +144,7 @@ private fun isAllowed(type: Class<*>): Boolean = when {
     type.isArray -> isAllowed(type.componentType)
     type in OWN || type.name in ALLOWED_OF_JAVA -> true
     type.name.startsWith("jason.stdlib.fork$") -> true
-    CODE.any { it.isAssignableFrom(type) } -> false // references stand for them
+    CODE.any { it.isAssignableFrom(type) } -> false // references stand for code
     else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
 

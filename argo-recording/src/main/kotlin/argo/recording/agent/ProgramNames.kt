@@ -55,7 +55,7 @@ internal class ProgramNames(text: String) {
         try {
             while (true) tokens += manager.nextToken.takeIf { it.kind != as2jConstants.EOF } ?: break
         } catch (_: TokenMgrError) {
-            // Jason reports it, and reads no further
+            // Jason reports the error, and reads no further
         }
         return tokens
     }

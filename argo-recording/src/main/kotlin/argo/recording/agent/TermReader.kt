@@ -37,7 +37,7 @@ import jason.asSyntax.directives.FunctionRegister
  * @param agent the agent whose functions the text may name; null: only Jason's own functions
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
-    /** [TermWriter] does not write such a text. */
+    /** The text is not one that [TermWriter] writes. */
     class Unreadable : Exception()
 
     private var at = 0

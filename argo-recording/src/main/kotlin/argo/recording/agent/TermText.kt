@@ -65,7 +65,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Reads a percept of a recording of format 1, which holds strings as boards write them; Jason's parser does not read those. */
+/** Reads a percept of a recording of format 1, which holds strings as boards write them; Jason's parser does not read such strings. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -267,7 +267,7 @@ internal class TermWriter {
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
 
-        /** Words with a meaning besides that of a functor. */
+        /** Words that have another meaning than that of a functor. */
         val RESERVED = setOf("true", "false", "default", "not")
 
         /** Returns true if [functor] is written without quotes. */

@@ -67,9 +67,9 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
  * changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // by the present visit
+    private var seen = identities() // objects that the present visit has seen
     private val actions = HashMap<String, InternalAction>()
-    private var plans: List<Plan> = emptyList() // the visited ones
+    private var plans: List<Plan> = emptyList() // the plans that were visited
     private var isStale = false
     private var unknown: UnknownCodeException? = null // code that the agent has looked up since
 
@@ -203,14 +203,14 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
-        /** Returns [action], which the program calls [name]; in a form that asks [watch] about each call if it must be watched. */
+        /** Returns [action], which the program calls [name]; if it must be watched, in a form that asks [watch] about each call. */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
             action is random -> WatchedRandom(action, WatchedAction(calledName(name, action), action, watch))
             else -> WatchedAction(calledName(name, action), action, watch)
         }
 
-        /** Returns [function]; in a form that asks [watch] about each call if it must be watched. */
+        /** Returns [function]; if it must be watched, in a form that asks [watch] about each call. */
         fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
             function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
             isPlain(function) -> WatchedFunction(function, watch)

@@ -43,7 +43,10 @@ internal class CycleNotes(val ns: Long) {
     /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
-    /** True if the cycle has work from earlier cycles: if it only clears an ended intention away, nothing else shows that it happened. */
+    /**
+     * True if the cycle begins with work from earlier cycles. If that work only clears away an ended intention, no other field shows that
+     * the cycle happened.
+     */
     var isAtWork = false
 
     var isSending = false

@@ -22,7 +22,7 @@ internal class ForeignEvents(private val isOwn: () -> Boolean) : CircumstanceLis
 
     val size: Int get() = added.size
 
-    /** Returns true if one of the collected events is that of a belief in [beliefs], which the thread has added, too. */
+    /** Returns true if a collected event is of a belief in [beliefs]: then the thread has added that belief, too. */
     fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
 
     private operator fun BeliefBase.contains(literal: Literal) = contains(literal) != null

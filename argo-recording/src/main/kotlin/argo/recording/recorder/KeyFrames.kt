@@ -134,7 +134,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             } else {
                 if (!belief.isGround) throw NotSerializableException("the belief $belief had variables")
                 places[belief] = place
-                beliefs += belief.copy() // its annotations may change
+                beliefs += belief.copy() // a copy, since the belief's annotations may change
             }
         }
         val percepts = ts.ag.bb.percepts.asSequence().mapNotNull(places::get).toList()

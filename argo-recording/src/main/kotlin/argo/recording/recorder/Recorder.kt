@@ -73,7 +73,7 @@ internal class Recorder(
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
-    private val works = AtomicInteger() // that wait in the inbox
+    private val works = AtomicInteger() // number of works that wait in the inbox
     private var running: Running? = null
 
     @Volatile
@@ -93,9 +93,9 @@ internal class Recorder(
         var isLast = false // whether the recording ends with the cycle that runs
         var beliefs = -1
         var cycles = 0L
-        var number = 0 // Jason's, of the cycle that runs
+        var number = 0 // Jason's number of the cycle that runs
         var overlap = 0L
-        lateinit var now: CycleNotes // of the cycle that runs
+        lateinit var now: CycleNotes // notes of the cycle that runs
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
@@ -150,7 +150,7 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /** Refuses the cycle if a thread of the project has changed the agent's beliefs; of its events alone a replay has all. */
+    /** Refuses the cycle if a thread of the project has changed the agent's beliefs. If it has only added events, a replay has them all. */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
@@ -316,7 +316,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. That of Jason's own classes is left in a replay, too, but for the end of an action of the project. */
+    /** Takes [work]. A replay leaves work of Jason's own classes too, except for the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -343,7 +343,7 @@ internal class Recorder(
         if (agent == null || agent.now.isSending) return live() // an infrastructure may send a broadcast as single messages
         refuseIfOfProject(agent, "sends a message")
         agent.now.isSending = true
-        val mail = mailOf(message) // its receiver, on another thread, gets the same terms and may change them
+        val mail = mailOf(message) // noted first: the receiver, on another thread, gets the same terms and may change them
         try {
             live()
             agent.course.sent(mail.copy(sender = message.sender))
@@ -407,7 +407,7 @@ internal class Recorder(
         if (agent.events.size > 0 || works.get() > 0) return // a waiting event, or work, belongs to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
-        if (note.isThere) agent.counters = emptyList() // so the next cycle holds them, for a replay that begins here
+        if (note.isThere) agent.counters = emptyList() // so the next cycle holds all counters, for a replay that begins here
     }
 
     /** Returns the agent if the calling thread carries out one of its cycles. */

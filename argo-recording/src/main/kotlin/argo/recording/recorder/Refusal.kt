@@ -11,7 +11,11 @@ import jason.infra.local.LocalAgArch
 import jason.infra.local.LocalAgArchAsynchronous
 import jason.util.Config
 
-/** Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can. */
+/**
+ * Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can.
+ *
+ * Directives of the project are refused by [StoredProgram], unknown internal actions by [WatchedCode][argo.recording.agent.WatchedCode].
+ */
 internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
     val kqml = Config.get().kqmlPlansFile
@@ -45,7 +49,7 @@ internal fun refusal(ts: TransitionSystem): String? {
             "the agent senses, deliberates or acts several times in a cycle, which a recording does not know; leave that out in the .mas2j"
         strange.isNotEmpty() ->
             "besides argo.Arch the agent has the architecture ${strange.joinToString { it.javaClass.name }}, " +
-                "through which more may enter it; a recording knows argo.Arch alone"
+                "through which more may enter it; a recording knows only argo.Arch"
         else -> null
     }
 }

@@ -24,7 +24,7 @@ import java.nio.file.Path
 internal class StoredProgram(private val agent: String, main: ProgramSource, private val sink: RecordSink) {
     private class Inclusion(val within: String, val name: String, val file: ProgramSource?)
 
-    private val names = HashMap<String, ProgramSource>() // by the names of the attachments
+    private val names = HashMap<String, ProgramSource>() // stored files, by the names of their attachments
     private var inclusions = 0
     private val root: Path
 
@@ -53,7 +53,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     private fun requireJasons(directive: String) {
         if (directive in JASONS_DIRECTIVES) return
-        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // no directive, but a term that looks like one
+        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // null: a term that only looks like a directive
         throw IOException("the project's class ${type.name} reads its directive $directive")
     }
 

@@ -61,7 +61,7 @@ internal interface Answers {
     /** Returns the recorded message that corresponds to [mail], which the agent sends; null: none. */
     fun sent(mail: Mail): Mail?
 
-    /** Takes the refusal of recorded texts of the [what]: one stands for a term that no recording can hold. */
+    /** Notes that a recorded text of the [what] is refused, since it stands for a term that no recording can hold. */
     fun refused(what: String, why: UnrecordableTerm)
 
     /** Ends the cycle. */
@@ -72,9 +72,9 @@ internal interface Answers {
  * An operation that an agent begins outside of its thread.
  *
  * @property cycle the cycle in which the agent begins it
- * @property kind its kind, as in [End.kind]
- * @property what its description
- * @property delayNs its time in ns, if it is a timer
+ * @property kind the operation's kind, as in [End.kind]
+ * @property what the operation's description
+ * @property delayNs the time in ns of an operation that is a timer
  * @property isDropped returns true if the agent has given it up
  * @property complete takes its end
  */

@@ -30,8 +30,8 @@ import java.nio.file.Path
 /**
  * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
- * @param source its program
- * @param includes its included files
+ * @param source the agent's program
+ * @param includes the files that the program includes
  * @param isCarryingOut whether an architecture of the project may be made, which may do anything
  * @throws RecordingException if a class of the agent is missing, or must not be made in a replay, or Jason cannot read the program
  */
@@ -78,7 +78,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, shown(address)) }
-    loadInitialAS(null) // the rest
+    loadInitialAS(null) // does the rest
     aslSrc = address
 }
 
@@ -89,7 +89,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Has Jason forget the things that it forgets in [cycles] cycles in which nothing happens; these are not recorded. */
+/** Makes Jason forget as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -180,11 +180,11 @@ internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
     null
-} catch (_: LinkageError) { // on some disks, a name that differs from a class only by case
+} catch (_: LinkageError) { // some disks ignore case, and find the class of a name that differs only by case
     null
 }
 
-/** Returns true if [option] of the recorded agent is for the agent: options of observers, such as a live view, would begin something. */
+/** Returns true if a replayed agent gets [option] too: options of observers, such as a live view, would begin something. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

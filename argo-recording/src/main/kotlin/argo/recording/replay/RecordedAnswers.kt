@@ -62,7 +62,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
             return
         }
-        if (end.kind == WORK && !isChecking) return // it changes nothing, or the replay has ended
+        if (end.kind == WORK && !isChecking) return // work that changes something has ended the replay before
         val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
         if (work != null) return work.run()
         found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")

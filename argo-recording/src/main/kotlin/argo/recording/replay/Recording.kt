@@ -53,9 +53,9 @@ class Recording(private val file: Path) : AutoCloseable {
      * A file that an agent has included, or asked for in vain.
      *
      * @property within the file of the program that includes it
-     * @property name its name in that file
+     * @property name the name of the included file in that file
      * @property address the address at which Jason has found it
-     * @property text its content; null: there was no such file
+     * @property text the content of the included file; null: there was no such file
      */
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 
@@ -88,7 +88,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of the recording of that length. */
+    /** Returns the cycles of [agent], in their order; with [last], only the cycles in the last part, of that length, of the recording. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -104,7 +104,7 @@ class Recording(private val file: Path) : AutoCloseable {
         listOfNotNull(if (first <= 1) null else keyFrames(agent).firstOrNull { it.missing == null && it.index >= first - 1 })
     }.firstOrNull()
 
-    /** Returns the cycles of [agent] that can be replayed, in their order: those after its [start]. */
+    /** Returns the cycles of [agent] that can be replayed, in their order: all cycles after its [start]. */
     fun replayable(agent: String): Sequence<Cycle> {
         val index = start(agent)?.index ?: return cycles(agent)
         return cycles(agent).filter { it.index > index }

@@ -29,7 +29,7 @@ internal class ReplayedAgent(
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
     private val start = recording.start(recorded.name)
-    private val seen = LinkedHashSet<String>() // threads of the project so far
+    private val seen = LinkedHashSet<String>() // names of the project's threads that were seen so far
     private var lastIndex = start?.index ?: 0L
     private var lastNumber = start?.number
 

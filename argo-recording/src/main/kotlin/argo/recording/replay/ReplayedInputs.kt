@@ -44,8 +44,8 @@ import java.util.concurrent.ScheduledFuture
  * @param senses the percepts of the agent
  */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
-    private val ids = HashMap<String, String>() // of messages: from the recorded to the present one
-    private var counters: List<Int> = emptyList() // after the agent's last cycle
+    private val ids = HashMap<String, String>() // the present id of each message, by its recorded id
+    private var counters: List<Int> = emptyList() // the counters after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false
     private lateinit var code: WatchedCode
@@ -64,14 +64,14 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     /**
      * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
      *
-     * @param recorded the agent with the recorded program, if that of [ts] has another program
+     * @param recorded the agent with the recorded program, if the agent of [ts] has another program
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of its plans
+        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of plans of the recorded program
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
@@ -89,7 +89,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have run since
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed the counters since
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->
@@ -135,7 +135,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: one of them stands for a term that no recording can hold. */
+    /** Returns the result of [read], which reads recorded texts; null: a text stands for a term that no recording can hold. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {

@@ -32,7 +32,7 @@ import java.util.zip.InflaterInputStream
  * Restores the agent of [ts], which Jason has just read and which has had no cycle, to its state at [frame].
  *
  * @param program the parts of the recorded program; the agent's intentions consist of its plans
- * @param code its watched code
+ * @param code the agent's watched code
  * @param course numbers its intentions
  * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
  */

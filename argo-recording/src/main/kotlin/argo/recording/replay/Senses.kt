@@ -10,7 +10,7 @@ internal interface Senses {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
-    /** Returns the percepts of the agent in [cycle], recorded or one of its own; null: nothing has changed. */
+    /** Returns the percepts of the agent in [cycle], which may be recorded or not; null: nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
     /** Returns the percepts of the last perception that meet critical rules and are new. */

@@ -12,4 +12,4 @@ fun unreadableAt(unreadable: ParseException): String {
     return "\"${found.image}\" does not belong in line ${found.beginLine}, column ${found.beginColumn}, or something before it is missing"
 }
 
-private const val END = 0 // as in all parsers by JavaCC
+private const val END = 0 // the kind of the last token in all parsers by JavaCC

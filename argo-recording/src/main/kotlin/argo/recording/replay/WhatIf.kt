@@ -29,9 +29,9 @@ import java.time.Duration
  * Close it at the end. For one thread; at a time there can be one replay in a program.
  *
  * @param agent the agent's name
- * @param program its program; null: the recorded one
- * @param senses its percepts
- * @param cycles its recorded cycles, from [Recording.start] on
+ * @param program the agent's program; null: the recorded program
+ * @param senses the agent's percepts
+ * @param cycles the agent's recorded cycles, from [Recording.start] on
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
  */
@@ -48,7 +48,7 @@ class WhatIf internal constructor(
 
     private val recorded = recording.agents[agent]
         ?: throw RecordingException("the recording has no agent $agent; those that it has: ${recording.agents.keys.joinToString()}")
-    private val answers = WhatIfAnswers(RecordedCalls(cycles), isCarryingOut = program != null, usualNs)
+    private val answers = WhatIfAnswers(NearestRecordedCalls(cycles), isCarryingOut = program != null, usualNs)
     private val inputs = ReplayedInputs(answers, senses)
     private val files = ProgramFiles(recording)
     private val includes = RecordedIncludes(recording, agent, program?.toAbsolutePath())

@@ -28,7 +28,7 @@ import kotlin.random.Random
  * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  */
-internal class WhatIfAnswers(private val recorded: RecordedCalls, private val isCarryingOut: Boolean, usualNs: Long?) : Answers {
+internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private val isCarryingOut: Boolean, usualNs: Long?) : Answers {
     private class Due(val ns: Long, val index: Long?, val order: Int, val carryOut: () -> Unit)
 
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
@@ -38,7 +38,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
     private val random = Random(0)
     private val usualNs = usualNs ?: recorded.usualNs
     private var begun = 0
-    private var underWay: RecordedCalls.Made? = null
+    private var underWay: NearestRecordedCalls.Made? = null
     private var isCommand = false
     private lateinit var inputs: ReplayedInputs
     private lateinit var cycle: Cycle
@@ -105,7 +105,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         if (call.name == RANDOM && call.args.size == 1) call.un.unifies(call.args[0], ASSyntax.createNumber(random.nextDouble()))
         else live(call.un)
 
-    private fun act(call: InternalCall, before: RecordedCalls.Made?): Any {
+    private fun act(call: InternalCall, before: NearestRecordedCalls.Made?): Any {
         val commands = before?.call?.commands.orEmpty().map { it.port to it.text }.ifEmpty {
             if (before?.call?.failure == null) listOf(portIn(call) to textOfCommand(call.args[0])) else emptyList()
         }
@@ -136,7 +136,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         placeOf(step.file, means.currentStep?.srcInfo?.srcLine ?: step.line)
     }
 
-    private fun answer(before: RecordedCalls.Made, call: InternalCall): Any = answer(before.call, call) { suspend ->
+    private fun answer(before: NearestRecordedCalls.Made, call: InternalCall): Any = answer(before.call, call) { suspend ->
         val around = underWay
         underWay = before
         suspend()
@@ -186,7 +186,7 @@ internal class WhatIfAnswers(private val recorded: RecordedCalls, private val is
         due += Due(cycle.ns + delayNs, null, begun) { carryOut(null) }
     }
 
-    private fun endWith(end: RecordedCalls.Ended, carryOut: (CallFailure?) -> Unit) {
+    private fun endWith(end: NearestRecordedCalls.Ended, carryOut: (CallFailure?) -> Unit) {
         due += Due(end.ns, end.index, begun) { carryOut(end.end.failure) }
     }
 

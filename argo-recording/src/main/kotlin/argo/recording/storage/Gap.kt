@@ -4,8 +4,8 @@ package argo.recording.storage
  * Messages that were not stored, because the disk was too slow.
  *
  * @property messages the number of messages
- * @property fromNs the time of the first one
- * @property untilNs the time of the last one
+ * @property fromNs the time of the first message that is missing
+ * @property untilNs the time of the last message that is missing
  */
 internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long) {
     fun and(timeNs: Long) = Gap(messages + 1, minOf(fromNs, timeNs), maxOf(untilNs, timeNs))

@@ -6,9 +6,9 @@ package argo.recording.storage
  */
 interface RecordSink : AutoCloseable {
     /**
-     * Returns a channel for messages in JSON. The same topic gives the same channel.
+     * Returns a channel for messages in JSON; for a known topic, the channel that was returned before.
      *
-     * @param topic its name, such as `/robot/cycle`
+     * @param topic the channel's name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
      * @param jsonSchema the schema, of JSON Schema
      */
@@ -18,8 +18,8 @@ interface RecordSink : AutoCloseable {
      * Leaves a message to be stored.
      *
      * @param timeNs the time of the message, in ns, since 1970 or of another clock that is the same for all messages; not below 0
-     * @param data its JSON in UTF-8; not to be changed afterwards
-     * @return false if there is no room for it, or storing has ended; the recording then has a gap, which it reports itself
+     * @param data the message's JSON in UTF-8; not to be changed afterwards
+     * @return false if there is no room for the message, or storing has ended; then the recording has a gap, which it reports itself
      */
     fun offer(channel: RecordChannel, timeNs: Long, data: ByteArray): Boolean = offer(channel, timeNs, data.size) { data }
 

@@ -101,7 +101,7 @@ class RecordingFile internal constructor(
                 try {
                     return RecordingFile(name, FileChannel.open(name, CREATE_NEW, WRITE), warn)
                 } catch (_: FileAlreadyExistsException) {
-                    // the next one
+                    // this name is taken: the next name is tried
                 }
             }
             error("names do not end")

@@ -81,7 +81,7 @@ class RecordingRing(
         }
     }
 
-    /** Drops all records, and refuses later ones. */
+    /** Drops all records, and refuses later records. */
     override fun close() {
         waiting.close()
         keeping.join()

@@ -14,7 +14,7 @@ internal sealed interface Waiting {
         /** Returns the message with its JSON; a gap if [encode] fails. */
         fun encoded(): Encoded = try {
             Encoded(channel, timeNs, encode())
-        } catch (_: Throwable) { // also a stack overflow by a deep term: the writing thread must go on
+        } catch (_: Throwable) { // even a stack overflow by a deep term, since the writing thread must go on
             Gap.of(timeNs).encoded()
         }
     }

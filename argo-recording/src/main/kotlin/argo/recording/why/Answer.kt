@@ -59,16 +59,16 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
 /**
  * A plan that would have issued a command.
  *
- * @property place its place in the program
- * @property trigger its trigger
- * @property context its context; null: it has none
+ * @property place the plan's place in the program
+ * @property trigger the plan's trigger
+ * @property context the plan's context; null: it has none
  * @property step its step that issues the command or, of a plan [above], that leads to it
  * @property stepLine the line of that step
  * @property event the last event for which it was relevant; null: there was none
  * @property seconds the beginning of the cycle in which the agent chose that event, since the first cycle
  * @property cause the cause of the event
  * @property verdict the fate of the plan
- * @property conditions the parts of its context at that event, up to the one that failed
+ * @property conditions the parts of the plan's context at that event, up to the part that failed
  * @property chosen the plan that the agent chose in its place; null: none
  * @property missed the percepts that would have triggered it, or made its context true, but did not reach the agent
  * @property above if there was no event, the plans that would have made it
@@ -92,19 +92,19 @@ data class UnchosenPlan(
 
 /** The fate of a plan. */
 enum class Verdict {
-    /** No event came for which it is relevant. */
+    /** No event came for which the plan is relevant. */
     NO_EVENT,
 
-    /** A part of its context was not true. */
+    /** A part of the plan's context was not true. */
     NOT_APPLICABLE,
 
-    /** It was applicable, but the agent chose another applicable plan. */
+    /** The plan was applicable, but the agent chose another applicable plan. */
     NOT_CHOSEN,
 
-    /** It was chosen, but its intention did not reach the step: it waits, has failed, or was dropped. */
+    /** The plan was chosen, but its intention did not reach the step: the intention waits, has failed, or was dropped. */
     NOT_REACHED,
 
-    /** It was chosen and issued the command, but at another time. */
+    /** The plan was chosen and issued the command, but at another time. */
     ISSUED,
 }
 

@@ -43,8 +43,8 @@ data class Frame(
  * @property belief the percept
  * @property isGone whether it went, and did not come
  * @property seconds the beginning of the cycle in which the agent perceived that
- * @property frame the frame by which it came, or the first one without it; null: no board sent it
- * @property from its source if no board sent it: `argo`, which adds the states of ports, or `environment`
+ * @property frame the frame by which the percept came, or the first frame without it; null: no board sent it
+ * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
  * @property filter the reason why the filter let it through; null: there was no filter, or the recording does not have it
  */
 @Serializable
@@ -64,7 +64,7 @@ data class PerceptCause(
  * @property rule the rule in words
  * @property isByBoard whether the board watched it and carried the reflex out; otherwise the computer sent it
  * @property failure the reason why the reflex failed; null: it succeeded
- * @property percept the percept that met the rule; null: the agent perceived no frame with one
+ * @property percept the percept that met the rule; null: the agent perceived no frame with such a percept
  */
 @Serializable
 @SerialName("reflex")
@@ -145,15 +145,15 @@ data class PlanCause(
 /**
  * A part of the context of a plan, or a test in its body.
  *
- * @property text its text in the program
- * @property value its text with the values of its variables; the same if it has no variables
+ * @property text the condition's text in the program
+ * @property value that text with the values of its variables; the same if it has no variables
  * @property holds whether it was true
  * @property causes the causes of the beliefs on which it depends
  */
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
 
-/** Returns all percepts among the causes of this, and this if it is a percept: the one whose event is at the root first. */
+/** Returns all percepts among this cause and its own causes. The percept whose event is at the root comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
 /** Returns all frames among the causes of this. */

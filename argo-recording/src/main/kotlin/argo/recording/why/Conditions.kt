@@ -54,9 +54,9 @@ internal class Conditions(
     private fun solutions(formula: LogicalFormula, un: Unifier): List<Unifier> = try {
         formula.logicalConsequence(agent, un.clone())?.asSequence()?.take(MAX_WAYS)?.toList().orEmpty()
     } catch (_: JasonException) {
-        emptyList() // an internal action in it failed
+        emptyList() // an internal action in the formula failed
     } catch (_: RuntimeException) {
-        emptyList() // a comparison of terms without a value
+        emptyList() // the formula compares terms without a value
     }
 
     private fun failed(part: LogicalFormula, un: Unifier): Condition {
@@ -95,7 +95,7 @@ internal class Conditions(
         return Condition(shown(literal), normal("$applied"))
     }
 
-    /** Returns the causes by which [applied] follows from [rule]; null: it does not follow. */
+    /** Returns the causes by which [applied] follows from [rule]; null: [applied] does not follow. */
     private fun byRule(rule: Rule, applied: Literal, depth: Int): List<Cause>? {
         val un = Unifier()
         if (!un.unifies(applied.copy().makeVarsAnnon(), rule.headClone())) return null

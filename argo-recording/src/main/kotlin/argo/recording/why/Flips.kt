@@ -54,7 +54,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     } catch (_: IllegalArgumentException) {
         null
     } catch (_: RuntimeException) {
-        null // a sum of terms that are no numbers
+        null // the formula adds terms that are no numbers
     }
 
     private fun around(limit: Double): List<Double> {

@@ -14,7 +14,7 @@ import kotlin.math.abs
  * @property seconds the time since the first cycle at which it was issued: the beginning of the step's cycle; for a reflex of the board,
  * the time of the report
  * @property cycle Jason's number of that cycle, or of the last one begun before, see [argo.recording.Cycle.number]; 0: none had begun
- * @property by its sender
+ * @property by the sender of the command
  * @property sent its number among the agent's commands to boards, from 1, as in the live view and the timeline; null: it was an action of
  * the environment, or a reflex that the board carried out
  * @property index counts the recorded cycles up to that one, see [argo.recording.Cycle.index]

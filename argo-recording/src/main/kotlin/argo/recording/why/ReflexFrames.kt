@@ -13,7 +13,7 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
     /** Returns the cause of [reflex], whose [command] may have a known port. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
-        // the newest frame up to then, or the next one: an agent may take the report of a board a moment before the frame
+        // the newest frame up to the command, or the next frame: an agent may take the report of a board a moment before the frame
         val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }

@@ -62,7 +62,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         open = emptyList()
     }
 
-    /** Notes the percepts that the filter has dropped from [frames], the newest ones. */
+    /** Notes the percepts that the filter has dropped from [frames], the newest frames. */
     fun perceived(frames: Collection<Frame>) {
         for (frame in frames) {
             val kept = frame.kept?.toSet() ?: continue
@@ -132,7 +132,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
             goal.predicateIndicator == trigger.literal.predicateIndicator
     }
 
-    /** Returns all steps in [body], also those of branches and loops. */
+    /** Returns all steps in [body], the steps of branches and loops included. */
     private fun steps(body: PlanBody?): Sequence<PlanBody> = sequence {
         var step = body
         while (step != null && !step.isEmptyBody) {

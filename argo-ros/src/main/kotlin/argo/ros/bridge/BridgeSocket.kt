@@ -175,7 +175,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /**
          * Connects to the bridge at [address].
          *
-         * @param port its name, for messages
+         * @param port the port's name, for messages
          * @param token the token that the bridge is shown, as `Authorization: Bearer …`; null: none
          * @throws NoSuchPortException if there is no such host, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted

@@ -49,7 +49,7 @@ internal class ClockOffset {
     private companion object {
         const val KEPT = 8
 
-        /** Clocks of computers gain or lose less than one part in so many. */
+        /** Clocks of computers gain or lose less than one part in this number. */
         const val DRIFT = 5_000
 
         /** A time that is read from a clock may be a ms old. */

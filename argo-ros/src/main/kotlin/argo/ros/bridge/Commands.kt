@@ -52,7 +52,7 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Unit>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
-    private val session = "argo-${UUID.randomUUID()}" // so that no answer is for another client's command
+    private val session = "argo-${UUID.randomUUID()}" // begins each command's id, so that no other client's answer is taken
     private val number = AtomicLong()
 
     /** Returns the messages to the bridge before the first command: publishers need subscribers by then, and results a subscription. */

@@ -26,9 +26,9 @@ internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = 
 /** Reads [text] as an operation; null: it is none. */
 internal fun operationIn(text: String): JsonObject? = try {
     Json.parseToJsonElement(text) as? JsonObject
-} catch (_: IllegalArgumentException) { // reports malformed JSON
+} catch (_: IllegalArgumentException) { // thrown for malformed JSON
     null
-} catch (_: StackOverflowError) { // brackets in brackets, thousands of them
+} catch (_: StackOverflowError) { // thrown for thousands of nested brackets
     null
 }
 

@@ -7,7 +7,7 @@ import kotlin.concurrent.withLock
 /**
  * A message for a bridge.
  *
- * @property text its text
+ * @property text the text of the message
  * @property isUrgent whether it goes before waiting messages that are not urgent
  * @property functor the functor of its command; null: it is no command
  * @property replaces whether it replaces waiting messages of its [functor]
@@ -21,7 +21,7 @@ internal class Outgoing(val text: String, val isUrgent: Boolean = false, val fun
     var hasBegun = false
         private set
 
-    private var isWithdrawn = false // these two are guarded by this
+    private var isWithdrawn = false // as hasBegun, guarded by this message
 
     /** Marks the message as going out; false: it has been withdrawn. */
     fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }

@@ -61,7 +61,7 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
         val service = operation.text("service").orEmpty()
         val isKnown = !service.startsWith("/rosapi/")
         if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // without a reason; no test reads one
+        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // the refusal has no reason, since no test reads one
         listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
     }
 

@@ -19,7 +19,7 @@ internal class RobotGraph(
     private val clock: LineClock,
     private val warn: (String) -> Unit,
 ) {
-    private val askedNanos = ConcurrentHashMap<String, Long>() // by the topics that commands go to
+    private val askedNanos = ConcurrentHashMap<String, Long>() // time of the last question, by the topic that commands go to
 
     /** Compares the types of the topics that are there, and looks for the actions. */
     fun check() {

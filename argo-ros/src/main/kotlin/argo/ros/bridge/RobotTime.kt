@@ -29,8 +29,8 @@ internal class RobotTime(
     private var isClockKnown = false
 
     @Volatile
-    private var dueNanos: Long? = null // for the next question; null: one is under way
-    private var toldNanos: Long? = null // these two are used by the bridge's thread only
+    private var dueNanos: Long? = null // time of the next question; null: a question is under way
+    private var toldNanos: Long? = null // this and answers are used only by the bridge's thread
     private var answers = 0
 
     fun ask() {
@@ -68,7 +68,7 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** Decides if the robot's time is that of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
+    /** Decides if the robot goes by the time of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true
@@ -79,7 +79,7 @@ internal class RobotTime(
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
-        if (isFirst && dueNanos != null) ask() // finds if the robot goes by it
+        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot goes by this clock
     }
 
     /**

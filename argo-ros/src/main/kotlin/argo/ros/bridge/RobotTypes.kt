@@ -88,7 +88,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // then the paths that were searched
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // the searched paths come behind it
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }

@@ -44,7 +44,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     /** Takes in a message of the bridge at [nowNanos]; false: it is no answer to a question of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
-        val call = calls[id] ?: return true // its time is over, or the link is closed
+        val call = calls[id] ?: return true // null: the call's time is over, or the link is closed
         val values = operation.part("values")
         if (values == null || operation.flag("result") == false) call.completeExceptionally(NotKnown(operation.text("values").orEmpty()))
         else call.complete(Answer(values, nowNanos))

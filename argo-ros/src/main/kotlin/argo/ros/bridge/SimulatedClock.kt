@@ -62,7 +62,7 @@ internal class SimulatedClock {
         /** The interval at which it is asked for, in ms: a change of its speed is known that much later. */
         const val INTERVAL_MS = 50
 
-        /** The number of samples that are kept: those of a minute. */
+        /** The number of samples that are kept: a minute's. */
         private const val KEPT = 1_200
 
         /** The number of samples that give the present speed. */

@@ -72,7 +72,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     )
 
     private companion object {
-        /** The number of goals whose states are kept. A goal that comes again within so many others is recognised. */
+        /** The number of goals whose states are kept. A goal that comes again is recognised if fewer others came between. */
         const val KEPT = 50
 
         // actionlib_msgs/GoalStatus

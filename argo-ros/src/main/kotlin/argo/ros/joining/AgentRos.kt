@@ -24,7 +24,7 @@ internal class AgentRos(
         var publishedNanos: Long? = null
     }
 
-    private val boards = HashMap<String, Board>() // by port; guarded by this
+    private val boards = HashMap<String, Board>() // by the port's name and the namespace; guarded by this
 
     override val name = graphName(agent.name)
     override val actions: List<BoardAction>? get() = agent.actions
@@ -33,7 +33,7 @@ internal class AgentRos(
         synchronized(this) {
             val base = listOfNotNull(name, message.namespace?.let(::graphName)).joinToString("/", "/")
             val board = boards.getOrPut("${message.portName} $base") { Board(PerceptPublisher(base, topics, warn)) }
-            if (board.publishedNanos == message.receivedNanos) return // the filter has let more of the message through
+            if (board.publishedNanos == message.receivedNanos) return // known already: the filter has let more of the same message through
             board.publishedNanos = message.receivedNanos
             board.publisher.publish(message.texts)
         }

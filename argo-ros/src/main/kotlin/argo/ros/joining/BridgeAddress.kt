@@ -11,7 +11,7 @@ internal class RefusedAddress(message: String) : Exception(message)
 /**
  * The bridge to a graph.
  *
- * @property ros its address
+ * @property ros the bridge's address
  * @property token the token that it is shown; null: none
  */
 internal class BridgeAddress(val ros: RosAddress, val token: String?) {

@@ -18,7 +18,7 @@ import java.util.concurrent.TimeUnit
  * Has a board take part without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is
  * sent once at most.
  *
- * @param port its port, for messages
+ * @param port the board's port, for messages
  * @param intervalMs the time from one request to the next
  * @param timeoutMs the time that an answer may take
  * @param listens whether it sends its percepts unasked
@@ -111,7 +111,7 @@ internal class JoinedBoard(
         try {
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
-            // the thread that senses finds it gone
+            // the thread that senses finds that the board has gone
         } catch (unforeseen: Throwable) { // thrown, it would end the thread that sends commands
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()

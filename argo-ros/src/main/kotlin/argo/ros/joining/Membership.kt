@@ -119,7 +119,7 @@ internal class Membership(
             gone("the graph at $place has lost its topics, as after a restart of roscore")
         }
         private val unsent = AtomicInteger()
-        private val advertised = HashSet<String>() // these three are used by the thread only
+        private val advertised = HashSet<String>() // this and the two next fields are used only by the thread
         private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS
         private var roundNanos = clock.nanos() // the beginning of the last round
 
@@ -155,7 +155,7 @@ internal class Membership(
             roundNanos = now
             if (round.isEmpty()) return bridge.ping()
             val messages = round.map { Outgoing(it) }
-            messages.last().left.whenComplete { _, _ -> bridge.ping() } // behind them all
+            messages.last().left.whenComplete { _, _ -> bridge.ping() } // the ping goes out behind all messages
             messages.forEach(bridge::queue)
             bridge.flush()
         }
@@ -196,14 +196,14 @@ internal class Membership(
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
-                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge does the others
+                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the others
                 bridge.send(last)
                 try {
                     last.left.get(CLOSING_MS, TimeUnit.MILLISECONDS)
                 } catch (_: TimeoutException) {
                     tell("the bridge at $place reads nothing, and goes on showing the services of /${participant.name}")
                 } catch (_: ExecutionException) {
-                    // it has gone itself
+                    // the bridge has gone itself
                 }
             }
             api.close()

@@ -31,7 +31,7 @@ internal class Offers(private val participant: Participant, private val send: (S
 
     private val base = "/${participant.name}"
     private val action = "$base/$ACT"
-    private val offers = ConcurrentHashMap<String, Offer>() // by the names of their services
+    private val offers = ConcurrentHashMap<String, Offer>() // by the name of the offer's service
     private val underWay = AtomicInteger()
     private val goals = ActGoals(action, send)
 
@@ -58,7 +58,7 @@ internal class Offers(private val participant: Participant, private val send: (S
     fun announceAction(isRos2: Boolean) =
         if (isRos2) send(operation("advertise_action", "action" to action, "type" to "argo_msgs/action/Act")) else goals.announce()
 
-    /** Takes all services back: a bridge of ROS 1 keeps those of a client that has gone, and whoever calls one waits for ever. */
+    /** Takes all services back: a bridge of ROS 1 keeps the services of a client that has gone, and their callers would wait for ever. */
     fun takeAllBack() = offers.keys.toList().forEach(::takeBack)
 
     private fun takeBack(name: String) {
@@ -157,7 +157,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** The newest command of a topic replaces those that wait. */
+        /** Options by which the newest command of a topic replaces the commands that wait. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

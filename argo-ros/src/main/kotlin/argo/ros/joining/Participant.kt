@@ -53,7 +53,7 @@ internal class PerceptPublisher(private val base: String, private val topics: To
     /** Publishes the board's message [text]: each percept on its topic, and the whole message on `percepts`. */
     fun publish(text: String) = publish(perceptsOf(text))
 
-    /** As the other [publish], with the percepts one by one. */
+    /** As the other [publish], for a message that has been split into its percepts. */
     fun publish(percepts: List<String>) {
         val samples = percepts.mapNotNull { percept -> sampleOf(percept) ?: null.also { leftOut(percept) } }.groupBy { it.topic to it.type }
         val now = samples.keys.filter { it.second == BOOL }.map { it.first }.toSet()

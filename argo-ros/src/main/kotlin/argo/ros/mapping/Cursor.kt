@@ -7,7 +7,7 @@ internal class Refusal(val place: Place, message: String) : Exception(message)
  * Reads a rule from its beginning to its end.
  *
  * @param text the rule
- * @param start its beginning in its file
+ * @param start the beginning of the text in its file
  */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0

@@ -116,7 +116,7 @@ internal class MessageScope(private val message: JsonElement, private val bytes:
 }
 
 internal data class Comparison(val left: Expression, val operator: String, val right: Expression) {
-    /** Returns [Value.TRUE] if it holds, [Value.FALSE] if it does not, [Value.None] if a value is missing or cannot be compared. */
+    /** Returns [Value.TRUE] if the comparison holds, [Value.FALSE] if not, [Value.None] if a value is missing or cannot be compared. */
     fun valueIn(scope: Scope): Value {
         val (a, b) = left.valueIn(scope) to right.valueIn(scope)
         if (a is Value.None) return a
@@ -152,8 +152,8 @@ internal data class Comparison(val left: Expression, val operator: String, val r
 /**
  * The functions that a mapping may use.
  *
- * @property taken its argument, in words
- * @property of returns its value; null: it does not take the argument
+ * @property taken the function's argument, in words
+ * @property of returns the function's value; null: the function does not take the argument
  */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),

@@ -17,7 +17,7 @@ internal data class Place(val line: Int, val column: Int)
  * A rule that makes a percept of a topic's messages:
  * `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property topic its name
+ * @property topic the topic's name
  * @property type the type of its messages, as written
  * @property percept the literal, with fields of the message for its arguments
  * @property conditions a message has this percept if all of them hold
@@ -36,7 +36,7 @@ internal class PerceptRule(
  * A command, and the message, request or goal that a robot gets for it:
  * `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property name its functor
+ * @property name the command's functor
  * @property parameters the variables for its arguments
  * @property kind the kind of [target]
  * @property target the name of the topic, service or action

@@ -158,9 +158,9 @@ internal class MessageType private constructor(
             val types = definition.words("fieldtypes")
             val lengths = definition.words("fieldarraylen")
             return definition.words("fieldnames").withIndex().associate { (index, field) ->
-                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without a bound, as ROS 2 has
+                val type = types.getOrElse(index) { "" }.substringBefore(',').substringBefore('<') // without the bound of ROS 2
                 val length = lengths.getOrNull(index)?.toIntOrNull() ?: FieldType.SINGLE
-                field.removePrefix("_") to FieldType(rosType(type), length) // which rosapi of ROS 2 puts in front
+                field.removePrefix("_") to FieldType(rosType(type), length) // rosapi of ROS 2 puts "_" in front
             }
         }
 

@@ -46,7 +46,7 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
         /** Returns the usual type with the name [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: it is another. */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
-        /** Their names, for messages. */
+        /** The names of the usual types, for messages. */
         val names: Set<String> get() = TYPES.keys
     }
 }

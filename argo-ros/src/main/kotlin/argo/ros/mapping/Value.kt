@@ -55,7 +55,7 @@ internal sealed interface Value {
 /** The length of the longest list in an argument. Jason compares lists by recursion, and 2,000 items end its stack. */
 internal const val MAX_ITEMS = 1_000
 
-/** From here on not each whole number is a double, as Jason's numbers are. */
+/** From this number on, some whole numbers are no doubles; Jason's numbers are doubles. */
 private const val EXACT = 9007199254740992.0
 
 /** Up to here whole numbers are written without a fraction: no integer of ROS is larger. */

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit
  *
  * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
  * itself
- * @property percepts its answer to one request
+ * @property percepts the board's answer to one request
  * @property lost the number of its sketch's actions that found no room in its memory
  * @property rules the number of critical rules that it holds; null: it is of version 1
  */

@@ -52,7 +52,7 @@ class LineOptions {
      */
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
-    /** Returns [port]; refuses one that agents reach by another protocol than that of these tools. */
+    /** Returns [port]; refuses a port that agents reach by another protocol than Javino. */
     private fun inJavino(port: String): String {
         if (port.startsWith("ros:")) spec.refuse("$port is for agents, argo.port(\"$port\"); this command speaks Javino and no ROS")
         return port

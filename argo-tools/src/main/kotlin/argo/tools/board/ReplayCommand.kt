@@ -135,7 +135,7 @@ internal class ReplayCommand : JasonCommand() {
         } catch (_: PortInterruptedException) {
             Thread.interrupted() // the terminals are still to be removed
         } catch (_: InterruptedException) {
-            // as above
+            // interrupted while it waited for a listener
         } catch (gone: PortException) {
             if (!interruption.isEnding()) throw ToolException("the pseudo-terminal is lost: ${gone.message}")
         }

@@ -1,6 +1,6 @@
 package argo.tools.command
 
-/** Returns the one of [names] that [word] probably means: it differs by a letter or two, or only by case; null if there is none. */
+/** Returns the name in [names] that [word] probably means: it differs by a letter or two, or only by case; null: there is none. */
 internal fun closest(word: String, names: Collection<String>): String? =
     names.minByOrNull { distance(word, it) }?.takeIf { distance(word, it) <= if (word.length > LONG) 2 else 1 }
 

@@ -36,7 +36,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
         throw ToolException("$file exists already, and is not overwritten")
     } catch (_: AccessDeniedException) {
         throw ToolException("this user may make no files in the folder ${folderOf(file)}")
-    } catch (refused: FileSystemException) { // for example in /proc, or on a disk that is full or read-only
+    } catch (refused: FileSystemException) { // thrown for example in /proc, or on a disk that is full or read-only
         throw ToolException("no files can be made in the folder ${folderOf(file)}${refused.reason?.let { ": $it" }.orEmpty()}")
     }
 }

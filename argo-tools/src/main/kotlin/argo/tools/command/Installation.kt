@@ -29,7 +29,7 @@ internal class Installation(jar: Path) {
         return outputOf(module).resolve("classes").toString() + File.pathSeparator + libraries
     }
 
-    /** Returns a class path that holds Jason and its libraries, that of the samples; null: it is not there. */
+    /** Returns a class path that holds Jason and its libraries, the class path of the samples; null: it is not there. */
     fun jason(): String? =
         if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
 

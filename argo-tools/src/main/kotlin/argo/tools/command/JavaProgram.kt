@@ -8,7 +8,7 @@ internal fun runJava(arguments: List<String>): Int = java(arguments).inheritIO()
 /** Prepares the Java of this program with [arguments], to be started. */
 internal fun java(arguments: List<String>): ProcessBuilder {
     val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
-    // jSerialComm loads a native library, which newer Java machines warn about
+    // jSerialComm loads a native library; newer Java machines warn about that
     return ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments)
 }
 

@@ -10,7 +10,7 @@ import kotlinx.serialization.json.JsonPrimitive
 internal fun jsonOf(vararg members: Pair<String, Any?>): JsonObject =
     JsonObject(members.associate { (name, value) -> name to element(value) })
 
-/** Makes a JSON array of [values], which become JSON as those of [jsonOf] do. */
+/** Makes a JSON array of [values], which become JSON as the values of [jsonOf] do. */
 internal fun jsonArrayOf(values: List<Any?>): JsonArray = JsonArray(values.map(::element))
 
 private fun element(value: Any?): JsonElement = when (value) {

@@ -7,7 +7,7 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** The base of all tools, also of those that a [ToolProvider] adds. The result is the exit status; a [ToolException] fails the command. */
+/** The base of all tools, also of tools that a [ToolProvider] adds. The result is the exit status; a [ToolException] fails the command. */
 @Command
 abstract class ToolCommand : Callable<Int> {
     /** The command as picocli has it. */
@@ -29,7 +29,7 @@ abstract class ToolCommand : Callable<Int> {
     /** Ends the command, because its arguments are wrong, with exit status 2. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 
-    /** Returns the options that the user has given, without those called [left], as arguments for another program. */
+    /** Returns the options that the user has given, except the options called [left], as arguments for another program. */
     internal fun givenWithout(vararg left: String): List<String> =
         spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
             val name = option.longestName()

@@ -25,7 +25,7 @@ internal class DoctorCommand(
     @Option(names = ["--probe"], description = ["requests percepts at each free USB port. Opening it resets most boards; motors may jerk"])
     private var probes = false
 
-    @Suppress("unused") // by picocli
+    @Suppress("unused") // set by picocli
     constructor() : this(ThisMachine)
 
     override fun call(): Int {

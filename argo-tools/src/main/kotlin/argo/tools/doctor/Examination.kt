@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** Checks the user's groups, which are those of the login: a change takes effect with the next login. */
+    /** Checks the groups with which the user has logged in: a change takes effect with the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null

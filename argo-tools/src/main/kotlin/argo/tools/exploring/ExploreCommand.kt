@@ -125,7 +125,7 @@ internal class ExploreCommand : ToolCommand() {
         /** The exit status of the exploration's program if it has found a run. */
         const val FOUND_THERE = 4
 
-        /** Its other exit statuses; with these it has printed the reason. */
+        /** The other exit statuses of the exploration's program; with these it has printed the reason. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

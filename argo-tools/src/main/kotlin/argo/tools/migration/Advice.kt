@@ -6,7 +6,7 @@ package argo.tools.migration
  * @property line counted from 1
  * @property column counted from 1; null: it is about the line
  * @property must true if the program behaves differently until this is changed
- * @property what the difference
+ * @property what the difference that the advice is about
  */
 internal data class Advice(
     val file: String,

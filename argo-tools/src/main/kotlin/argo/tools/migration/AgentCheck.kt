@@ -187,7 +187,7 @@ internal class AgentCheck(private val file: Path, private val text: String) {
         advices.change(call.line, what, "source(percept), or no annotation")
     }
 
-    /** Advises on a name that is nearly an action's error; names unlike all of them may come from the project's own `.fail`. */
+    /** Advises on a name that is nearly an action's error; names unlike all errors may come from the project's own `.fail`. */
     private fun error(call: Call) {
         val written = call.arguments.singleOrNull()?.singleOrNull()?.takeIf { it.kind == Token.Kind.WORD && !it.isVariable }?.text ?: return
         val meant = closest(written, ArgoActions.ERRORS).takeIf { written !in ArgoActions.ERRORS } ?: return

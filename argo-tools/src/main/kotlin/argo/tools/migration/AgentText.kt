@@ -3,9 +3,9 @@ package argo.tools.migration
 /**
  * A piece of AgentSpeak or of a project file.
  *
- * @property text as in the file; a string with its quotes
+ * @property text the token as in the file; a string with its quotes
  * @property line counted from 1
- * @property start its offset in the file, in characters
+ * @property start the token's offset in the file, in characters
  */
 internal data class Token(val kind: Kind, val text: String, val line: Int, val start: Int) {
     enum class Kind { WORD, NUMBER, STRING, SYMBOL }
@@ -41,13 +41,13 @@ private val TOKEN = Regex(
 /**
  * A name with arguments: `.argo.port(P,[baud(9600)])`, `port(P,on)`.
  *
- * @property name with all its dots: `.argo.port`
- * @property line its first, counted from 1
+ * @property name the name with all its dots: `.argo.port`
+ * @property line the first line of the call, counted from 1
  * @property arguments the tokens of each
  */
 internal data class Call(val name: String, val line: Int, val arguments: List<List<Token>>)
 
-/** Returns all calls in [tokens], including those in arguments of others. */
+/** Returns all calls in [tokens], including calls in arguments of other calls. */
 internal fun callsIn(tokens: List<Token>): List<Call> = tokens.indices.mapNotNull { open ->
     if (!tokens[open].isSymbol('(')) return@mapNotNull null
     val first = nameStart(tokens, open)
@@ -81,7 +81,7 @@ private fun arguments(tokens: List<Token>, open: Int): List<List<Token>> {
     return if (arguments.size == 1 && arguments[0].isEmpty()) emptyList() else arguments
 }
 
-/** Returns the first bracket that closes none, or one of another kind; else the last one that is never closed; null if all are balanced. */
+/** Returns the first bracket that closes none or another kind; else the last bracket that is never closed; null: all are balanced. */
 internal fun wrongBracketIn(tokens: List<Token>): Token? {
     val open = ArrayDeque<Token>()
     for (token in tokens.filter { it.kind == Token.Kind.SYMBOL }) {

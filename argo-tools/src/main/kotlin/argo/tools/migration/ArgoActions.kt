@@ -2,7 +2,7 @@ package argo.tools.migration
 
 /** The internal actions of ARGO, and the forms of their calls. */
 internal object ArgoActions {
-    /** Their names, without a dot. */
+    /** The names of the actions, without a dot. */
     val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record")
 
     /** The names that exist with a dot in front. */

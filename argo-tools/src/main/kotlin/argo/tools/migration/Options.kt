@@ -5,7 +5,7 @@ import argo.tools.command.closest
 /**
  * An option in a list, such as `baud(9600)` or `urgent`.
  *
- * @property expected its value, in words; null: it has none
+ * @property expected the option's value, in words; null: it has none
  * @property accepts returns true if the text, of a value that is no variable, is such a value
  */
 internal class KnownOption(val expected: String?, val accepts: (String) -> Boolean) {

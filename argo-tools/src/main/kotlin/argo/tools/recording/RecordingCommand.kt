@@ -98,7 +98,7 @@ internal class RecordingCommand : DataCommand() {
     private fun parsed(message: McapMessage): JsonElement = try {
         Json.parseToJsonElement(message.text)
     } catch (_: SerializationException) {
-        JsonPrimitive(message.text) // of another program's recording
+        JsonPrimitive(message.text) // another program's recording need not hold JSON
     }
 
     /** Returns the time [seconds] after this one; null if [seconds] is null. */

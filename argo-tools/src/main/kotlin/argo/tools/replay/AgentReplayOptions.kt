@@ -32,7 +32,7 @@ internal class AgentReplayOptions {
     var until: Moment? = null
         private set
 
-    @Option(names = ["--of"], paramLabel = "AGENT", description = ["prints the beliefs of this agent alone; may be given several times"])
+    @Option(names = ["--of"], paramLabel = "AGENT", description = ["prints the beliefs of only this agent; may be given several times"])
     var of: Set<String> = emptySet()
         private set
 

@@ -5,7 +5,7 @@ import picocli.CommandLine.ITypeConverter
 import picocli.CommandLine.TypeConversionException
 import java.math.BigDecimal
 
-/** A moment of a recording: so many seconds after its first cycle, or a cycle of an agent. */
+/** A moment of a recording: a number of seconds after its first cycle, or a cycle of an agent. */
 internal sealed interface Moment {
     /** [ns] after the first cycle. */
     data class Time(val ns: Long) : Moment {

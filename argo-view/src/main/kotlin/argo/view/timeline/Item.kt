@@ -13,10 +13,10 @@ internal enum class Lane {
     /** The events that the agent chose. */
     EVENTS,
 
-    /** The steps of its intentions. */
+    /** The steps of the agent's intentions. */
     INTENTIONS,
 
-    /** Its commands, from being issued to their outcome. */
+    /** The agent's commands, from being issued to their outcome. */
     COMMANDS,
 
     /** The lines that it printed. */
@@ -26,12 +26,12 @@ internal enum class Lane {
 /**
  * An event in the recording of an agent. It does not change once the timeline is made.
  *
- * @property id its place in [Timeline.items]
+ * @property id the item's place in [Timeline.items]
  * @property agent the place of its agent in [Timeline.agents]
- * @property from its beginning, in seconds since the beginning of the recording
- * @property until its end; null: it took no time
- * @property text its short description
- * @property detail its details, one a line
+ * @property from the item's beginning, in seconds since the beginning of the recording
+ * @property until the item's end; null: it took no time
+ * @property text a short description
+ * @property detail the details, one a line
  * @property isBad whether it is a failure
  * @property causes the ids of its causes
  * @property command which of the agent's commands it is, counted from 1; null: it is none

@@ -47,7 +47,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
             routes.also { newest = it }.respond("/recording", emptyMap())
         } catch (unreadable: IOException) {
             unreadable(unreadable)
-        } catch (unreadable: IllegalArgumentException) { // a message
+        } catch (unreadable: IllegalArgumentException) { // thrown by a message that cannot be read
             unreadable(unreadable)
         }
     }

@@ -19,7 +19,7 @@ internal class Related(val item: Item, val causes: List<Item>, val effects: List
 /**
  * The events of a recording's agents, with their causes. Immutable.
  *
- * @property agents their names
+ * @property agents the names of the agents
  * @property seconds the length of the recording
  * @property items all events; the place of each is its id
  */

@@ -40,7 +40,7 @@ internal class TimelineRoutes(
         return HttpResponse.json(timeline.between(from, until, most))
     }
 
-    /** Responds with the item `id`, or the one before or after it, and its links. */
+    /** Responds with the item `id`, or the item before or after, and that item's links. */
     private fun item(parameters: Map<String, String>): HttpResponse {
         val command = parameters["command"]?.toLongOrNull()
         val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)

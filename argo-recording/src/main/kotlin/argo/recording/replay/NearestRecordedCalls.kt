@@ -5,10 +5,10 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds calls of [cycles], and the ends of the operations that they began, as answers to an agent that may make other calls, or at other
- * times.
+ * Finds calls of [cycles], and the ends of the operations that those calls began. They answer an agent that may make other calls, or make
+ * them at other times.
  */
-internal class RecordedCalls(cycles: Sequence<Cycle>) {
+internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
         var isTaken = false
     }
@@ -51,7 +51,7 @@ internal class RecordedCalls(cycles: Sequence<Cycle>) {
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
 
-    /** Returns the same call as [near], but may return it several times. */
+    /** Returns the nearest call, as [near] does, but may return the same call several times. */
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 
