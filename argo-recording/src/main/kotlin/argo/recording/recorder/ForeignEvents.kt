@@ -4,31 +4,66 @@ import jason.asSemantics.CircumstanceListener
 import jason.asSemantics.Event
 import jason.asSyntax.Literal
 import jason.bb.BeliefBase
-import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.Collections
+import java.util.IdentityHashMap
 
 /**
- * Collects the events that other threads put into an agent's queue, at any moment of a cycle or between two.
+ * Collects the events that other threads put into an agent's queue, at any moment of a cycle or between two. Safe for use by several threads.
  *
+ * Jason puts an event into the queue before it tells its listeners, so the agent may select an event of another thread of which this has
+ * not been told yet. Therefore the agent's own events are kept as well: an event that is selected and not known is another thread's.
+ *
+ * @param waiting returns the events that wait in the agent; those that do so now are its own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
-internal class ForeignEvents(private val isOwn: () -> Boolean) : CircumstanceListener {
+internal class ForeignEvents(private val waiting: () -> Collection<Event>, private val isOwn: () -> Boolean) : CircumstanceListener {
     @Transient
-    private val added = ConcurrentLinkedQueue<Event>()
+    private val added = ArrayList<Event>()
 
-    /** Collects [event] if another thread adds it. Any thread. */
+    @Transient
+    private val known = identitySet(waiting())
+
+    @Transient
+    private var most = MANY
+
+    @Transient
+    private val early = identitySet(emptyList()) // selected before this was told of them
+
+    /** Collects [event] if another thread adds it. */
+    @Synchronized
     override fun eventAdded(event: Event) {
-        if (!isOwn()) added += event
+        if (isOwn()) known += event else if (!early.remove(event)) added += event
     }
 
-    val size: Int get() = added.size
+    val size: Int @Synchronized get() = added.size
 
     /** Returns true if a collected event is of a belief in [beliefs]: then the thread has added that belief, too. */
+    @Synchronized
     fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
 
     private operator fun BeliefBase.contains(literal: Literal) = contains(literal) != null
 
-    fun take(): List<Event> = generateSequence { added.poll() }.toList()
+    @Synchronized
+    fun take(): List<Event> = added.toList().also {
+        known += it
+        added.clear()
+    }
 
-    /** Takes [event]; returns false if it is not among the collected ones. */
-    fun take(event: Event): Boolean = added.removeIf { it === event }
+    /** Takes [event], which the agent has selected in this cycle; returns true if another thread has added it. */
+    @Synchronized
+    fun takeSelected(event: Event): Boolean {
+        val isForeign = event !in known && (added.removeIf { it === event } || event.isExternal.also { if (it) early += event })
+        if (known.size > most) { // an event may be selected again, so those that have gone are forgotten only now and then
+            known.retainAll(identitySet(waiting()))
+            most = maxOf(MANY, 2 * known.size)
+        }
+        return isForeign
+    }
+
+    private companion object {
+        const val MANY = 1024
+
+        fun identitySet(events: Collection<Event>): MutableSet<Event> =
+            Collections.newSetFromMap(IdentityHashMap<Event, Boolean>()).apply { addAll(events) }
+    }
 }

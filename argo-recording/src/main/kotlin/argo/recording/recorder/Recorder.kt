@@ -5,6 +5,7 @@ import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.insides.Insides
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.EndedReflex
@@ -89,7 +90,8 @@ internal class Recorder(
         val keyFrames = KeyFrames(ts, course)
         var percepts: List<Literal> = emptyList()
         var counters: List<Int> = emptyList()
-        val events = ForeignEvents { inCycle === Thread.currentThread() }.also(ts.c::addEventListener)
+        val events = ForeignEvents({ ts.c.events + listOfNotNull(Insides.atomicEvent[ts.c]) }) { inCycle === Thread.currentThread() }
+            .also(ts.c::addEventListener)
         var isLast = false // whether the recording ends with the cycle that runs
         var beliefs = -1
         var cycles = 0L
@@ -372,7 +374,7 @@ internal class Recorder(
         KeptInclude.current = null
         val course = agent.course.end()
         val now = agent.now
-        agent.ts.c.selectedEvent?.takeIf(agent.events::take)?.let { now.events += triggerText(it.trigger) }
+        agent.ts.c.selectedEvent?.takeIf(agent.events::takeSelected)?.let { now.events += triggerText(it.trigger) }
         agent.beliefs = agent.ts.ag.bb.size()
         refuseForeignBeliefs(agent)
         val isAlone = Overlaps.end(agent.overlap)

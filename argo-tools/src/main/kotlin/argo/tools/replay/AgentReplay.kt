@@ -35,7 +35,8 @@ internal class AgentReplay(
     }
 
     private fun replay(recording: Recording, replay: Replay): ReplayReport {
-        val firstNs = recording.firstNs ?: throw ToolException("$file holds no cycle of an agent")
+        val firstNs = recording.firstNs
+            ?: throw ToolException("$file holds no cycle of an agent; an agent that cannot be recorded says why in the log of its run")
         val beginNs = replay.nextNs ?: firstNs
         val endNs = until?.let { nsOf(it, recording, firstNs) } ?: Long.MAX_VALUE
         val cycles = cycles(recording, firstNs, endNs)
