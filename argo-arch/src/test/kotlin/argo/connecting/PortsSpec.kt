@@ -140,7 +140,7 @@ class PortsSpec : FunSpec({
             board.unplug()
             awaitBelief("port(\"sim:robot\",off)")
             ports.all().shouldBeEmpty()
-            reasons.single() shouldEndWith "; it is opened again when its device is back"
+            eventually(QUICKLY) { reasons.single() shouldEndWith "; it is opened again when its device is back" }
             repeat(5) { time.step() }
             board.replug()
             passUntil("port(\"sim:robot\",on)")

@@ -28,8 +28,8 @@ class CommandCheck(private val root: Path) {
             "timeout" -> problem(rest.drop(1))
             "mvn" -> maven(rest)
             "gradle", "./gradlew" -> gradle(rest)
-            "make" -> listOf("Makefile", "tests/tests.mk").joinToString("") { root.resolve("javino-arduino/$it").readText() }.let { makefile ->
-                rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(makefile) }?.let { "the Makefile has no target $it" }
+            "make" -> listOf("Makefile", "tests/tests.mk").joinToString("") { root.resolve("javino-arduino/$it").readText() }.let { rules ->
+                rest.firstOrNull { !Regex("(?m)^$it:").containsMatchIn(rules) }?.let { "the Makefile has no target $it" }
             }
             "./check", "./package", "./split" -> root.resolve("javino-arduino/${words.first()}").let { program ->
                 missing(program.takeIf { it.isExecutable() }, words.first()) ?: unheardOf(program, rest)
