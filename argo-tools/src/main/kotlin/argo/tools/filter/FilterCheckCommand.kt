@@ -39,7 +39,12 @@ internal class FilterCheckCommand : DataCommand() {
     private fun checked(file: Path): List<Check> {
         if (!file.isDirectory()) return listOf(check(file))
         val none = Problem("$file", 1, 1, "there is no filter in this folder: no file with <PerceptionFilter> in it, or with \"rules\"")
-        return filtersIn(file).map(::check).ifEmpty { listOf(Check(file, null, listOf(none))) }
+        val (filters, others) = filtersIn(file)
+        if (filters.isNotEmpty() && others.isNotEmpty()) {
+            val names = others.take(SHOWN).joinToString { printable("$it") } + if (others.size > SHOWN) ", …" else ""
+            err.println("$file: left out, for they look like no filters: $names")
+        }
+        return filters.map(::check).ifEmpty { listOf(Check(file, null, listOf(none))) }
     }
 
     private fun check(file: Path): Check = try {
@@ -60,4 +65,8 @@ internal class FilterCheckCommand : DataCommand() {
         "file" to check.file, "ok" to (check.filter != null), "says" to check.filter, "warnings" to check.warnings,
         "problems" to check.problems.map { jsonOf("line" to it.line, "column" to it.column, "message" to it.message) },
     )
+
+    private companion object {
+        const val SHOWN = 20
+    }
 }
