@@ -144,9 +144,16 @@ internal class AgentBoards(
     fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean = lines[port]?.rules?.isWatching(rule) == true
 
     /** Returns a hand-over of [board]'s snapshots to the agent. */
-    fun handOverOf(board: Board): HandOver =
-        if (policy == SensingPolicy.FRESH) FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) })
-        else EveryHandOver { log.warning(it) }
+    fun handOverOf(board: Board): HandOver {
+        if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
+        val late = rateLimitedWarning()
+        return FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) }) { ms, why ->
+            late.report("late") {
+                "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
+                    "Commands with timeout(Ms) or latest do not pile up"
+            }
+        }
+    }
 
     /** Returns true if [percept] is a percept of [board], or of no board that the agent perceives. */
     private fun isOf(board: Board, percept: Literal): Boolean {

@@ -97,6 +97,14 @@ internal class Backlog(
         begun.forEach { deadlines.putIfAbsent(it, deadline) }
     }
 
+    /** Returns the kind of work that is left, in words; null: nothing is left. */
+    fun kindLeft(): String? = when {
+        !commands.allDoneUpTo(lastCommand) -> "commands that were issued before have not left"
+        !areEventsDone() -> "events of earlier percepts wait"
+        begun().any(::awaits) -> "plans that earlier percepts have begun still run"
+        else -> null
+    }
+
     /** Returns the time in ms until commands to other boards are not awaited any more; null: none are awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
 

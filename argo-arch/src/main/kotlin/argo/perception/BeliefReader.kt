@@ -4,6 +4,7 @@ import argo.acting.Reflexes
 import argo.connecting.PortStatus
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.filters.matching.hasComment
 import argo.filters.matching.piecesOf
 import argo.filters.matching.whyUnreadable
 import argo.platform.foreignText
@@ -77,6 +78,7 @@ private sealed interface Reading {
 private fun parse(percept: String): Reading = try {
     val literal = PerceptReader.read(percept)
     when {
+        hasComment(percept) -> Reading.Unreadable("it holds a comment, // or /*, and the text of that would be lost; put it in quotes")
         literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
         !literal.isGround || literal.ns.isVar ->
             Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
@@ -91,7 +93,7 @@ private fun parse(percept: String): Reading = try {
         else -> Reading.Belief(ownSource(literal))
     }
 } catch (refused: PerceptSyntaxException) {
-    val detail = whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+    val detail = if (refused.cause is StackOverflowError) "it is nested too deep" else whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 

@@ -3,6 +3,7 @@ package argo.perception
 import argo.filters.CriticalRule
 import jason.asSyntax.Literal
 import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -41,17 +42,30 @@ internal interface HandOver {
  * A snapshot with a critical percept that the one before did not have is handed over at once, and a newer one replaces it only if it meets
  * the same critical rules, so there are never more than there are rules. A board that is critical all the time must not make events pile
  * up, so this ends when [MANY_EVENTS] wait; then each critical rule may do it once until the backlog is done again.
+ *
+ * @param tellLate is told, without the lock, that snapshots have waited for longer than [LATE_MS], and for which work
  */
-internal class FreshHandOver(private val backlog: Backlog) : HandOver {
+internal class FreshHandOver(private val backlog: Backlog, private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> }) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
     private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
 
+    private var waitingSince: Long? = null // the time of the first message since a snapshot was handed over; null: none has come
+
     @Volatile
     private var newest: Snapshot? = null
 
-    override fun put(snapshot: Snapshot) = lock.withLock {
+    override fun put(snapshot: Snapshot) {
+        val waitedMs = lock.withLock {
+            keep(snapshot)
+            val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
+            TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
+        }
+        if (waitedMs > LATE_MS) backlog.kindLeft()?.let { tellLate(waitedMs, it) }
+    }
+
+    private fun keep(snapshot: Snapshot) {
         val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
         if (snapshot.critical.any { it.percept !in known }) {
             val met = rules(snapshot)
@@ -91,6 +105,7 @@ internal class FreshHandOver(private val backlog: Backlog) : HandOver {
         val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeNewest() else null) ?: return null
         if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
         known = next.critical.mapTo(HashSet()) { it.percept }
+        waitingSince = null
         return next
     }
 
@@ -107,9 +122,13 @@ internal class FreshHandOver(private val backlog: Backlog) : HandOver {
         earlyRules.clear()
         known = emptySet()
         newest = null
+        waitingSince = null
     }
 
     companion object {
+        /** Snapshots that wait for longer than this time, in ms, are told of. */
+        const val LATE_MS = 2000L
+
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
     }

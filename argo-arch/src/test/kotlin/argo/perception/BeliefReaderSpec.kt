@@ -68,6 +68,18 @@ class BeliefReaderSpec : FunSpec({
         warnings shouldHaveSize 2
     }
 
+    test("a comment is no part of a percept, so a percept with one is left out") {
+        listOf("c(1) // dist(f,0)", "c(/* no */ 8)").forEach { read(it).shouldBeEmpty() }
+        warnings.forEach { it shouldContain "it holds a comment" }
+        warnings shouldHaveSize 2
+        read("""url("http://robot/*")""") shouldHaveSize 1
+    }
+
+    test("a backslash that begins no escape is named as the cause") {
+        read("""path("C:\dir")""").shouldBeEmpty()
+        warnings.single() shouldContain "a backslash in it begins no escape"
+    }
+
     test("a percept holds nothing that is computed") {
         for (text in listOf("p(math.random)", "p(1+math.random)", "p(q(r,[1,math.abs(-2)]))", "p[q(math.random(10))]")) {
             read(text).shouldBeEmpty()

@@ -188,6 +188,28 @@ class HandOverSpec : FunSpec({
             handOver.take()?.receivedNanos shouldBe 6
         }
 
+        test("tells that snapshots wait for long, and for which work") {
+            val ledger = CommandLedger { Robot }
+            val told = mutableListOf<String>()
+            val handOver = FreshHandOver(Backlog(ledger)) { ms, why -> told += "$ms ms: $why" }
+            fun put(ms: Long) = handOver.put(snapshot(ms * 1_000_000))
+            put(0)
+            put(9_000) // nothing is left, so only the agent is slow
+            handOver.take()
+            val command = ledger.issue(Robot)
+            put(9_100)
+            handOver.take()
+            put(9_200)
+            put(11_000)
+            told shouldBe emptyList()
+            put(11_300)
+            told shouldBe listOf("2100 ms: commands that were issued before have not left")
+            ledger.done(Robot, command)
+            handOver.take()
+            put(20_000)
+            told.size shouldBe 1
+        }
+
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger { Robot }
             val handOver = FreshHandOver(Backlog(ledger))

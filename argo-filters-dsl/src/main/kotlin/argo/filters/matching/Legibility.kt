@@ -24,9 +24,14 @@ fun whyUnreadable(percept: String): String? {
         VARIABLE.containsMatchIn(withoutQuoted(text)) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
         Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
+        WRONG_ESCAPE.containsMatchIn(text.replace("\\\\", "")) -> "a backslash in it begins no escape that Jason knows; write \\u005C for a backslash"
         else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
     }
 }
+
+/** Returns true if [percept] has a comment of AgentSpeak in it, outside of quotes. */
+fun hasComment(percept: String): Boolean =
+    ("//" in percept || "/*" in percept) && withoutQuoted(percept).let { "//" in it || "/*" in it }
 
 /** A pattern of RE2, since Java's own use up the stack on a long text in quotes. */
 private val QUOTED = Pattern.compile("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
@@ -38,6 +43,7 @@ private fun hasBreakInQuotes(text: String): Boolean {
     return generateSequence { if (quoted.find()) quoted.group() else null }.any { '\n' in it || '\r' in it }
 }
 
+private val WRONG_ESCAPE = Regex("""\\(?:[^ntbrf"'u0-7]|u(?![0-9a-fA-F]{4}))""")
 private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 
 private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
