@@ -93,7 +93,8 @@ private fun parse(percept: String): Reading = try {
         else -> Reading.Belief(ownSource(literal))
     }
 } catch (refused: PerceptSyntaxException) {
-    val detail = if (refused.cause is StackOverflowError) "it is nested too deep" else whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
+    val detail = if (refused.cause is StackOverflowError) "it is nested too deep"
+    else whyUnreadable(percept) ?: (refused.cause ?: refused).message.orEmpty().lineSequence().first()
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 

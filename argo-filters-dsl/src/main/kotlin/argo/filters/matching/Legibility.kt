@@ -24,7 +24,8 @@ fun whyUnreadable(percept: String): String? {
         VARIABLE.containsMatchIn(withoutQuoted(text)) ->
             "a word in it begins in upper case, so it is a variable; write it in lower case or in quotes"
         Syntax.isReserved(word, 0, word.length) -> "$word is a word of AgentSpeak, which cannot be a percept's name"
-        WRONG_ESCAPE.containsMatchIn(text.replace("\\\\", "")) -> "a backslash in it begins no escape that Jason knows; write \\u005C for a backslash"
+        WRONG_ESCAPE.containsMatchIn(text.replace("\\\\", "")) ->
+            "a backslash in it begins no escape that Jason knows; write \\u005C for a backslash"
         else -> "it is no literal: a name in lower case, and arguments in brackets, as in dist(front,30)"
     }
 }

@@ -59,7 +59,8 @@ internal class ReplayReport(
         refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }
         course.forEach { addAll(described("differs", it)) }
         if (isIdentical && (cycles > 0 || isWhole)) {
-            add("identical${if (isWhole && problems.isEmpty()) "" else " as far as it goes"}: the same events, plans, steps, calls, actions and messages in each of them")
+            val part = if (isWhole && problems.isEmpty()) "" else " as far as it goes"
+            add("identical$part: the same events, plans, steps, calls, actions and messages in each of them")
         }
         if (isCheck) {
             results.forEach { (first, times) -> addAll(described("not deterministic${if (times > 1) ", $times times" else ""}", first)) }
