@@ -189,23 +189,21 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
         }
     }
 
-    /** Like {@link #await(BooleanSupplier, LongSupplier, boolean)}, with a deadline that stays. */
-    boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
-        return await(isDone, () -> deadline, reads);
-    }
-
     /**
-     * Writes and reads on this thread until {@code isDone}, or until the clock shows {@code deadline}; both are asked under the lock.
+     * Writes and reads on this thread until {@code isDone}, which is asked under the lock, or until the clock shows {@code deadline}.
      *
      * @param reads whether this thread reads although nothing is expected; then it leaves the commands of version 1 to other threads, since
      *     a driver may take longer over one than this thread waits
      * @return whether it is done
      */
-    boolean await(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
-        return await(isDone, deadline, reads, () -> deadline.getAsLong() - clock.nanos());
+    boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
+        return await(isDone, () -> deadline, reads, () -> deadline - clock.nanos());
     }
 
-    /** Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends. */
+    /**
+     * Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends, and
+     * {@code deadline} is asked anew, under the lock.
+     */
     void serve(BooleanSupplier isDone, LongSupplier deadline) throws PortException {
         await(isDone, deadline, false, () -> Monitor.FOREVER);
     }
