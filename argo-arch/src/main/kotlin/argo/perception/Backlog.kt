@@ -37,7 +37,7 @@ internal class ReasoningQueues(
  * (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that loops on
  * `argo.act`.
  *
- * Any thread may call [isDone], [waitingEvents] and [dueInMs]; the rest belongs to the agent's.
+ * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's.
  *
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
@@ -83,12 +83,7 @@ internal class Backlog(
      * @param isAwaited whether the agent's thread asks for a snapshot that waits: if only intentions are left then, those of now are
      * awaited for a limited time
      */
-    fun isDone(isAwaited: Boolean = false): Boolean {
-        if (!areCommandsAndEventsDone()) return false
-        val begun = begun()
-        if (isAwaited) limit(begun)
-        return begun.none(::awaits)
-    }
+    fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
     private fun limit(begun: Collection<Intention>) {
         val now = nowMs()
@@ -98,17 +93,18 @@ internal class Backlog(
     }
 
     /** Returns the kind of work that is left, in words; null: nothing is left. */
-    fun kindLeft(): String? = when {
-        !commands.allDoneUpTo(lastCommand) -> "commands that were issued before have not left"
-        !areEventsDone() -> "events of earlier percepts wait"
-        begun().any(::awaits) -> "plans that earlier percepts have begun still run"
-        else -> null
+    fun kindLeft(): String? = kindLeft(isAwaited = false)
+
+    private fun kindLeft(isAwaited: Boolean): String? {
+        if (!commands.allDoneUpTo(lastCommand)) return "commands that were issued before have not left"
+        if (!areEventsDone()) return "events of earlier percepts wait"
+        val begun = begun()
+        if (isAwaited) limit(begun)
+        return if (begun.any(::awaits)) "plans that earlier percepts have begun still run" else null
     }
 
     /** Returns the time in ms until commands to other boards are not awaited any more; null: none are awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
-
-    private fun areCommandsAndEventsDone() = commands.allDoneUpTo(lastCommand) && areEventsDone()
 
     private fun areEventsDone() =
         if (queues.isStanding()) handedOverMs.let { it == null || nowMs() - it >= ATOMIC_PLAN_INTERVAL_MS }
