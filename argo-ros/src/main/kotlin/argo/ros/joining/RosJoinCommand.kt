@@ -5,17 +5,14 @@ import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
 import argo.ros.bridge.OnceEach
 import argo.tools.board.LineOptions
+import argo.tools.command.ToolCommand
 import argo.tools.command.ToolProvider
-import argo.tools.command.refuse
 import argo.tools.command.requireWithin
 import javino.LineClock
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
 import picocli.CommandLine.Parameters
-import picocli.CommandLine.Spec
-import java.util.concurrent.Callable
 import java.util.concurrent.CountDownLatch
 
 /** `ros-join`: boards in a ROS graph. */
@@ -27,10 +24,7 @@ import java.util.concurrent.CountDownLatch
         "Opening a port resets most boards.",
     ],
 )
-internal class RosJoinCommand : Callable<Int> {
-    @Spec
-    private lateinit var spec: CommandSpec
-
+internal class RosJoinCommand : ToolCommand() {
     @Mixin
     private lateinit var line: LineOptions
 
@@ -55,17 +49,14 @@ internal class RosJoinCommand : Callable<Int> {
     @Option(names = ["--listen"], description = ["for boards that send their percepts unasked"])
     private var listens = false
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
     override fun call(): Int {
         spec.requireWithin("--interval", intervalMs, 0..MAX_MS, "ms")
         val ports = boards.map(::named)
-        ports.groupBy { it.first }.values.find { it.size > 1 }?.let { spec.refuse("two boards are called ${it[0].first}; write NAME=PORT") }
+        ports.groupBy { it.first }.values.find { it.size > 1 }?.let { misuse("two boards are called ${it[0].first}; write NAME=PORT") }
         val bridge = try {
             BridgeAddress.of(at)
         } catch (refused: RefusedAddress) {
-            spec.refuse("--at: ${refused.message}")
+            misuse("--at: ${refused.message}")
         }
         val joined = ports.map { (name, port) -> join(name, port, bridge) }
         try {
@@ -92,14 +83,14 @@ internal class RosJoinCommand : Callable<Int> {
 
     private fun named(board: String): Pair<String, String> {
         val (name, port) = NAMED.matchEntire(board)?.destructured ?: return graphName(board) to board
-        if (graphName(name) != name) spec.refuse("'$name' is no name for the graph; one has letters, digits and '_'")
+        if (graphName(name) != name) misuse("'$name' is no name for the graph; one has letters, digits and '_'")
         return name to port
     }
 
     private fun open(port: String): BoardLink =
         BoardLinkProvider.of(port)?.open(port, true, LineClock.system()) ?: JavinoLink(line.open(port))
 
-    private fun tell(message: String) = spec.commandLine().err.run {
+    private fun tell(message: String) = err.run {
         println(message)
         flush()
     }
