@@ -27,7 +27,7 @@ public interface SessionListener<C> {
     /** An answer of more bytes than the limit was dropped. */
     void dropped();
 
-    /** A frame was dropped that has arrived whole: its payload says nothing that is known here. */
+    /** An intact frame was dropped, since its payload has no known form. */
     void unreadable(FrameKind kind);
 
     /** A rule on the board has begun to be met. */

@@ -65,7 +65,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. A page that has stayed out comes while the line is read for another reason. */
+    /** Returns whether a page may come soon. A late page is read when the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }

@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. It ends in front of the command at place {@code end} among the commands that are out. */
+    /** A frame on its way. It carries commands up to, but not including, place {@code end} of those that are out. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
@@ -37,7 +37,7 @@ final class Window<C> {
     private int unsent; // place of the first command that is to be sent again
     private OptionalLong roundTrip = OptionalLong.empty();
 
-    /** The number of the oldest command that is out, or of the next one. */
+    /** The number of the oldest command that is out; if none is out, of the next one. */
     int oldest() {
         return oldest;
     }
@@ -110,7 +110,7 @@ final class Window<C> {
         return handled;
     }
 
-    /** The round trip of the newest frame in the last acknowledgement that had been sent once; empty: there is none. */
+    /** The round trip of the newest frame that the last acknowledgement covers and that was sent only once; empty: there is none. */
     OptionalLong roundTrip() {
         return roundTrip;
     }

@@ -2,7 +2,7 @@ package javino.wire;
 
 /** The bytes that begin the items of an answer. */
 final class PerceptItems {
-    /** Ids that shapes can have. */
+    /** The number of ids of shapes. */
     static final int MAX_IDS = 126;
     /** A text that goes on in the next item. */
     static final char CONTINUED = 0x7E;
@@ -12,7 +12,7 @@ final class PerceptItems {
     static final char DIGITS = 0x80;
     /** The half byte behind a run of digits. */
     static final int END_OF_RUN = 0xF;
-    /** Bytes of text, or percepts, in one item. */
+    /** The most bytes of text, or percepts, in one item. */
     static final int MAX_LENGTH = 255;
 
     private PerceptItems() {}

@@ -241,7 +241,7 @@ class LinkDeliverySpec : FunSpec({
             repeat(2) { bench.link.request(REQUEST, 500) }
             bench.link.watch(100)
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
-                "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
+                "it has the action, but its program refuses it now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldEndWith
                 "refuses \"bad(1\": a bracket or quote in it is not closed"
