@@ -27,10 +27,10 @@ typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 /** Called with each byte that the board sends, when its last bit would have left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called with each byte that the board sends, when it begins, with the cycle at which its last bit will have left. */
+/** Called when the board begins to send a byte, with the cycle at which the byte's last bit will have left. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
-/** The board. The members are private but for avr. */
+/** The board. The members are private except avr. */
 struct board {
     avr_t *avr;
     void *context;
