@@ -237,7 +237,7 @@ class LinkDeliverySpec : FunSpec({
         val board = VirtualBoard2(actions = (1..12).map { BoardAction("wave$it", 0) } + BoardAction("bad", 1))
         bench(board).use { bench ->
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldContain
-                "refuses \"bad(1)\": it does not know the action, or not with these arguments"
+                "refuses \"bad(1)\": it does not know the action, or takes other arguments"
             repeat(2) { bench.link.request(REQUEST, 500) }
             bench.link.watch(100)
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
