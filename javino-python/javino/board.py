@@ -70,10 +70,11 @@ class Board:
     """A board on a line.
 
     `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate with which a named serial
-    port is opened and at which a reflex overtakes a long answer; 100 ms of silence end a frame that has begun, on a slower line than 2000
-    baud 20 byte times. `credit` is the size of the port's receive buffer in bytes, `longest` the largest payload of a frame in bytes,
-    `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of milliseconds.
+    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port; by
+    it the board spaces the parts of a long answer, so that the report of a reflex overtakes them. 100 ms of silence end a frame that has
+    begun; on a line slower than 2000 baud, 20 byte times do. `credit` is the size of the port's receive buffer in bytes, `longest` the
+    largest payload of a frame in bytes, `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of
+    milliseconds.
 
     Call it from only one thread, never from an interrupt.
     """
@@ -90,7 +91,7 @@ class Board:
         self._perceive = None
         self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
         self._running = False
-        self._inbox = b""  # frames that came while a function ran
+        self._inbox = b""  # bytes that came while a function ran
         self._texts = []  # percepts that were written and not sent
         self._waiting = 0  # bytes of the unsent percepts, while nobody has asked
         self._asked = None  # the functors of the request in hand
@@ -136,7 +137,7 @@ class Board:
         if function is None:
             return lambda decorated: self.on_action(name, decorated, arguments)
         if split(name) != (name, [], True):
-            raise ValueError("%r is no action's name; give the functor alone, and the number of its arguments as arguments=1" % name)
+            raise ValueError("%r is no action's name; give only the functor, and the number of its arguments as arguments=1" % name)
         if len(to_bytes(name)) > _MAX_NAME:
             raise ValueError("an action's name has at most %d characters, unlike %r" % (_MAX_NAME, name))
         for i in range(len(self._actions)):
@@ -149,7 +150,7 @@ class Board:
         return function
 
     def perceive(self, function):
-        """Registers the function that writes percepts when they are asked for. Returns it, to decorate it."""
+        """Registers the function that writes percepts when they are asked for. Returns it, so that this can be a decorator."""
         self._perceive = function
         return function
 
@@ -160,15 +161,15 @@ class Board:
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers the function that is called if nothing valid has arrived for so many milliseconds, once until something arrives. 0:
-        never."""
+        """Registers the function that is called if nothing valid has arrived for `ms` milliseconds: once, and again only after something
+        has arrived. 0: never."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
     # ---- percepts ----
 
     def wants(self, functor):
-        """Returns true if the request in hand asks for percepts of this functor; spares reading a sensor."""
+        """Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
@@ -294,8 +295,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action that called `later`. Returns true if it was reported: not if the computer has begun anew since,
-        or for 0."""
+        """Reports the outcome of an action that called `later`. Returns true if it was reported; false if the computer has begun anew
+        since, or for 0."""
         if not later or later != self._open:
             return False
         self._open = 0
@@ -366,7 +367,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # percepts that its function writes wait
+                self._is_looking = False  # percepts that the reflex's function writes wait
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -410,10 +411,10 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits until something arrives, at most so many milliseconds; shorter if silence or the sensors matter sooner."""
+        """Waits until something arrives, at most `ms` milliseconds; less if silence or the sensors matter sooner."""
         if self._parts:
             ms = min(ms, 1)
-        elif self._rules or self._receiver.is_waiting():  # rules that are set
+        elif self._rules or self._receiver.is_waiting():  # true if rules are set
             ms = min(ms, _LOOK_MS)
         self.line.wait(ms)
 
