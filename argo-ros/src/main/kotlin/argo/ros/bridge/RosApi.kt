@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @param send sends a message to the bridge
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
-    /** An answer, and when it came by the platform's clock. */
+    /** An answer, and the time of its arrival by the platform's clock. */
     class Answer(val values: JsonObject, val receivedNanos: Long) {
         fun text(name: String): String? = values.text(name)
 

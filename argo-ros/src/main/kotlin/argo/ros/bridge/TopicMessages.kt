@@ -95,11 +95,11 @@ internal class TopicMessages(
         val reasons = told.getOrPut(rule, ::HashSet)
         if (reasons.size >= MAX_TOLD || !reasons.add(why)) return
         val end = if (reasons.size < MAX_TOLD) "" else "; further reasons are not reported"
-        warn("line ${rule.place.line}: a message of ${rule.topic} (${rule.type}) is no ${rule.percept.functor}: $why$end")
+        warn("line ${rule.place.line}: a message of ${rule.topic} (${rule.type}) gives no percept ${rule.percept.functor}: $why$end")
     }
 
     private companion object {
-        /** The most reasons per rule that are told: with numbers of the message in them there may be many. */
+        /** The most reasons that are told for each rule: numbers of messages in them can make many. */
         const val MAX_TOLD = 3
     }
 }

@@ -21,13 +21,13 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Keeps [participant] in the ROS graph behind a bridge: advertises what it has, again whenever the bridge or the graph has come back, and
- * publishes the newest messages of its topics. A thread of its own does so, which nobody else waits for.
+ * publishes the newest messages of its topics. It does so on a thread of its own, for which nobody waits.
  *
  * The messages go out in rounds: the next one waits until the bridge has read the one before, as its answer to a ping shows.
  *
  * @param topics the participant's topics
  * @param tell takes a line about the connection, for a person
- * @param warn takes what the graph is not told, or does not take, each text once
+ * @param warn takes reports of things that the graph is not told, or does not take, each text once
  */
 internal class Membership(
     private val participant: Participant,
@@ -170,7 +170,7 @@ internal class Membership(
 
         private fun send(message: Outgoing) = bridge.send(message)
 
-        /** Sends an answer before the messages that wait; a bridge that asks and does not read is left. */
+        /** Sends an answer before the messages that wait; leaves a bridge that asks and does not read. */
         private fun answer(operation: String) {
             if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
             val message = Outgoing(operation, isUrgent = true)

@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * topic and an action for any command. [hear] is for one thread at a time, [renew] for another.
  *
  * @param send sends an operation to the bridge
- * @param warn takes what the graph is not told, each text once
+ * @param warn takes reports of actions that the graph is not told, each text once
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action its name; null: any command, as text */
@@ -81,7 +81,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         return named.toMap() + (action to Offer(null, emptySet()))
     }
 
-    /** Takes in an operation of the bridge; false: it is none about an offer. */
+    /** Takes in an operation of the bridge; false: it is not about an offer. */
     fun hear(operation: JsonObject): Boolean {
         when (operation.text("op")) {
             "call_service" -> called(operation)

@@ -3,7 +3,7 @@ package argo.ros.joining
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read those before. So a slow
+ * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read the earlier ones. So a slow
  * bridge holds up nobody, and gets no old messages. Safe for use by several threads; no function waits.
  *
  * @param warn takes warnings for a person, each text once
@@ -45,7 +45,7 @@ internal class Topics(private val warn: (String) -> Unit) {
         }
     }
 
-    /** Has the newest messages of all topics wait, for a graph that does not have them. */
+    /** Makes the newest messages of all topics wait again, for a graph that does not have them. */
     fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
 
     companion object {
