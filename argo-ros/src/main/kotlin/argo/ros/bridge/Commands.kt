@@ -155,7 +155,7 @@ internal class Commands(
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
     /** The connection has ended for [reason]. */
-    fun gone(reason: String) = pending.values.toList().forEach { entry ->
+    fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
         )

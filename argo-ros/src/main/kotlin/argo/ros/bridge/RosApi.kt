@@ -51,7 +51,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return true
     }
 
-    override fun close() = calls.values.toList().forEach { it.completeExceptionally(NotKnown("")) }
+    override fun close() = calls.values.forEach { it.completeExceptionally(NotKnown("")) }
 
     /** @param reason the bridge's reason; empty: it gives none */
     class NotKnown(reason: String) : Exception(reason) {

@@ -59,7 +59,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         if (isRos2) send(operation("advertise_action", "action" to action, "type" to "argo_msgs/action/Act")) else goals.announce()
 
     /** Takes all services back: a bridge of ROS 1 keeps the services of a client that has gone, and their callers would wait for ever. */
-    fun takeAllBack() = offers.keys.toList().forEach(::takeBack)
+    fun takeAllBack() = offers.keys.forEach(::takeBack)
 
     private fun takeBack(name: String) {
         val offer = offers.remove(name) ?: return
