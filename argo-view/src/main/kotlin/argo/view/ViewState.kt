@@ -9,7 +9,7 @@ import kotlinx.serialization.Serializable
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property printed the lines that the agent has printed, the latest first
  * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as in the state
- *   before
+ * before
  * @property agents all agents whose views this server has
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
