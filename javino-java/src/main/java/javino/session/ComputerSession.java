@@ -353,7 +353,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean requestIsDue(long now) {
         return requests.nanosUntilDue(now) == 0
-                && (window.size() == 0 || window.bytes() + WireFrame.OVERHEAD + 1 <= welcome.credit());
+                && (window.size() == 0 || window.hasRoomFor(WireFrame.OVERHEAD + 1, 0, welcome.credit()));
     }
 
     private WireFrame request(long now) {
@@ -452,16 +452,16 @@ public final class ComputerSession<C extends SessionCommand> {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if the frame has room for it, and the credit for the frame beside those that are out. Returns whether it did. */
+        /** Adds an item if the frame has room for it, and {@linkplain Window#hasRoomFor the board} for the frame; else returns false. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
             boolean fits = isAlone || longer.length() <= Math.min(MAX_ROW, welcome.longestPayload());
-            int out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length();
+            int bytes = WireFrame.OVERHEAD + longer.length();
             for (int i = 0; i < longer.length(); i++) {
-                out += longer.charAt(i) == 0xA4 || longer.charAt(i) == 0xA5 ? 1 : 0;
+                bytes += longer.charAt(i) == 0xA4 || longer.charAt(i) == 0xA5 ? 1 : 0;
             }
-            if (!fits || out > welcome.credit() && !(isAlone && isFirst)) {
+            if (!fits || !(isAlone && isFirst) && !window.hasRoomFor(bytes, requests.bytes(), welcome.credit())) {
                 return false;
             }
             payload = longer;

@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** The commands that are out, and the frames that carry them. */
+/** The commands that are out, {@value #SIZE} at most, and the frames that carry them. */
 final class Window<C> {
     static final int SIZE = 16;
 
@@ -65,6 +65,16 @@ final class Window<C> {
             bytes += frame.bytes;
         }
         return bytes;
+    }
+
+    /**
+     * Returns whether a frame of {@code bytes} may go out beside the frames that are on their way, within the board's credit.
+     *
+     * @param requestBytes bytes of the requests that are on their way
+     * @param credit the most bytes that the board can take at once
+     */
+    boolean hasRoomFor(int bytes, int requestBytes, int credit) {
+        return bytes() + requestBytes + bytes <= credit;
     }
 
     void add(C command) {
