@@ -24,7 +24,7 @@ typedef struct board board;
 /** Called when a watched pin changes. */
 typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 
-/** Called with each byte that the board sends, when its last bit would have left. */
+/** Called with each byte that the board sends, at the moment at which the byte's last bit would have left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
 /** Called when the board begins to send a byte, with the cycle at which the byte's last bit will have left. */

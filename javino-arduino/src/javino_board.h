@@ -65,7 +65,7 @@ enum {
     JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand. The call ends it. */
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the board does not send it. */
-    JAVINO_RULES_GO_ON,   /**< An answer that goes out part by part may go on. True: there is such an answer. */
+    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: such an answer is under way. */
     JAVINO_RULES_END,     /**< A request is in hand: the rest of such an answer goes out. True: rules leave the new answer less memory. */
     JAVINO_RULES_ALL      /**< The rest of such an answer goes out, at any time. */
 };

@@ -411,7 +411,7 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits until something arrives, at most `ms` milliseconds; less if silence or the sensors matter sooner."""
+        """Waits at most `ms` milliseconds until something arrives. The wait is shorter if a silence may end it or rules watch sensors."""
         if self._parts:
             ms = min(ms, 1)
         elif self._rules or self._receiver.is_waiting():  # true if rules are set
@@ -462,7 +462,7 @@ class Board:
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Takes the verdict of the following bytes on the message of version 1 before them: true if it was read rightly."""
+        """Takes what the next bytes show about the message of version 1 before them: true if it was read rightly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)

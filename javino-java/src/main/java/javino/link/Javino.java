@@ -74,7 +74,7 @@ public class Javino implements AutoCloseable {
         return lastError;
     }
 
-    /** Closes the ports that were opened. They are opened again when they are next named. */
+    /** Closes the ports that were opened. A call that names one of them opens it again. */
     @Override
     public void close() {
         opening.lock();

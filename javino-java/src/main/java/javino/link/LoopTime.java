@@ -12,8 +12,8 @@ import java.util.concurrent.TimeUnit;
  * they may miss a part of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or
  * below n (n-1) x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
  * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are
- * known. From {@value #MANY} delays on, one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall
- * of this computer does not slow commands down.
+ * known. The longest delay is always left out, and from {@value #MANY} delays on one in {@value #OUTLIER_AMONG} at each end, so that one
+ * stall of this computer does not slow commands down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.

@@ -54,7 +54,7 @@ final class PortOwners {
         }
     }
 
-    /** A claim to a line that is no port of the machine, so it keeps nobody out. */
+    /** A claim to a line that is no port of the machine. It keeps nobody from the line. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }

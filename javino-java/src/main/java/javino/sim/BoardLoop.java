@@ -114,7 +114,7 @@ public final class BoardLoop {
     /**
      * Handles the next message, waiting for one at most {@code timeoutMillis}; throws as {@link #run} does.
      *
-     * @param timeoutMillis milliseconds, at least 0; while the board watches rules, only the first few count
+     * @param timeoutMillis milliseconds, at least 0; while the board watches rules, it waits only a few milliseconds
      */
     public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);

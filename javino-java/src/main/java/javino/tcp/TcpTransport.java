@@ -79,7 +79,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     protected String lossWhenRefused() {
-        return "the connection broke"; // only a default: a better reason is known by then
+        return "the connection broke"; // used only if no better reason is known
     }
 
     String broken(IOException e) {

@@ -8,7 +8,7 @@ final class PerceptItems {
     static final char CONTINUED = 0x7E;
     /** A text without an id. */
     static final char NO_ID = 0x7F;
-    /** Added to an id: only digits follow. */
+    /** Added to the id of an item that has only digits behind it. */
     static final char DIGITS = 0x80;
     /** The half byte behind a run of digits. */
     static final int END_OF_RUN = 0xF;

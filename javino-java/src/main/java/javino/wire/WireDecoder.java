@@ -27,7 +27,7 @@ public final class WireDecoder {
 
     /**
      * @param fromBoard whether the frames are a board's, else a computer's
-     * @param timeoutNanos silence within a frame that ends it
+     * @param timeoutNanos the length of a silence within a frame that ends the frame
      * @param nonce gives the nonce of the session when a frame ends; 0: there is no session. Then a board checks only HELLO, and finds
      *     other frames with any checksum; a computer finds only WELCOME
      * @param found is given each frame, on the thread that hands in its last byte

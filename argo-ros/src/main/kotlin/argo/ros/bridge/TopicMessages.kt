@@ -26,7 +26,7 @@ internal class TopicMessages(
 
     private val newest = HashMap<String, Newest>()
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // fields that are bytes, by rule; of rules whose types are known
+    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
