@@ -106,7 +106,7 @@ internal class Routes(private val agent: ObservedAgent) {
         val done = CountDownLatch(1)
         ask(done::countDown)
         if (done.await(MAX_WAIT_S, TimeUnit.SECONDS)) return HttpResponse.message(200, message)
-        return HttpResponse.message(202, "asked for; the agent does it in its next reasoning cycle, which has not come within $MAX_WAIT_S s")
+        return HttpResponse.message(202, "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s")
     }
 
     private class Route(val method: String, val respond: (Request) -> HttpResponse)
