@@ -105,7 +105,8 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
      * The kind of several that a percept is of. If it is of none: the first with its functor and number of arguments, or empty.
      */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
-        List<PerceptKind> alike = kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
+        List<PerceptKind> alike =
+                kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
         return alike.stream()
                 .filter(kind -> kind.deviationOf(percept).isEmpty())
                 .findFirst()
@@ -136,9 +137,10 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         List<String> shown = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
             String unit = arguments.get(i) instanceof PerceptArgument.Quantity quantity ? quantity.unit() : "";
-            shown.add(unit.isEmpty()
-                    ? percept.arguments().get(i)
-                    : percept.arguments().get(i) + " " + unit);
+            shown.add(
+                    unit.isEmpty()
+                            ? percept.arguments().get(i)
+                            : percept.arguments().get(i) + " " + unit);
         }
         return shown.isEmpty() ? functor : functor + "(" + String.join(",", shown) + ")";
     }
