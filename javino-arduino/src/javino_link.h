@@ -47,7 +47,7 @@ typedef struct {
 /** The most actions of a board: on the line, the next numbers stand for no command and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** The most bytes of an action's name, so that a page of the vocabulary holds it. */
+/** The most bytes of an action's name, so that a page of the vocabulary holds it. With a longer name, computers know no action. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */

@@ -30,6 +30,12 @@ public interface SessionListener<C> {
     /** An intact frame was dropped, since its payload has no known form. */
     void unreadable(FrameKind kind);
 
+    /**
+     * A page of the board's vocabulary holds no action although it has more than {@code described}, so it stays undescribed. Called for
+     * each such page.
+     */
+    void undescribed(int described, int total);
+
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);
 

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.wire.BoardAction;
@@ -28,6 +29,11 @@ public interface BoardProgram {
      * of them.
      */
     default List<BoardAction> vocabulary() {
+        return List.of();
+    }
+
+    /** The kinds of percepts that it describes to computers of version 2; empty: it describes none. */
+    default List<PerceptKind> perceptKinds() {
         return List.of();
     }
 
