@@ -289,7 +289,7 @@ public:
 
   /**
    * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call it in the function given to perceive(), for each kind.
-   * It writes something only if the computer asks for the description, once in a while, and then no percept is wanted. Version 2.
+   * It writes only when a computer of version 2 asks for the description, which is seldom; wants() is false for all percepts then.
    *
    * @param kind  a functor, and for each argument `_` for anything, a choice such as `front|left` or `0|1`, or a number: its unit, if it
    *              has one, and its range, `cm 0..400`, `-40..125`, `% ..`; at most 250 bytes

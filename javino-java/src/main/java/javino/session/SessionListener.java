@@ -31,8 +31,8 @@ public interface SessionListener<C> {
     void unreadable(FrameKind kind);
 
     /**
-     * A page of the board's vocabulary holds no action although it has more than {@code described}, so it stays undescribed. Called for
-     * each such page.
+     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known, so the rest stays
+     * unknown. Called for each such page.
      */
     void undescribed(int described, int total);
 
