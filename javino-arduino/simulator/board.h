@@ -60,7 +60,7 @@ struct board {
  * Loads a sketch.
  *
  * @param firmware  an .elf or .hex file
- * @param sink      null: board_foretell follows
+ * @param sink takes the board's bytes; null: board_foretell gives a receiver
  * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);

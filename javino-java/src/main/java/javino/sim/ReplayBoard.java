@@ -81,7 +81,7 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** Milliseconds from the recording's first message to the end of its last, which is taken to last as long as the others on average. */
+    /** The length of a round in ms: from the first message to the end of the last, which counts as long as the others are on average. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));

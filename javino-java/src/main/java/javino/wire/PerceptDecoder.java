@@ -23,7 +23,7 @@ public final class PerceptDecoder {
     /**
      * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
      *
-     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands
+     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands of bytes of text
      * @param limit the most bytes of the text
      * @throws TooLongException if the text has more; the shapes read by then are kept
      */

@@ -94,7 +94,7 @@ internal class JoinedBoard(
             } catch (late: PortTimeoutException) {
                 report("timeout", "/$name: ${late.message}")
             }
-            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // missed requests are not made up for
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // skips requests that were missed
             if (!listens && !opened.speaksUnasked) waitUntil(due)
         }
     }
