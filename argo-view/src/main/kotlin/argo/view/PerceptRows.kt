@@ -90,7 +90,6 @@ internal class PerceptRows {
         private const val MAX_COURSES = 60
         private const val MAX_NUMBERS = 4
 
-
         private fun shape(percept: String) = percept.replace(NUMBER, "#")
     }
 }
