@@ -1,6 +1,6 @@
 'use strict';
-// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where none came. A number whose board
-// describes its range is drawn in that range.
+// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where no message came. A number whose
+// board describes its range is drawn in that range.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 20;
