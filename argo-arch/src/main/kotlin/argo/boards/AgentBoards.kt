@@ -36,7 +36,7 @@ import java.util.logging.Logger
  * The ports of one agent, the boards on them, and the agent's wishes to these: whether it perceives them, how often, and through which
  * filter.
  *
- * One thread at a time writes each of these, and all others read it here without a copy. After each change waiting threads are woken to
+ * One thread at a time changes each of these; all others read it here, and keep no copy. After each change waiting threads are woken to
  * read again. Functions may be called by any thread unless they say otherwise.
  *
  * @property owner the agent's name
@@ -77,12 +77,12 @@ internal class AgentBoards(
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that were perceived since all ports were last closed; the list changes while the ports in use change. */
+    /** All boards that were perceived since all ports were last closed. Changes only together with the ports in use. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
 
-    /** True if the agent's beliefs are not yet about the boards that it perceives. */
+    /** True from a change of the boards that the agent perceives until its next perception. */
     @Volatile
     var areOthers = false
         private set
@@ -92,19 +92,16 @@ internal class AgentBoards(
     var hasNamespaces = false
         private set
 
-    /** The states of the ports. */
     val states = PortStates(::portChanged)
 
-    /** The ports. */
     val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
 
-    /** The decision which snapshots the agent perceives now. */
+    /** Decides which snapshots the agent perceives now. */
     val ready = ReadySnapshots(platform, { perceived.get().boards }, waker::wake)
 
     /** True if boards watch critical rules themselves as far as they can, and messages are written at the pace of the line. */
     val leavesRulesToBoards get() = inCycle == null
 
-    /** The agent's observers. */
     val observers: Observers get() = observing()
 
     /** The boards that the agent perceives. */
@@ -133,7 +130,7 @@ internal class AgentBoards(
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
 
-    /** Returns the open port that the agent calls [port], or the one that it waits for; null: there is none. */
+    /** Returns the port that the agent calls [port] and holds open, or whose device has gone from a perceived board; null: none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
     /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
@@ -165,7 +162,7 @@ internal class AgentBoards(
     /** Makes a warning in the agent's log that is not repeated while its cause lasts. */
     fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
 
-    /** Wakes the agent until [seen] is true; other threads call [seen]. */
+    /** Wakes the agent, repeatedly if necessary, until [seen] returns true; other threads call [seen]. */
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
     /** Starts or stops perceiving. Once stopped, no reflex is sent; a board carries out its own reflexes until its rules are removed. */
@@ -177,7 +174,7 @@ internal class AgentBoards(
         dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
     }
 
-    /** Sets the sensing interval in ms of only [board], null: of all boards; 0: as fast as the line allows. */
+    /** Sets the sensing interval in ms of [board], or of all boards if that is null; 0: as fast as the line allows. */
     fun senseEvery(intervalMs: Int, board: Board? = null) {
         if (board != null) {
             board.ownIntervalMs = intervalMs
@@ -202,10 +199,10 @@ internal class AgentBoards(
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Tells the lines that the agent's wishes to its boards have changed. */
+    /** Has each line read the agent's wishes to its board anew. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
-    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last one. */
+    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last perception. */
     fun perceiving(): Boolean {
         val wereOthers = areOthers
         areOthers = false
@@ -218,10 +215,10 @@ internal class AgentBoards(
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
 
-    /** Returns the time in ms until there is something to perceive without news from a board; null: there will not be. */
+    /** Returns the time in ms until there is something to perceive without news from a board; null: never. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Sends [text] on [port]; no snapshot waits for it. The caller is to [follow][Transmission.follow] it. */
+    /** Sends [text] on [port]; no snapshot waits for it. The caller must [follow][Transmission.follow] the command. */
     fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
         val issued = observers.commandIssued(port.link.port, text)
         val commands = lines[port]?.commands

@@ -59,7 +59,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return TimeUnit.NANOSECONDS.toMillis(offsets.max() - offsets.min())
     }
 
-    /** Explains why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
+    /** Explains why the filters of the boards in the namespace of [percept] keep or drop it. Any thread. */
     fun explain(percept: Literal): String {
         val (own, unnamed) = boards.current.partition { it.namespace != null && it.namespace == percept.ns.functor }
         return if (own.isEmpty()) explain(perceptText(percept), unnamed.filter { it.namespace == null })

@@ -9,7 +9,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
 
-/** The interface of an agent for its observers. Any thread may call, but for [beliefs]. */
+/** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
 interface ObservedAgent {
     /** The agent's name in the multi-agent system. */
     val name: String
@@ -83,7 +83,7 @@ interface ObservedAgent {
     /** Makes the agent run a reasoning cycle soon. */
     fun wake()
 
-    /** Makes it run a reasoning cycle soon, and again, ever more slowly, until [seen] returns true. */
+    /** Makes it run a reasoning cycle soon, and further ones at growing intervals until [seen] returns true. */
     fun wakeUntil(seen: () -> Boolean)
 }
 
