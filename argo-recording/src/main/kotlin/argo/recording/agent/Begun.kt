@@ -51,7 +51,7 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
 
 /** An action whose outcome goes to [ended], and not into Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this when somebody hands it an outcome; it ignores an outcome without an intention. */
+    /** Jason calls this when an outcome arrives, and ignores an outcome without an intention. */
     override fun getIntention() = null.also { ended(this) }
 }
 

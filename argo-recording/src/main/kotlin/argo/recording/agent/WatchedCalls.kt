@@ -11,7 +11,7 @@ import jason.asSyntax.Term
 import jason.stdlib.random
 import java.io.Serializable
 
-/** Replaces [code], an internal action or a function. A program that writes its plans writes [code] instead. */
+/** Replaces [code], an internal action or a function. If a program serializes its plans, [code] is written instead. */
 internal sealed interface Watched : Serializable {
     val code: Any
 }
@@ -87,7 +87,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** Leaves the watch out if the program writes its agent. */
+    /** Leaves the watch out if the project's program serializes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {

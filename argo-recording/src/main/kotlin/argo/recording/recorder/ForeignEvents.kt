@@ -13,7 +13,7 @@ import java.util.IdentityHashMap
  * Jason puts an event into the queue before it tells its listeners, so the agent may select an event of another thread of which this has
  * not been told yet. Therefore the agent's own events are kept as well: an event that is selected and not known is another thread's.
  *
- * @param waiting returns the events that wait in the agent; those that do so now are its own
+ * @param waiting returns the events that wait in the agent; those that wait now are its own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
 internal class ForeignEvents(private val waiting: () -> Collection<Event>, private val isOwn: () -> Boolean) : CircumstanceListener {

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds calls of [cycles], and the ends of the operations that those calls began. They answer an agent that may make other calls, or make
- * them at other times.
+ * Finds calls of [cycles], and the ends of the operations that those calls began, to answer an agent that may make other calls, or at other
+ * times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -58,13 +58,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     /** Returns the first call of [name] with [args], at any time; may return it several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
-    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late; each only once. */
+    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late. Returns each end once. */
     fun timer(ns: Long): Ended? {
         val first = timers.binarySearch { it.ns.compareTo(ns - EARLY_NS) }.let { if (it < 0) -it - 1 else it }
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** Returns the end of the timer with [number], which the same step had begun, if it was due at about [ns]; each only once. */
+    /** Returns the end of the timer [number], which the same step began, if that timer was due at about [ns]. Returns each end once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 

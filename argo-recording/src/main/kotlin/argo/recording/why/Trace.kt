@@ -290,7 +290,7 @@ internal class Trace(
         event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
 
     companion object {
-        private const val BEFORE = "that was before the replay begins, which this recording has lost"
+        private const val BEFORE = "that was before the replay begins, in a part that this recording has lost"
         private const val MAX_NOTES = 10_000
 
         /** The largest number of causes from a step to the root of its intention. */
