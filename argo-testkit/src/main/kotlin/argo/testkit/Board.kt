@@ -131,7 +131,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * From the next opening of its port on it sends the bytes of the board in [recording], at the times of the recording, and takes any
+     * When its port is opened next, it begins to send the bytes of the board in [recording], at the times of the recording; it takes any
      * command. Its other settings have no effect then, except for those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
@@ -143,7 +143,7 @@ class Board internal constructor(private val time: VirtualTime) {
     fun replays(file: Path): Board = replays(LineRecording.read(file))
 
     /**
-     * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
+     * When its port is opened next, it leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
      * port's name and settings, and the line's clock. The board's other settings have no effect then, except for those of its port, nor do
      * the expectations of commands.
      */
@@ -160,7 +160,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /**
      * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that [plays its
      * mapping][playsItsMapping].
-     * @throws IllegalArgumentException if [message] is none
+     * @throws IllegalArgumentException if [message] is no object of JSON
      * @throws IllegalStateException if the board is not mapped
      */
     fun publishes(topic: String, message: String): Board = apply {
@@ -199,7 +199,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It refuses every command for which [kind] is true: see the other form. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** It carries out [command] again, without delay. */
+    /** It carries [command] out without delay from now on, though it [refuses] it or [takes] time for it so far. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** It needs [duration] to carry out [command], and does nothing else meanwhile. */

@@ -31,7 +31,7 @@ internal class JasonTime private constructor(machine: ScheduledExecutorService) 
     }
 
     companion object {
-        /** Puts it in the place of Jason's scheduler, once for all agents of this program. */
+        /** Puts this in the place of Jason's scheduler, once for all agents of this program. */
         fun install() = install(JasonTime::class.java, Place.TIME, ::JasonTime)
     }
 }
