@@ -140,7 +140,7 @@ internal class ExperimentCommand : Callable<Int> {
             make(archive, settings, conditions, workers)
         } catch (unwritable: IOException) {
             spec.commandLine().err.println(
-                "experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $out continues",
+                "experiment: ${unwritable.message}. The records so far are kept: make room, and the same command with --out $out continues",
             )
             1
         }

@@ -37,9 +37,9 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times are those of a [Sighting], to
- * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. The laboratory
- * ends a run with `stop` if the agent does not.
+ * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times begin as in a [Sighting] and
+ * end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. The laboratory ends a run with
+ * `stop` if the agent does not.
  *
  * @param ready has the robot put at the start for a run; returns false if the experiment is aborted
  */

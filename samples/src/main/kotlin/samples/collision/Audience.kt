@@ -22,7 +22,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private var conclusion: String? = null
 
     /**
-     * Prints the address of [view], shows [picture] there and waits for the first browser. Null: it could not be opened, which is printed.
+     * Prints the address of [view], shows [picture] there and waits for the first browser. If [view] is null, prints that there is none.
      */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {

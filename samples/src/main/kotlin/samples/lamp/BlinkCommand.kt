@@ -26,7 +26,7 @@ internal class BlinkCommand : Callable<Int> {
     )
     private lateinit var port: String
 
-    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long (default: \${DEFAULT-VALUE})"])
+    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long it runs (default: \${DEFAULT-VALUE})"])
     private var seconds = 0
 
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
