@@ -124,7 +124,7 @@ public final class Poms {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
-    /** The module of the folder {@code name}, or what else has a POM there. */
+    /** The module, or another part with a POM, in the folder {@code name}. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
@@ -189,7 +189,7 @@ public final class Poms {
                 .toList();
     }
 
-    /** The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**}. */
+    /** The folders of resources but the usual one. The only known pattern is a whole folder of the module, {@code name/**}. */
     private List<Resource> resources(Element pom, String path, String usual) {
         refuse(pom, "with patterns", path + "[includes]/directory[.!='${project.basedir}']");
         refuse(pom, "that is not a folder", path + "/includes/include[substring-before(.,'/**')='']");
