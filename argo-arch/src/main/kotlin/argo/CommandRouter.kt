@@ -120,7 +120,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 }
 
-/** Returns the command as a literal; null: it is a string that holds none. */
+/** Returns the command as a literal; null: it is a string that is no literal. */
 private fun literalOf(command: Term): Literal? = try {
     if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
 } catch (_: PerceptSyntaxException) {

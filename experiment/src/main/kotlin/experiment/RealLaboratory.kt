@@ -87,7 +87,8 @@ internal class RealLaboratory(
     }
 
     /**
-     * Stops the robot, since a board's motors keep their last command; not if the agent is in trouble, and so has no board for a command.
+     * Stops the robot, since a board's motors keep their last command; does nothing if the agent is in trouble, since it has no board for a
+     * command then.
      */
     private fun halt(witness: Witness) {
         if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()

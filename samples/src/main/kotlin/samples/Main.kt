@@ -57,7 +57,7 @@ private fun CommandLine.addProject(name: String, vararg description: String): Co
     return addSubcommand(name, sample)
 }
 
-/** A sample without options: the Jason project [name], until its agents end it. */
+/** A sample without options: runs the Jason project [name] until its agents end it. */
 @Command
 private class ProjectCommand(private val name: String) : Callable<Int> {
     @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])

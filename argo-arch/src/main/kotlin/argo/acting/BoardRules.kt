@@ -29,7 +29,7 @@ internal class BoardRules(
         var isAcknowledged = false
     }
 
-    /** A command to the board: the rule [set], or else a removal. */
+    /** A command to the board: it sets the rule [set] or, if that is null, removes rules. */
     private class Message(val change: CommandItem.Rule, val set: Held? = null)
 
     private val lock = ReentrantLock()

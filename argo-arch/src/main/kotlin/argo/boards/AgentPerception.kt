@@ -30,7 +30,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 
-    /** Returns the new critical percepts of the snapshots that the last [update] handed over; empty when asked again. */
+    /** Returns the new critical percepts of the snapshots that the last [update] handed over; the next call returns none. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
     /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */
@@ -49,7 +49,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. Boards
+     * Returns the time in ms between the oldest and the newest reading that the agent believes of its boards; null: there is none. Boards
      * that are off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {

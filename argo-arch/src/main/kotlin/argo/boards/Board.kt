@@ -79,7 +79,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** The commands for which its snapshots wait. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
-    private val choosing = ReentrantLock() // held while the filter is asked for and taken
+    private val choosing = ReentrantLock() // held from the choice of the filter until it is in force
     private val stale = StaleBeliefs(agent.platform.nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
     private val reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
     private val percepts = BoardPercepts(

@@ -30,7 +30,7 @@ interface BoardLinkProvider {
     /**
      * Opens, without a real board, one called [port] that a test plays; null: a test cannot play boards of this scheme.
      *
-     * @param heard takes the messages to the board, each with the name of its way, such as the topic of a robot
+     * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
      * @throws PortException as [open] does, except for failed connections: none is made
      */
     @Throws(PortException::class)

@@ -20,9 +20,7 @@ interface ObservedAgent {
     /** The sensing interval in ms of boards that have no interval of their own. */
     val intervalMs: Int
 
-    /**
-     * The time in ms between the oldest and the newest of the boards' readings that it believes; null: there are none. See `argo.skew`.
-     */
+    /** The time in ms between the oldest and the newest reading that it believes of its boards; null: there is none. See `argo.skew`. */
     val skewMs: Long?
 
     /** True if it perceives its boards. */

@@ -5,7 +5,7 @@ import javino.wire.Shape
 
 /**
  * The percepts that a board has reported outside of messages since it was asked for the newest message, the last one for each critical
- * rule. They are kept since the board made that message before them. Not safe for use by several threads at once.
+ * rule. They are kept, since the board may have made that message before them. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)

@@ -17,7 +17,8 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     private var perceivedMs = Long.MIN_VALUE
 
     /**
-     * True if the agent was woken since it began to perceive. [wake] sets it, then reads [sleeper]; [maySleep] sets that, then reads this.
+     * True if the agent was woken since it began to perceive. [wake] writes it, then reads [sleeper]; [maySleep] writes that, then reads
+     * it.
      */
     @Volatile
     private var isWoken = false

@@ -89,7 +89,7 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due; false if it is time to look at the line before. */
+    /** Waits until the next request is due; false if the line must be looked at first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
         if (wait >= SLICE_NANOS && mayReport()) return false // the line is read instead

@@ -16,7 +16,7 @@ sealed interface Outcome {
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/** Two runs with the same [events] differ; [difference] names the first place. So one run says nothing about another. */
+/** Two runs with the same [events] differ; [difference] names the first place at which they do. So one run says nothing about another. */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 

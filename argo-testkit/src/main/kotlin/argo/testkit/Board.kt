@@ -144,8 +144,8 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * When its port is opened next, it leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
-     * port's name and settings, and the line's clock. The board's other settings have no effect then, except for those of its port, nor do
-     * the expectations of commands.
+     * port's name and settings, and the line's clock. Then expectations of commands have no effect, nor do the board's other settings,
+     * except for those of its port.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
@@ -297,11 +297,11 @@ class Board internal constructor(private val time: VirtualTime) {
     /** True if its port exists. */
     internal val isPresent: Boolean get() = isConnected
 
-    /** True if its port is the robot of its name, see [playsItsMapping]. */
+    /** True if its port is the robot that the port's name addresses: see [playsItsMapping]. */
     internal var isMapped = false
         private set
 
-    /** Opens its port as the robot of its name. */
+    /** Opens its port as the robot that the port's name addresses. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }

@@ -61,7 +61,7 @@ class TestMas internal constructor() : AutoCloseable {
         return work()
     }
 
-    /** Does [making], which makes agents, and then lets all agents run; nothing is left if that fails. */
+    /** Does [making], which makes agents, and then lets all agents run; if that fails, no agent is left. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()

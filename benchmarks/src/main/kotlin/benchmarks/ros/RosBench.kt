@@ -37,7 +37,7 @@ private fun program(number: Int) = """
 
 private fun ages(hz: Int, seconds: Int): String {
     val published = ConcurrentHashMap<Int, Long>()
-    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // each time with the age at that time
+    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // pairs of a time and the age at that time
     acts.heard = { number, now, _ ->
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit
  * @property port the port of the agent's view; 0: any free port
  * @param waitS the time for which the run waits, in s
  * @param out takes the view's address
- * @param keyboard ends the waiting with Enter; not if it has nothing to read, or has ended
+ * @param keyboard Enter typed there ends the waiting; the end of its input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)

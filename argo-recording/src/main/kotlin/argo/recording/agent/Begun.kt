@@ -55,7 +55,7 @@ internal class KeptAction(action: ActionExec, private val ended: (ActionExec) ->
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** Returns the texts of the arguments of [call] that have variables, as [un] binds them, by their places. */
+/** Returns, by their places, the texts of those arguments of [call] that have variables, as [un] binds these. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
     if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }

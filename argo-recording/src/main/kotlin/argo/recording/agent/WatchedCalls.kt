@@ -62,7 +62,7 @@ internal object NobodyWatches : CallWatch {
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live()
 }
 
-/** Returns the watch of the calling agent, or [own]: a plan that one agent tells another comes with the code of the first. */
+/** Returns the watch of the calling agent, or [own]. The agent may be another: a plan that is told brings the code of the teller. */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
 /**

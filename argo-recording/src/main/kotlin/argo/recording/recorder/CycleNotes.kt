@@ -19,7 +19,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Collects the input of an agent in a cycle. Belongs to the agent's thread, from the end of the cycle on to the thread that stores it. */
+/** Collects the input of an agent in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores it. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()

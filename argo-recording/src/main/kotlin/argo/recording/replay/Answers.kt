@@ -25,7 +25,7 @@ import java.util.concurrent.TimeUnit
  * agent, and to its thread, except for [left].
  */
 internal interface Answers {
-    /** True if the agent has repeated the recording step by step so far. */
+    /** True if the agent has so far repeated each step of the recording. */
     val isAsRecorded: Boolean get() = true
 
     /** The recorded call that waits for an outcome, in words; empty: it is not known. */

@@ -40,13 +40,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     /** Returns the end of the operation that was begun with [number]; null: it did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the next call of [name] with [args] in their order, each only once; null: none is left. */
+    /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns], each only once; null:
-     * none is left there.
+     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; null: none is left
+     * there. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }

@@ -128,7 +128,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     private fun notRecorded(name: String, kind: String) =
         "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or data of a thread"
 
-    /** Returns the recorded call of [name] with [args], each only once; null: there is none. */
+    /** Returns the recorded call of [name] with [args]; null: there is none. Returns each call once. */
     private fun take(name: String, args: Array<Term>): Call? {
         val texts = compared(args.asList())
         val index = calls.indexOfFirst { it.isOf(name, texts) }

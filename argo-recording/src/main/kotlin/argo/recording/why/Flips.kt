@@ -9,7 +9,7 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Searches, by trials, for the nearest other numbers in percepts of a [cause] with which the agent does not send the command.
+ * Finds by trials which other numbers, nearest to the recorded ones, in percepts of a [cause] keep the agent from sending the command.
  *
  * @param had replays the agent with another percept in the place of a percept of the cause
  */
