@@ -23,9 +23,7 @@ fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") {
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }
 
-/**
- * After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait.
- */
+/** After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait. */
 fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule =
     ReadyRule("staysSmall", "stays small", intentions, beliefs, events) { run, agent ->
         run.of(agent).filterIsInstance<MindSize>()

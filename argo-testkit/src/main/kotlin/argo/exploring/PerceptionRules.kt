@@ -78,9 +78,7 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
     }
 }
 
-/**
- * An agent that has perceived something perceives again within [within] of the end of the last event.
- */
+/** An agent that has perceived something perceives again within [within] of the end of the last event. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
