@@ -21,7 +21,7 @@ import java.util.logging.Logger
  *
  * @param owner the agent's name, a part of the thread's
  * @param platform provides the sending thread
- * @param lost is called, perhaps repeatedly and by any thread, when sending finds that the port has gone; does not wait
+ * @param lost is called, perhaps repeatedly and by any thread, when sending finds that the port has gone; must not wait
  */
 internal class CommandSender(
     private val link: BoardLink,

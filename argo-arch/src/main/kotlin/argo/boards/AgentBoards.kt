@@ -122,7 +122,7 @@ internal class AgentBoards(
     /** Returns the board on [port], if that is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. */
+    /** Returns the board, perceived now or before, on the port that the agent calls [port]; null: there is none. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
     /** Returns the perceived boards that have [percept]. */
@@ -130,7 +130,7 @@ internal class AgentBoards(
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
 
-    /** Returns the port that the agent calls [port] and holds open, or whose device has gone from a perceived board; null: none. */
+    /** Returns the open port that the agent calls [port], or the lost one of a board that it perceives; null: there is none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
     /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */

@@ -19,9 +19,8 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 
 /**
  * An agent that gets no percepts stops its motion. It is blind from [blindAfter] after its newest message until the next one. While it is
- * blind no plan sends one of [moving]. If it was moving before, by its last command of [moving] and [safe], it sends [safe] within [within]
- * of getting blind or, if the port was off meanwhile, of the time when the port is on again; not if it is blind for no longer than
- * [within].
+ * blind no plan sends one of [moving]. If it is blind for longer than [within], and was moving before by its last command of [moving] and
+ * [safe], it sends [safe] within [within] of getting blind or, if the port was off meanwhile, of the time when the port is on again.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */

@@ -184,7 +184,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if a replayed agent gets [option] too: options of observers, such as a live view, would begin something. */
+/** Returns true if a replayed agent gets [option] too: options of observers would begin one, such as a live view. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {
