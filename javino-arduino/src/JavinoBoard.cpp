@@ -186,6 +186,14 @@ bool JavinoBoard::addPercept(const __FlashStringHelper *text) {
   return addPercept(copy);
 }
 
+bool JavinoBoard::describe(const __FlashStringHelper *kind) {
+  if (!javino_kind_begin(&board_))
+    return true;
+  JAVINO_COPY(copy, kind);
+  javino_percept_text(&board_, copy);
+  return javino_percept_end(&board_);
+}
+
 bool JavinoBoard::begins(const __FlashStringHelper *functor) {
   JAVINO_COPY(copy, functor);
   return javino_percept_begin(&board_, copy);

@@ -287,6 +287,16 @@ public:
   bool addPercept(const String &text) { return addPercept(text.c_str()); }
   bool addPercept(const __FlashStringHelper *text);
 
+  /**
+   * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call it in the function given to perceive(), for each kind.
+   * It writes something only if the computer asks for the description, once in a while, and then no percept is wanted. Version 2.
+   *
+   * @param kind  a functor, and for each argument `_` for anything, a choice such as `front|left` or `0|1`, or a number: its unit, if it
+   *              has one, and its range, `cm 0..400`, `-40..125`, `% ..`; at most 250 bytes
+   * @return as percept()
+   */
+  bool describe(const __FlashStringHelper *kind);
+
   /** Returns true if the request in hand asks for percepts of this functor; spares reading a sensor. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;

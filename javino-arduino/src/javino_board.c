@@ -270,6 +270,18 @@ static void make_room(javino_board *b)
 
 /* ---- Percepts ---- */
 
+bool javino_kind_begin(javino_board *board)
+{
+    const javino_link *l = &board->link;
+    if (l->event != JAVINO_REQUEST || l->length != 3 || l->text[1] != '?')
+        return false; /* The functors are not (?). */
+    javino_percept_put(board, '?');
+#ifndef JAVINO_VERSION_1_ONLY
+    board->text[board->whole] = JAVINO_ITEM_TEXT; /* Takes no shape from the percepts. */
+#endif
+    return true;
+}
+
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
     const char *name = *functor == '~' ? functor + 1 : functor; /* A negation is not part of it. */

@@ -131,6 +131,14 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
+ * Begins the description of a kind of percepts, which a computer may ask for in place of the percepts. The text of the kind must follow,
+ * such as `dist(front|left, cm 0..400)`, and javino_percept_end.
+ *
+ * @return true if the request in hand asks for kinds; if not, write nothing and do not end it
+ */
+bool javino_kind_begin(javino_board *board);
+
+/**
  * Begins a percept with its functor, which must be an atom, with a ~ before it if it is negated.
  *
  * @return true if it is wanted; if not, write nothing and do not end it

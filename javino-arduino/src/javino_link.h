@@ -47,7 +47,7 @@ typedef struct {
 /** The most actions of a board: on the line, the next numbers stand for no command and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** Bytes of an action's name at most, so that a page of the vocabulary holds it. */
+/** Bytes of an action's name at most, so that a page of the vocabulary holds it. With a longer one computers know no action. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */

@@ -18,6 +18,7 @@ _LOOK_MS = 5
 _IDLE_MS = 100
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
+_KINDS = "(?)"  # in place of functors: the kinds of percepts are asked for
 _NOTHING = None  # a command whose number is used up
 
 
@@ -88,6 +89,7 @@ class Board:
         self._ticks = ticks
         self._actions = []  # (name, arguments, function), by number
         self._perceive = None
+        self._kinds = []
         self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
         self._running = False
         self._inbox = b""  # frames that came while a function ran
@@ -148,9 +150,18 @@ class Board:
         self._actions.append((name, arguments, function))
         return function
 
-    def perceive(self, function):
-        """Registers the function that writes percepts when they are asked for. Returns it, to decorate it."""
+    def perceive(self, function, *kinds):
+        """Registers the function that writes percepts when they are asked for. Returns it, to decorate it.
+
+        `kinds` describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
+        `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or `0|1`,
+        or a number's unit, if it has one, and its range: `cm 0..400`, `-40..125`, `% ..`.
+        """
+        if isinstance(function, str):
+            kinds = (function,) + kinds
+            return lambda decorated: self.perceive(decorated, *kinds)
         self._perceive = function
+        self._kinds = [b"?" + to_bytes(kind) + b";" for kind in kinds]
         return function
 
     def watch_rules(self, room=8):
@@ -237,6 +248,10 @@ class Board:
         while len(answer) > size * _MAX_PARTS:
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
+        self._send_answer(request, answer)
+
+    def _send_answer(self, request, answer):
+        size = _PART_WITH_RULES if self._rules else _PART
         if len(answer) <= (size if self._rules else size + 1):
             self._parts.append((frames.PERCEPTS, bytes((request,)) + answer))
         else:
@@ -486,7 +501,12 @@ class Board:
 
     def _ask(self, number, payload):
         self._known = min(payload[0] if payload else 0, len(self._shapes))
-        self._answer(number, to_text(payload[1:]), 2)
+        functors = to_text(payload[1:])
+        if functors == _KINDS:
+            self._send_answer(number, self._shapes.write_without_ids(self._kinds))
+            self._send_parts()
+        else:
+            self._answer(number, functors, 2)
 
     def _describe(self, number, first):
         page = b""

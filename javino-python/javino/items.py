@@ -57,6 +57,14 @@ class Shapes:
         self._end_row(items, first, count, halves)
         return bytes(items)
 
+    @classmethod
+    def write_without_ids(cls, texts):
+        """Returns the items of texts that take no ids, as those of a description do."""
+        items = bytearray()
+        for text in texts:
+            cls._write_text(items, text, _WITHOUT_ID)
+        return bytes(items)
+
     def _id(self, text, digits):
         """Returns the text's id, or _WITHOUT_ID."""
         if len(text) > _MAX_TEXT:

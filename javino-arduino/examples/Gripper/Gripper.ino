@@ -34,6 +34,7 @@ void close() {
 }
 
 void look() {
+  javino.describe(F("gripper(open|closing|closed)"));
   javino.percept("gripper", state);
 }
 

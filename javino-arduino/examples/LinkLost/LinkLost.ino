@@ -37,10 +37,14 @@ void linkLost() {
 }
 
 void look() {
+  javino.describe(F("motor(0..255)"));
+  javino.describe(F("stopped(linkLost)"));
   javino.percept("motor", power);
-  if (wasLost)
+  // Nothing is lost when other percepts, or the description, are asked for.
+  if (wasLost && javino.wants("stopped")) {
     javino.percept("stopped", "linkLost");
-  wasLost = false;
+    wasLost = false;
+  }
 }
 
 void setup() {

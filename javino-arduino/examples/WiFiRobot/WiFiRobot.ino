@@ -51,6 +51,8 @@ void linkLost() {
 }
 
 void look() {
+  javino.describe(F("motor(0..255)"));
+  javino.describe(F("signal(dBm -127..0)"));
   javino.percept("motor", power);
   javino.percept("signal", static_cast<long>(WiFi.RSSI()));
 }

@@ -102,6 +102,18 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     }
 
     /**
+     * The kind of several that a percept is of. If it is of none: the first with its functor and number of arguments, or empty.
+     */
+    public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
+        List<PerceptKind> alike =
+                kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
+        return alike.stream()
+                .filter(kind -> kind.deviationOf(percept).isEmpty())
+                .findFirst()
+                .or(() -> alike.stream().findFirst());
+    }
+
+    /**
      * The reason why a percept is of none of several kinds; empty: it is of one. If one kind has the percept's functor and number of
      * arguments, the reason is that of this kind; else it names the kinds.
      */
@@ -118,6 +130,19 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
                 Optional.of("it is none of "
                         + alike.stream().map(PerceptKind::toString).collect(Collectors.joining(" and ")));
         };
+    }
+
+    /** A percept of this functor and number of arguments for a person, with units behind its numbers: {@code dist(front,38 cm)}. */
+    public String withUnits(PerceptTerm percept) {
+        List<String> shown = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            String unit = arguments.get(i) instanceof PerceptArgument.Quantity quantity ? quantity.unit() : "";
+            shown.add(
+                    unit.isEmpty()
+                            ? percept.arguments().get(i)
+                            : percept.arguments().get(i) + " " + unit);
+        }
+        return shown.isEmpty() ? functor : functor + "(" + String.join(",", shown) + ")";
     }
 
     /** Returns whether a percept has the functor and the number of arguments of this kind. */

@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javino.LineClock;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Protocol;
@@ -131,6 +132,16 @@ public final class FakeBoard implements AutoCloseable {
      */
     public FakeBoard knows(String... actions) {
         sketch.vocabulary = Arrays.stream(actions).map(FakeBoard::action).toList();
+        return this;
+    }
+
+    /**
+     * Lets the board describe its percepts to computers of version 2.
+     *
+     * @param kinds as {@link PerceptKind#parse} reads them: {@code dist(front|left, cm 0..400)}
+     */
+    public FakeBoard perceives(String... kinds) {
+        sketch.kinds = Arrays.stream(kinds).map(PerceptKind::parse).toList();
         return this;
     }
 

@@ -14,6 +14,7 @@ import javino.CommandWithdrawnException;
 import javino.Frame;
 import javino.LineClock;
 import javino.NoSuchPortException;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortBusyException;
 import javino.PortException;
@@ -27,6 +28,7 @@ import javino.Transport;
 import javino.Transports;
 import javino.wire.BoardAction;
 import javino.wire.CommandItem;
+import javino.wire.PerceptDescription;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -49,6 +51,7 @@ import javino.wire.CommandItem;
  * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Link.class.getName());
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
     /** Behind an answer or an outcome, the line is left free for this part of a request's time, for commands that the agent then sends. */
     private static final int GRACE_DIVISOR = 8;
@@ -149,6 +152,27 @@ public final class Link implements AutoCloseable {
      */
     public Optional<List<BoardAction>> vocabulary() {
         return line.vocabulary();
+    }
+
+    /**
+     * Asks the board for the kinds of its percepts, in turn with requests. A kind that cannot be read is left out, with a line of log.
+     *
+     * @param timeoutMillis milliseconds that the board has to answer, at least 1
+     * @return empty: the board describes no percepts, gave no answer in time, or is not known to speak version 2
+     */
+    public List<PerceptKind> perceptKinds(int timeoutMillis) throws PortException {
+        requireTime(timeoutMillis);
+        Reply answer = reading(() -> channel.requestKinds(timeoutMillis));
+        if (answer == null) {
+            return List.of();
+        }
+        PerceptDescription description = PerceptDescription.read(answer.text());
+        description
+                .problems()
+                .forEach(problem -> LOG.log(
+                        System.Logger.Level.WARNING,
+                        "port " + port() + ": a kind of percepts that the board describes is left out: " + problem));
+        return description.kinds();
     }
 
     /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */

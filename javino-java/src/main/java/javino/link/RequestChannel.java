@@ -16,6 +16,7 @@ final class RequestChannel {
     /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
+    private static final Frame KINDS_REQUEST = Frame.of(PerceptsRequest.KINDS);
     private static final int REQUEST_BYTES = 50;
 
     private final SessionLine line;
@@ -121,6 +122,11 @@ final class RequestChannel {
             answer = version1.request(request, timeoutMillis);
         }
         return answer == null && line.isVersion2() ? requestInFoundVersion2(request, timeoutMillis) : answer;
+    }
+
+    /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or gives no answer in time. */
+    Reply requestKinds(int timeoutMillis) throws PortException {
+        return line.isVersion2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
 
     /** Asks a board that has just been found to speak version 2: its session has a request's time to begin, if it has not begun. */

@@ -24,6 +24,7 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
+import javino.wire.VocabularyPage;
 import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
@@ -76,6 +77,7 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
     private boolean hasToldLostActions;
     private boolean hasToldSlowBoard;
     private boolean hasToldUnreadable;
+    private boolean hasToldUndescribed;
 
     /** A frame that goes out, and the command of version 1 that it is; null: it belongs to the session. */
     record Outgoing(byte[] frame, Command command) {}
@@ -626,6 +628,18 @@ final class SessionLine implements SessionListener<Command>, Inbox.Listener {
                     "port " + transport.name() + " sent a frame " + kind
                             + " that cannot be read here, so it is dropped, as are others without a further warning;"
                             + " does the board run the library of this version of ARGO?");
+        }
+    }
+
+    @Override
+    public void undescribed(int described, int total) {
+        if (!hasToldUndescribed) {
+            hasToldUndescribed = true;
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + transport.name() + ": the board describes " + described + " of its " + total
+                            + " actions and no more, so none of them is known here; is the name of the next one longer than "
+                            + VocabularyPage.MAX_NAME + " bytes, which no page of the vocabulary holds?");
         }
     }
 

@@ -222,8 +222,8 @@ public final class ComputerSession<C extends SessionCommand> {
                 VocabularyPage page = VocabularyPage.read(frame.payload());
                 if (page == null) {
                     listener.unreadable(frame.kind());
-                } else {
-                    vocabulary.accept(page, now);
+                } else if (!vocabulary.accept(page, now)) {
+                    listener.undescribed(page.first(), page.total());
                 }
             }
             case CRITICAL -> {

@@ -30,6 +30,12 @@ public interface SessionListener<C> {
     /** A frame was dropped that has arrived whole: its payload says nothing that is known here. */
     void unreadable(FrameKind kind);
 
+    /**
+     * A page of the board's vocabulary holds no action although it has more than {@code described}, so it stays undescribed. Called for
+     * each such page.
+     */
+    void undescribed(int described, int total);
+
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);
 

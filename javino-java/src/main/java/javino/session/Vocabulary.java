@@ -81,9 +81,13 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    void accept(VocabularyPage page, long now) {
-        if (!asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
-            return;
+    /** Takes a page; returns whether it leads on, if it is the wanted one. */
+    boolean accept(VocabularyPage page, long now) {
+        if (!asks() || page.first() != actions.size()) {
+            return true;
+        }
+        if (page.actions().isEmpty() && page.total() > actions.size()) {
+            return false;
         }
         for (BoardAction action : page.actions()) {
             if (action.arguments() == 0 || action.arguments() == BoardAction.ANY) {
@@ -99,5 +103,6 @@ final class Vocabulary {
         }
         doublings = 0;
         dueAt = now;
+        return true;
     }
 }

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.wire.BoardAction;
@@ -27,6 +28,11 @@ public interface BoardProgram {
      * most 126 count, of names with at most 250 bytes. A computer is told how many others there are, and sends none of the others.
      */
     default List<BoardAction> vocabulary() {
+        return List.of();
+    }
+
+    /** The kinds of percepts that it describes to computers of version 2; empty: it describes none. */
+    default List<PerceptKind> perceptKinds() {
         return List.of();
     }
 

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptKind;
 import javino.PortException;
 import javino.Transport;
 
@@ -19,6 +20,14 @@ public interface Sketch extends SimulatedBoard {
      * @return the percepts, each a literal as {@code dist(front,30)}, without a {@code ;}
      */
     List<String> percepts();
+
+    /**
+     * Returns the kinds of its percepts, which tools, checks and the live view read: {@code
+     * PerceptKind.parseLines("dist(front|left, cm 0..400)")}. Unless overridden, it describes none.
+     */
+    default List<PerceptKind> perceptKinds() {
+        return List.of();
+    }
 
     /**
      * Carries out a command, as {@code ledOn} or {@code speed(3)}.

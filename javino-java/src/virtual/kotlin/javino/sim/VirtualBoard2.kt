@@ -2,6 +2,7 @@ package javino.sim
 
 import javino.BoardReceiver
 import javino.Frame
+import javino.PerceptKind
 import javino.Protocol
 import javino.Transport
 import javino.virtual.EventBoard
@@ -21,6 +22,7 @@ internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
     readsVersion1: Boolean = true,
     private val actions: List<BoardAction> = emptyList(),
+    private val kinds: List<PerceptKind> = emptyList(),
     private val damage: (ByteArray) -> ByteArray = { it },
 ) : EventBoard {
     /** Requests and commands in the order in which they were handled, as `2:getPercepts`. */
@@ -121,6 +123,8 @@ internal class VirtualBoard2(
 
     private inner class Program : BoardProgram {
         override fun vocabulary() = actions
+
+        override fun perceptKinds() = kinds
 
         override fun percepts(request: String): String {
             onHandled("2:$request")
