@@ -37,8 +37,7 @@ class Shapes:
         return len(self._ids)
 
     def write(self, texts, known):
-        """Returns the items of an answer. `known` is the number of texts that the computer knows, by the newest request, of those at that
-        time."""
+        """Returns the items of an answer. `known` is the number of shapes that the computer knew when it sent the newest request."""
         items = bytearray()
         first, count, halves = 0, 0, bytearray()  # percepts in a row, sent only by their digits
         for text in texts:

@@ -8,7 +8,7 @@
 //             +signal(DB) : DB < -80 <- argo.act(speed(0)).
 //
 // The motor stops when nothing has come from the computer for a second, whatever has failed: the computer, the network, the router. The
-// newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can do so: Javino has no
+// newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can connect: Javino has no
 // passwords, so use a network of your own, or TlsRobot.
 
 #include <JavinoNetwork.h>

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 /**
  * A kind of percepts that a board has: {@code dist(front|left|right, cm 0..400)}.
  *
- * <p>Boards write it so in their description of themselves, and files of percepts have one a line.
+ * <p>Boards describe themselves with such texts, and files of percepts have one on each line.
  *
  * <table>
  * <caption>Arguments</caption>
@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  * <tr><td>{@code cm 0..400}, {@code % ..}</td><td>such a number in this unit</td></tr>
  * </table>
  *
- * @param functor their functor, with a {@code ~} in front if they are strongly negated
+ * @param functor the percepts' functor, with a {@code ~} in front if they are strongly negated
  * @param arguments the arguments, in their order; percepts of this kind have as many
  */
 public record PerceptKind(String functor, List<PerceptArgument> arguments) {
@@ -101,9 +101,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
-    /**
-     * The kind of several that a percept is of. If it is of none: the first with its functor and number of arguments, or empty.
-     */
+    /** Returns the first of {@code kinds} that the percept is of; if it is of none, the first with its functor and number of arguments. */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
                 kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
@@ -132,7 +130,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         };
     }
 
-    /** A percept of this functor and number of arguments for a person, with units behind its numbers: {@code dist(front,38 cm)}. */
+    /** Writes a percept with this functor and number of arguments for a person, with units behind numbers: {@code dist(front,38 cm)}. */
     public String withUnits(PerceptTerm percept) {
         List<String> shown = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {

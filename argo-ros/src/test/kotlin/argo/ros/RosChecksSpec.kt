@@ -130,7 +130,7 @@ class RosChecksSpec : FunSpec({
             "id(1e19)" to "data of std_msgs/Int64 is a int64: 10000000000000000000 is not within -9223372036854775808 to",
             "part(1e39)" to "data of std_msgs/Float32 is a float32: 1.0E39 is beyond its range",
             "move(1)" to "linear of geometry_msgs/Twist is a geometry_msgs/Vector3: 1 is no message; give its fields a value, x, y",
-            "arm([1,2])" to "joints of my_msgs/Arm is a float64[3]: a list of 2 items is none of 3",
+            "arm([1,2])" to "joints of my_msgs/Arm is a float64[3]: the list has 2 items",
             "arm([1,2,b])" to "joints of my_msgs/Arm is a float64[3]: \"b\" is no number",
             "arm(1)" to "joints of my_msgs/Arm is a float64[3]: 1 is no list",
             "names([[a]])" to "names of my_msgs/Arm is a string[]: it takes no list",
@@ -310,7 +310,7 @@ class RosChecksSpec : FunSpec({
     test("of ever new things to report there are a hundred lines of log, and one that says so") {
         open("percepts:\n  - /photo std_msgs/String").use { link ->
             repeat(110) { bridge.say("""{"op": "new$it"}""") }
-            link.awaitWarning("there is more to report than 100 lines, and no more is")
+            link.awaitWarning("100 lines have been reported; the rest is left out")
             log.messages.filter { "which is not read" in it } shouldHaveSize 100
         }
     }
@@ -323,7 +323,7 @@ class RosChecksSpec : FunSpec({
             val beginning = """{"op":"publish","topic":"/photo","msg":{"data": "xxxxxxxxxxxxxxxxxxxxxxxxxxxx""".take(60)
             link.awaitWarning("the bridge sends a message of more than 4194304 characters, which begins $beginning; it is not read")
             bridge.sayBytes(byteArrayOf(1))
-            link.awaitWarning("the bridge sends a binary message, though nothing was asked for that is sent so; it is not read")
+            link.awaitWarning("the bridge sends a binary message, though ARGO asks for none; it is not read")
             bridge.say("""{"op": "png", "data": ""}""")
             link.awaitWarning("the bridge sends the operation png, which is not read")
         }

@@ -31,7 +31,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private final FakeBoardMonitor monitor;
     private final LineClock clock;
     private final String port;
-    private BoardLoop open; // guarded by the monitor, as is stalled
+    private BoardLoop open; // guarded by the monitor, like the next field
     private boolean stalled;
 
     /** @param port the port that exceptions name */

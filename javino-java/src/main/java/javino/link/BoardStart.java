@@ -3,7 +3,7 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 import javino.LineClock;
 
-/** Knows whether a board runs, as far as is known: the board may start when its port is opened. Safe on any thread. */
+/** Knows whether a board may still be starting, since opening its port may have reset it. Safe on any thread. */
 final class BoardStart {
     private final LineClock clock;
     private final long startedAt; // from this time on, a board that has not answered is taken to run
@@ -11,7 +11,7 @@ final class BoardStart {
     private volatile boolean hasHeard;
     private volatile boolean hasSaidHello;
 
-    /** @param bootMillis milliseconds from now for which it may be starting */
+    /** @param bootMillis for how many milliseconds from now the board may be starting */
     BoardStart(LineClock clock, int bootMillis) {
         this.clock = clock;
         startedAt = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(bootMillis);

@@ -15,7 +15,7 @@ final class CommandQueue {
     private long submitted;
     private long finished;
 
-    /** Queues a command, in the place of the first that it replaces if that is as urgent; returns those that it replaces. */
+    /** Queues a command, in place of the first equally urgent one that it replaces. Returns the commands that it replaces. */
     List<Command> add(Command command) {
         List<Command> replaced = new ArrayList<>();
         urgent = without(urgent, command, replaced, command.isUrgent());
@@ -26,8 +26,8 @@ final class CommandQueue {
     }
 
     /**
-     * Returns the queue without the commands that {@code command} replaces, which are withdrawn; with {@code command} in it if it
-     * {@code isIts}.
+     * Returns the queue without the commands that {@code command} replaces, and withdraws these. The result holds {@code command} if that
+     * belongs to this queue ({@code isIts}).
      */
     private static Deque<Command> without(
             Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
@@ -87,7 +87,7 @@ final class CommandQueue {
         return finished >= count;
     }
 
-    /** Returns whether no command waits of those that had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether no command still waits that had been submitted when {@link #submitted} returned {@code count}. */
     boolean haveBegun(long count) {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }

@@ -61,8 +61,8 @@ final class RequestChannel {
     }
 
     /**
-     * Like {@link #awaitStart}, if another thread {@linkplain #listen listens} and HELLO is all that is to be said: the listener reads the
-     * answer, so an action need not wait until it has heard something. Any thread.
+     * Like {@link #awaitStart}, but only if another thread {@linkplain #listen listens} and only HELLO has to be said: that thread reads
+     * the answer, so an action need not wait until it has heard a message. Any thread.
      *
      * @return whether HELLO has been said
      */
@@ -97,7 +97,7 @@ final class RequestChannel {
         }
     }
 
-    /** Negotiates for a command. If that fails, the commands behind it go out unasked. */
+    /** Negotiates for a command. If that fails, later commands go out without asking again. */
     private void negotiateOnce() throws PortException {
         try {
             negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
@@ -129,7 +129,7 @@ final class RequestChannel {
         return line.isVersion2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
 
-    /** Asks a board that has just been found to speak version 2: its session has a request's time to begin, if it has not begun. */
+    /** Asks a board that has just been found to speak version 2: if its session has not begun, this waits as long again for that. */
     private Reply requestInFoundVersion2(Frame request, int timeoutMillis) throws PortException {
         return requestInVersion2(request, line.isOpen() ? timeoutMillis : 2L * timeoutMillis);
     }

@@ -27,12 +27,12 @@ public interface SessionListener<C> {
     /** An answer of more bytes than the limit was dropped. */
     void dropped();
 
-    /** A frame was dropped that has arrived whole: its payload says nothing that is known here. */
+    /** An intact frame was dropped, since its payload has no known form. */
     void unreadable(FrameKind kind);
 
     /**
-     * A page of the board's vocabulary holds no action although it has more than {@code described}, so it stays undescribed. Called for
-     * each such page.
+     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known, so the rest stays
+     * unknown. Called for each such page.
      */
     void undescribed(int described, int total);
 

@@ -65,7 +65,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. A page that has stayed out comes while the line is read for another reason. */
+    /** Returns whether a page may come soon. A late page is read when the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }
@@ -81,7 +81,7 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    /** Takes a page; returns whether it leads on, if it is the wanted one. */
+    /** Takes a page; false: it is the wanted page, but has no action although some are missing. */
     boolean accept(VocabularyPage page, long now) {
         if (!asks() || page.first() != actions.size()) {
             return true;

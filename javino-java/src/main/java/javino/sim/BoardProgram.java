@@ -24,8 +24,9 @@ public interface BoardProgram {
     }
 
     /**
-     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place here. At
-     * most 126 count, of names with at most 250 bytes. A computer is told how many others there are, and sends none of the others.
+     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place in this
+     * list. Only the first 126 actions with names of at most 250 bytes count. A computer is told how many others there are, and sends none
+     * of them.
      */
     default List<BoardAction> vocabulary() {
         return List.of();
@@ -55,6 +56,6 @@ public interface BoardProgram {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** Is called when the answer to a request has been given to the line, with the bytes of both. */
+    /** Is called with the numbers of bytes when the answer to a request has been given to the line. */
     default void answered(int requestBytes, int answerBytes) {}
 }

@@ -205,9 +205,9 @@ public final class BoardSession {
     }
 
     /**
-     * Reports the outcome of an action that {@link Outcome#LATER} was returned for. An action of an earlier session is ignored.
+     * Reports the outcome of an action for which {@link Outcome#LATER} was returned. An action of an earlier session is ignored.
      *
-     * @param action the value of {@link #openAction} at that time
+     * @param action the value of {@link #openAction} while the action is open
      */
     public void report(long action, boolean isDone) throws PortException, InterruptedException {
         synchronized (this) {

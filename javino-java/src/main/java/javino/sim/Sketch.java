@@ -32,7 +32,7 @@ public interface Sketch extends SimulatedBoard {
     /**
      * Carries out a command, as {@code ledOn} or {@code speed(3)}.
      *
-     * @return whether it has one of that name; false: a plan's {@code argo.act} fails with {@code error(act_refused)}, in version 2
+     * @return whether the board knows the command; if not, a plan's {@code argo.act} fails with {@code error(act_refused)}, in version 2
      */
     boolean act(String command);
 

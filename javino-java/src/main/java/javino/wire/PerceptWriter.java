@@ -77,7 +77,7 @@ public final class PerceptWriter {
                 .append(rest);
     }
 
-    /** Percepts with ids that follow each other. */
+    /** A row of percepts that are sent as numbers and whose ids are consecutive. */
     private static final class Row {
         private final StringBuilder items;
         private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte

@@ -278,11 +278,11 @@ class LinkDeliverySpec : FunSpec({
         val board = VirtualBoard2(actions = (1..12).map { BoardAction("wave$it", 0) } + BoardAction("bad", 1))
         bench(board).use { bench ->
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldContain
-                "refuses \"bad(1)\": it does not know the action, or not with these arguments"
+                "refuses \"bad(1)\": it does not know the action, or takes other arguments"
             repeat(2) { bench.link.request(REQUEST, 500) }
             bench.link.watch(100)
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
-                "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
+                "it has the action, but its program refuses it now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldEndWith
                 "refuses \"bad(1\": a bracket or quote in it is not closed"

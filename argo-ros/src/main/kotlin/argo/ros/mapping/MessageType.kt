@@ -33,7 +33,7 @@ internal data class FieldType(val name: String, val length: Int) {
 /**
  * A type of messages, as a robot describes it with all types in it. Immutable.
  *
- * @property name the type, as its mapping has it
+ * @property name the type, as the mapping writes it
  */
 internal class MessageType private constructor(
     val name: String,
@@ -71,7 +71,7 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /** Returns the parts of [path] that are bytes, which a message has as text; none if the path leads to no field. */
+    /** Returns the beginning of [path] that leads to bytes, which a message has as text; null: there is none, or no such field. */
     fun bytesIn(path: List<String>): List<String>? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
@@ -109,7 +109,7 @@ internal class MessageType private constructor(
         if (type.isBytes && value is JsonPrimitive && bytesOf(value) != null) return value
         if (value !is JsonArray) throw Unfit("$value is no list" + if (type.isBytes) ", nor bytes in base64" else "")
         val isFull = type.length == FieldType.ANY || value.size == type.length
-        if (!isFull) throw Unfit("a list of ${value.size} items is none of ${type.length}")
+        if (!isFull) throw Unfit("the list has ${value.size} items")
         return JsonArray(value.map { fitted(it, FieldType(type.name, FieldType.SINGLE)) })
     }
 
