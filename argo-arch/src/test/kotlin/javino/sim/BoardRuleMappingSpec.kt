@@ -19,6 +19,7 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import javino.PerceptTerm
 
 /** A board decides over percepts as a filter does, for every rule that is mapped. Here to see how the simulated board decides. */
 class BoardRuleMappingSpec : FunSpec({

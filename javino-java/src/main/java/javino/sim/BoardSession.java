@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptTerm;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.sim.BoardProgram.Outcome;

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import javino.PerceptTerm;
 import javino.wire.BoardRule;
 import javino.wire.CommandItem;
 import javino.wire.WireFrame;

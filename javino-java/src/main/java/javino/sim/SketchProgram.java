@@ -3,6 +3,7 @@ package javino.sim;
 import java.util.Set;
 import java.util.stream.Collectors;
 import javino.LineClock;
+import javino.PerceptTerm;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Transport;

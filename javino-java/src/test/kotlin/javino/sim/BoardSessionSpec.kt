@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.shouldBe
+import javino.PerceptTerm
 import javino.sim.BoardProgram.Outcome
 import javino.wire.BoardRule
 import javino.wire.CommandItem

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import javino.BoardReceiver
+import javino.PerceptTerm
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.sim.BoardProgram.Outcome

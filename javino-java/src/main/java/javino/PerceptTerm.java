@@ -1,26 +1,32 @@
-package javino.sim;
+package javino;
 
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text as a board reads it to watch a rule.
+ * A percept's text taken apart, as far as a board needs it: nothing is refused.
  *
  * @param functor the text in front of the arguments, with a {@code ~} if it is negated
  * @param arguments the texts of the arguments, without the blanks around them
  */
-record PerceptTerm(String functor, List<String> arguments) {
-    PerceptTerm {
+public record PerceptTerm(String functor, List<String> arguments) {
+    public PerceptTerm {
         arguments = List.copyOf(arguments);
     }
 
-    static PerceptTerm of(String text) {
+    /** Takes a percept apart; {@code text} may end with {@code ;}, and what stands behind the arguments is passed over. */
+    public static PerceptTerm of(String text) {
         int end = 0;
         while (end < text.length() && "([;".indexOf(text.charAt(end)) < 0) {
             end++;
         }
         boolean hasArguments = end < text.length() && text.charAt(end) == '(';
         return new PerceptTerm(withoutBlanks(text.substring(0, end)), hasArguments ? arguments(text, end) : List.of());
+    }
+
+    /** The functor and the number of arguments: {@code dist/2}. */
+    public String indicator() {
+        return functor + "/" + arguments.size();
     }
 
     /** Returns {@code text} without blanks around it. A control character is no blank. */
@@ -37,7 +43,7 @@ record PerceptTerm(String functor, List<String> arguments) {
     }
 
     /** The texts of an answer, each with its {@code ;}. The rest behind the last one is a text too. */
-    static List<String> split(String answer) {
+    public static List<String> split(String answer) {
         List<String> texts = new ArrayList<>();
         Nesting nesting = new Nesting();
         int from = 0;

@@ -1,0 +1,135 @@
+package javino;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * A kind of percepts that a board has: {@code dist(front|left|right, cm 0..400)}.
+ *
+ * <p>Boards write it so in their description of themselves, and files of percepts have one a line.
+ *
+ * <table>
+ * <caption>Arguments</caption>
+ * <tr><th>text</th><th>percepts have there</th></tr>
+ * <tr><td>{@code _}</td><td>anything</td></tr>
+ * <tr><td>{@code front|left}, {@code 0|1}, {@code sonar}</td><td>one of these atoms or numbers</td></tr>
+ * <tr><td>{@code 0..400}, {@code -0.5..}, {@code ..}</td><td>a number in this range; a limit may be missing</td></tr>
+ * <tr><td>{@code cm 0..400}, {@code % ..}</td><td>such a number in this unit</td></tr>
+ * </table>
+ *
+ * @param functor their functor, with a {@code ~} in front if they are strongly negated
+ * @param arguments the arguments, in their order; percepts of this kind have as many
+ */
+public record PerceptKind(String functor, List<PerceptArgument> arguments) {
+    private static final Pattern FUNCTOR = Pattern.compile("~?[a-z][A-Za-z0-9_]*");
+    private static final Pattern TEXT = Pattern.compile("([^( ;]*+) *+(?:\\((.*)\\))? *+;?", Pattern.DOTALL);
+
+    public PerceptKind {
+        arguments = List.copyOf(arguments);
+        if (!FUNCTOR.matcher(functor).matches()) {
+            throw new IllegalArgumentException(
+                    "\"" + functor
+                            + "\" is no functor: write a letter from a to z, then letters, digits and _, as in dist(cm 0..400)");
+        }
+    }
+
+    /**
+     * Reads the text of one kind, with or without a {@code ;} behind it.
+     *
+     * @throws IllegalArgumentException if it cannot be read, with the place and what could stand there
+     */
+    public static PerceptKind parse(String text) {
+        var parts = TEXT.matcher(text.strip());
+        if (!parts.matches()) {
+            throw new IllegalArgumentException(
+                    "\"" + text
+                            + "\" describes no percepts: write a functor, and its arguments in brackets, as in dist(cm 0..400)");
+        }
+        List<PerceptArgument> arguments = new ArrayList<>();
+        if (parts.group(2) != null) {
+            for (String argument : parts.group(2).split(",", -1)) {
+                arguments.add(argumentOf(argument.strip(), arguments.size() + 1, text));
+            }
+        }
+        return new PerceptKind(parts.group(1), arguments);
+    }
+
+    private static PerceptArgument argumentOf(String argument, int place, String text) {
+        try {
+            return PerceptArgument.parse(argument);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("argument " + place + " of " + text.strip() + ": " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Reads a file of percepts: one kind a line. A {@code #} begins a comment.
+     *
+     * @throws IllegalArgumentException if a line cannot be read, with its number from 1
+     */
+    public static List<PerceptKind> parseLines(String file) {
+        List<PerceptKind> kinds = new ArrayList<>();
+        String[] lines = file.split("\\R");
+        for (int i = 0; i < lines.length; i++) {
+            String kind = lines[i].replaceFirst("#.*", "").strip();
+            if (!kind.isEmpty()) {
+                try {
+                    kinds.add(parse(kind));
+                } catch (IllegalArgumentException e) {
+                    throw new IllegalArgumentException("line " + (i + 1) + ": " + e.getMessage(), e);
+                }
+            }
+        }
+        return kinds;
+    }
+
+    /** The reason why a percept is none of this kind, as "argument 2 is 512, more than 400"; empty: it is one. */
+    public Optional<String> deviationOf(PerceptTerm percept) {
+        if (!isAlike(percept)) {
+            return Optional.of(percept.indicator() + " is not " + functor + "/" + arguments.size());
+        }
+        for (int i = 0; i < arguments.size(); i++) {
+            String given = percept.arguments().get(i);
+            Optional<String> deviation = arguments.get(i).deviationOf(given);
+            if (deviation.isPresent()) {
+                return Optional.of("argument " + (i + 1) + " is " + given + ", " + deviation.get());
+            }
+        }
+        return Optional.empty();
+    }
+
+    /**
+     * The reason why a percept is of none of several kinds; empty: it is of one. If one kind has the percept's functor and number of
+     * arguments, the reason is that of this kind; else it names the kinds.
+     */
+    public static Optional<String> deviationOf(PerceptTerm percept, List<PerceptKind> kinds) {
+        List<PerceptKind> alike =
+                kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
+        if (alike.stream().anyMatch(kind -> kind.deviationOf(percept).isEmpty())) {
+            return Optional.empty();
+        }
+        return switch (alike.size()) {
+            case 0 -> Optional.of("no " + percept.indicator() + " is described");
+            case 1 -> alike.get(0).deviationOf(percept);
+            default ->
+                Optional.of("it is none of "
+                        + alike.stream().map(PerceptKind::toString).collect(Collectors.joining(" and ")));
+        };
+    }
+
+    /** Returns whether a percept has the functor and the number of arguments of this kind. */
+    public boolean isAlike(PerceptTerm percept) {
+        return percept.functor().equals(functor) && percept.arguments().size() == arguments.size();
+    }
+
+    /** The text, which {@link #parse} reads. */
+    @Override
+    public String toString() {
+        return arguments.isEmpty()
+                ? functor
+                : arguments.stream().map(Object::toString).collect(Collectors.joining(", ", functor + "(", ")"));
+    }
+}
