@@ -67,7 +67,7 @@ internal class McapScan(private val input: McapInput) {
             }
             at += RECORD_HEAD_BYTES + length
             if (op == Op.FOOTER) {
-                if (!isMagic(at)) contents.problem("the end of the file is damaged; what comes before was read")
+                checkEnd(at)
                 return contents
             }
         }
@@ -84,8 +84,14 @@ internal class McapScan(private val input: McapInput) {
         if (differing.isNotEmpty()) throw McapException("${input.path} is no MCAP file: it does not begin as one")
     }
 
-    private fun isMagic(at: Long) =
-        input.size - at >= MAGIC.size && ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)
+    private fun checkEnd(at: Long) {
+        val behind = input.size - at - MAGIC.size
+        if (behind < 0 || !ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)) {
+            contents.problem("the end of the file is damaged; what comes before was read")
+        } else if (behind > 0) {
+            contents.problem("the recording ends $behind bytes before the end of the file; they were not read, be they another recording")
+        }
+    }
 
     /** Returns the length of the content of the record at [at]; null: the record is not whole. */
     private fun lengthOf(at: Long): Long? {

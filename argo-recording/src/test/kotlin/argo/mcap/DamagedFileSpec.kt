@@ -100,6 +100,13 @@ class DamagedFileSpec : FunSpec({
         problems.first() shouldContain "the record at byte $index was left out: it is a message outside of chunks"
     }
 
+    test("bytes behind the end of a recording are told, since a second recording there is not read") {
+        file.writeBytes(bytes + bytes)
+        val (messages, problems) = read(file)
+        messages shouldBe parts.last().messages
+        problems.single() shouldContain "the recording ends ${bytes.size} bytes before the end of the file; they were not read"
+    }
+
     test("messages outside of chunks are read, as other writers leave them") {
         val records = RecordBytes().schema(McapSchema(1, "S", "jsonschema", "{}"))
             .channel(McapChannel(3, "/robot/x", McapSchema(1, "S", "jsonschema", "{}"), "json"))
