@@ -245,12 +245,15 @@ class AgentSpec : FunSpec({
         }
     }
 
-    test("what others say is heard, and what the agent says is kept") {
+    test("what others say is heard, and what the agent says is kept; messages to agents outside of the test are told") {
         agentOf("+!greet(A)[source(S)] <- .send(A, tell, hello(1, x)); .broadcast(untell, alone).").use { robot ->
             robot.hears("boss", "achieve", "greet(bob)")
             robot.shouldSay("tell(bob, hello(1,x))").shouldSay("untell(everybody,alone)")
             robot.hears("boss", "tell", "home(3)").shouldBelieve("home(3)[source(boss)]")
             robot.said shouldBe listOf("tell(bob,hello(1,x))", "untell(everybody,alone)")
+            robot.hears("boss", "achieve", "greet(bob)").after(1.seconds)
+            robot.log.single { "WARNING" in it } shouldContain "no agent bob runs in this test, so messages to it are only kept in said, " +
+                "as this one: tell(bob,hello(1,x))"
             shouldThrow<IllegalArgumentException> { robot.hears("boss", "shout", "x") }.message shouldContain "achieve"
         }
     }
