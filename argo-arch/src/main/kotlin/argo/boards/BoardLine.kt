@@ -7,7 +7,6 @@ import argo.connecting.PortStatus
 import argo.filters.CriticalRule
 import argo.links.BoardMessage
 import argo.links.Wish
-import argo.platform.RateLimitedWarning
 import argo.platform.foreignText
 import argo.sensing.Instants
 import argo.sensing.Sensing
@@ -17,7 +16,6 @@ import javino.PortException
 import javino.PortTimeoutException
 import javino.link.BoardListener
 import javino.wire.ReflexOutcome
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 
 /** The users of one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
@@ -26,7 +24,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
     val sensing = Sensing(port, agent.owner, this, agent.platform)
 
-    private val warnings = ConcurrentHashMap<String, RateLimitedWarning>() // by the rule whose reports are left out
+    private val warning = agent.rateLimitedWarning() // by the rule whose reports are left out
 
     /** The critical rules that the board watches. */
     val rules = BoardRules(
@@ -75,7 +73,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     /** Tells of a report that the board had sent before it knew that the agent does not want it any more. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
-        warnings.computeIfAbsent(of) { agent.rateLimitedWarning() }.report(of) {
+        warning.report(of) {
             val reflex = if (outcome == ReflexOutcome.CARRIED_OUT) ". It has carried the reflex out" else ""
             "the board on port ${port.link.port} reports ${foreignText(percept)} by the critical rule on $of, which is watched no more, " +
                 "so the report is left out$reflex"
