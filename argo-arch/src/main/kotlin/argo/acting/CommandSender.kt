@@ -48,7 +48,7 @@ internal class CommandSender(
             if (sent.left === sent.outcome) sent.outcome.handle { _, trouble -> trouble.also { left() } }
             else sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble -> trouble }
         ended.thenAccept { trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
-            null.also { LOG.log(Level.WARNING, "what waited for the outcome of $what has failed", broken) }
+            null.also { LOG.log(Level.WARNING, "the receiver of the outcome of $what has failed", broken) }
         }
     }
 

@@ -116,8 +116,8 @@ class TestMas internal constructor() : AutoCloseable {
         if (receiver != null) return receiver.infra.receive(message)
         if (!strangers.add(message.sender to message.receiver)) return
         Logger.getLogger("${javaClass.name}.${message.sender}").warning(
-            "no agent ${message.receiver} runs in this test, so messages to it are only kept in said, as this one: ${described(message)}. " +
-                "In a real system, Jason fails the plan that sends to an agent that does not exist",
+            "no agent ${message.receiver} runs in this test, so messages to it are only kept in said, as this one: " +
+                "${described(message)}. In a real system, Jason fails the plan that sends to an agent that does not exist",
         )
     }
 

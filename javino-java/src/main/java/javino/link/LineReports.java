@@ -52,7 +52,7 @@ final class LineReports {
                 try {
                     call.accept(called);
                 } catch (RuntimeException | Error broken) { // the reader must go on
-                    LOG.log(System.Logger.Level.ERROR, "who was called with what the board reports has failed", broken);
+                    LOG.log(System.Logger.Level.ERROR, "the receiver of the board's reports has failed", broken);
                 }
             });
         }

@@ -89,7 +89,8 @@ class RecordingCommandSpec : FunSpec({
         val longer = tempfile(suffix = ".mcap").toPath().apply { writeBytes(file.readBytes() + byteArrayOf(1, 2, 3)) }
         val said = argo("recording", "$longer")
         said.status shouldBe 1
-        said.err.trim() shouldBe "$longer: the recording ends 3 bytes before the end of the file; they were not read, be they another recording"
+        said.err.trim() shouldBe
+            "$longer: the recording ends 3 bytes before the end of the file; they were not read, be they another recording"
     }
 
     test("a recording that was cut off is shown as far as it goes, with status 1") {
