@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Measures a board in Python on a pseudo-terminal: requests a second, each after the answer to the one before, with twelve percepts. Of
-MicroPython also the memory.
+"""Measures a board in Python on a pseudo-terminal: requests a second for twelve percepts, each sent after the answer to the request before;
+for MicroPython also the memory.
 
-    bench.py [PYTHON...]    the interpreters; python3 without any
+    bench.py [PYTHON...]    measures with these interpreters; without any, with python3
 """
 import os
 import pathlib

@@ -159,7 +159,7 @@ bool board_pulls_up(const board *board, int pin)
     return has_bit(board, PORTS[port_of(pin)].port, pin);
 }
 
-/* Sets the outside pull of an input: without one, simavr gives it its pull-up's level with each write to its port. */
+/* Sets the outside pull of each input of a port. Without one, simavr gives an input its pull-up's level with each write to the port. */
 static void pull_from_outside(board *board, int port)
 {
     avr_ioport_external_t outside = {0};

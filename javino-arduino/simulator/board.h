@@ -24,13 +24,13 @@ typedef struct board board;
 /** Called when a watched pin changes. */
 typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 
-/** Called with each byte that the board sends, when its last bit would have left. */
+/** Called with each byte that the board sends, at the moment at which the byte's last bit would have left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called with each byte that the board sends, when it begins, with the cycle at which its last bit will have left. */
+/** Called when the board begins to send a byte, with the cycle at which the byte's last bit will have left. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
-/** The board. The members are private but for avr. */
+/** The board. The members are private except avr. */
 struct board {
     avr_t *avr;
     void *context;
@@ -60,7 +60,7 @@ struct board {
  * Loads a sketch.
  *
  * @param firmware  an .elf or .hex file
- * @param sink      null: board_foretell follows
+ * @param sink takes the board's bytes; null: board_foretell gives a receiver
  * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);

@@ -26,7 +26,7 @@ static bool leads_to(const char *link, const char *path)
     return length == (ssize_t)strlen(path) && memcmp(target, path, (size_t)length) == 0;
 }
 
-/* Replaces a link that a killed simulator has left, which leads nowhere or to its successor. */
+/* Makes a link. Replaces one that a killed simulator has left: it leads nowhere or to this pseudo-terminal. */
 static bool make_link(const char *path, const char *link)
 {
     struct stat there;

@@ -8,8 +8,8 @@
 
 /** The board's end of the line. */
 typedef struct {
-    int master;      /**< For poll: readable when the far end has written. */
-    int opens;       /**< For poll: readable when somebody has opened or closed the far end. */
+    int master;      /**< A descriptor for poll(), readable when the far end has written. */
+    int opens;       /**< A descriptor for poll(), readable when somebody has opened or closed the far end. */
     int slave;       /* held open, so that the terminal's settings stay raw */
     int users;       /* how many programs have the far end open */
     char path[64];   /**< The far end's device. */

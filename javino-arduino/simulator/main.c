@@ -33,7 +33,7 @@ static const char USAGE[] =
     "  --soft RX,TX,BAUD\n"
     "                   a second line, on these pins of the board, for a SoftwareSerial\n"
     "  --reset-on-open  opening the line resets the board, as on an Uno\n"
-    "  --boot-ms N      after power-on and reset, the boot loader keeps the line for so long\n"
+    "  --boot-ms N      after power-on and reset, the boot loader keeps the line for N ms\n"
     "  --detached       go on when standard input ends\n"
     "  --panel          for a person: shows the pins that are in use, and takes settings of inputs such as A0=512\n"
     "  --stepped        no line and no real time: commands on standard input advance the board, see README.md\n";
@@ -136,7 +136,7 @@ static void soft_byte_sent(void *context, uint8_t byte)
     line_write(&s->soft_line, byte, s->options.soft_baud);
 }
 
-/* Leaves the boot loader out, since it takes time, and the bytes that arrive meanwhile. */
+/* Stands for the boot loader: takes its time, and drops the bytes that arrive meanwhile. */
 static void boot(simulator *s)
 {
     if (s->options.boot_cycles)

@@ -132,7 +132,7 @@ void panel_look(panel *p)
 
 /* ---- Input ---- */
 
-/* A6 and A7, which are no pins of an ATmega328P in its usual case, are behind the pins. */
+/* A6 and A7 come behind the pins, since they are no pins of an ATmega328P in its usual case. */
 static int pin_of(const char *name)
 {
     if (strcasecmp(name, "A6") == 0 || strcasecmp(name, "A7") == 0)

@@ -22,7 +22,7 @@ typedef struct sonar {
     } pins[BOARD_PINS];
 } sonar;
 
-/** Connects the sensors to a board: none are there yet. */
+/** Connects a board. It has no sensors yet. */
 void sonar_connect(sonar *sonar, board *board);
 
 /**

@@ -39,7 +39,7 @@ public:
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
   /**
-   * Opens the line, if the board's stream is a port that can be, and begins the conversation.
+   * Opens the board's port, if it can be opened, and begins the conversation.
    *
    * @param baud  9600 and 115200 are common; the far end must use the same
    */
@@ -58,7 +58,7 @@ public:
 private:
   template <typename Port> static void open(Stream &port, unsigned long baud) { open(static_cast<Port &>(port), baud, 0); }
 
-  /* The first open() is taken where it compiles. */
+  /* The first open() is used if it compiles, else the second. */
   template <typename Port> static auto open(Port &port, unsigned long baud, int) -> decltype(port.begin(baud), void()) { port.begin(baud); }
   template <typename Port> static void open(Port &, unsigned long, long) {}
 

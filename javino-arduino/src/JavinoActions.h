@@ -11,8 +11,8 @@ class JavinoBoard;
 
 /**
  * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; the heap is used only for a name that
- * is a String. A name in flash, F("ledOn"), is copied into the board's memory, before anything has arrived; any other is not copied, so it
- * must last.
+ * is a String. A name in flash, F("ledOn"), is copied into the board's memory, so give it before anything has arrived. Any other name is
+ * not copied, so it must last.
  */
 class JavinoActions {
 public:
@@ -37,7 +37,7 @@ public:
         actions_.add(name, function);
     }
 
-    /** The same for a function that is handed the board. A template, so that NULL is a Function. */
+    /** The same for a function that is handed the board. It is a template so that NULL counts as a Function. */
     template <typename = void> void operator=(BoardFunction function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
@@ -135,8 +135,8 @@ private:
   void carryOut(const __FlashStringHelper *name) const;
 
   /**
-   * Carries out all actions but those whose function takes neither the board nor arguments. `found` is the action with the whole text as
-   * its name, or null; `certain` is true if the text is known to be whole.
+   * Carries out an action. Null while all functions take neither the board nor arguments. `found` is the action with the whole text as its
+   * name, or null; `certain` is true if the text is known to be whole.
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
@@ -149,7 +149,7 @@ private:
 
   JavinoBoard &board() const { return *static_cast<JavinoBoard *>(board_->link.encoder.context); }
 
-  /** @name Callers of functions, which return bool or, carrying everything out, void. */
+  /** @name Callers of functions that return bool, or void if they carry everything out. */
   ///@{
   template <typename... Given> static bool isDone(bool (*function)(Given...), Given... given) { return function(given...); }
   template <typename... Given> static bool isDone(void (*function)(Given...), Given... given) {
@@ -209,7 +209,7 @@ private:
   javino_board *board_;
   /* Null until an action needs it, so that other sketches do not link the code. */
   Reader reader_;
-  Reader known_;     /* In place of reader_ while the board does not describe itself. So is unknown_. */
+  Reader known_;     /* Used in place of reader_, like unknown_, while the board does not describe itself. */
   Function unknown_; /* Called for unknown actions. */
   uint8_t count_;
   bool described_; /* Computers are told which actions there are. */

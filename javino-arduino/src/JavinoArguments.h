@@ -10,8 +10,8 @@
   memcpy_P(copy, reinterpret_cast<const char *>(in_flash), sizeof copy)
 
 /**
- * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom
- * `left` and argument 1 the number 30. Good only while the action's function runs.
+ * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom `left` and argument 1 the
+ * number 30. Valid only while the action's function runs.
  */
 class JavinoArguments {
 public:

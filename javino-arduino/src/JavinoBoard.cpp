@@ -24,7 +24,7 @@ uint16_t JavinoBoard::receive() {
 
 void JavinoBoard::write(void *board, uint8_t byte) {
   JavinoBoard *self = static_cast<JavinoBoard *>(board);
-  /* Stops at the first byte that nobody takes, since a port on USB waits for each of them. */
+  /* Stops at the first byte that nobody takes, since a port on USB waits for each such byte. */
   if (!self->mute_)
     self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
@@ -139,8 +139,8 @@ void JavinoBoard::handle() {
 /**
  * Carries out the action in hand; false if it has to wait.
  *
- * In version 1 the size may have been damaged. The rest of a longer action is mostly no action: its brackets are open. If it can be one,
- * the following bytes decide.
+ * In version 1 the size may have been damaged, so that the text is only the beginning of a longer action. Such a beginning is mostly no
+ * action: its brackets are open. If it can be one, the following bytes decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;
@@ -174,7 +174,7 @@ bool JavinoBoard::requestAction(const char *text) const {
 }
 
 bool JavinoBoard::addPercept(const char *text) {
-  const char *functor = *text == '~' ? text + 1 : text; /* A negation is not part of it. */
+  const char *functor = *text == '~' ? text + 1 : text; /* The ~ is no part of the functor. */
   if (!javino_board_wants(&board_, functor, javino_word(functor, JAVINO_MAX_PAYLOAD)))
     return true;
   javino_percept_text(&board_, text);
@@ -184,6 +184,14 @@ bool JavinoBoard::addPercept(const char *text) {
 bool JavinoBoard::addPercept(const __FlashStringHelper *text) {
   JAVINO_COPY(copy, text);
   return addPercept(copy);
+}
+
+bool JavinoBoard::describe(const __FlashStringHelper *kind) {
+  if (!javino_kind_begin(&board_))
+    return true;
+  JAVINO_COPY(copy, kind);
+  javino_percept_text(&board_, copy);
+  return javino_percept_end(&board_);
 }
 
 bool JavinoBoard::begins(const __FlashStringHelper *functor) {
@@ -235,7 +243,7 @@ void JavinoBoard::longTerm(uint64_t magnitude, bool negative) {
 #ifndef JAVINO_NO_DECIMALS
 void JavinoBoard::term(const JavinoDecimals &number) {
   uint8_t digits = number.digits < 1 ? 1 : number.digits > 9 ? 9 : number.digits;
-  uint32_t parts = 1; /* number of parts of a whole */
+  uint32_t parts = 1; /* 10 to the power of digits */
   for (uint8_t i = 0; i < digits; i++)
     parts *= 10;
   bool negative = number.value < 0;

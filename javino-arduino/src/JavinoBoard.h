@@ -1,5 +1,5 @@
 /**
- * @file A board of the Arduino family: the common part of Javino.h, on serial ports, and JavinoNetwork.h.
+ * @file A board of the Arduino family: the common part of Javino.h (for serial ports) and JavinoNetwork.h.
  */
 #ifndef JAVINO_BOARD_CLASS_H
 #define JAVINO_BOARD_CLASS_H
@@ -24,7 +24,7 @@
 #define JAVINO_LIBRARY_VERSION 100
 
 #ifndef JAVINO_NO_DECIMALS
-/** A number and how many decimals are written, see decimals(). */
+/** A number and the count of its decimals to write, see decimals(). */
 struct JavinoDecimals {
   double value;
   uint8_t digits;
@@ -46,7 +46,7 @@ struct JavinoQuoted {
   const char *text;
 };
 
-/** In a percept, a text that is a string also where it could be an atom: `percept("says", quoted(word))` is says("hi"). */
+/** In a percept, a text that is written as a string even if it could be an atom: `percept("says", quoted(word))` is says("hi"). */
 inline JavinoQuoted quoted(const char *text) {
   JavinoQuoted value = {text};
   return value;
@@ -64,13 +64,13 @@ public:
   unsigned long damaged; /**< Frames of version 2 that were not intact, and were dropped. Version 1 has no checksums. */
   /** How often the port's receive buffer was found full, so that bytes may have been lost. 0 where its size is not known. */
   unsigned long overruns;
-  unsigned long longestLoop; /**< Milliseconds from one look for messages to the next, at most: a round of loop(), or a callback. */
+  unsigned long longestLoop; /**< The most milliseconds from one look for messages to the next: a round of loop(), or a callback. */
 
   JavinoCounters() : frames(0), damaged(0), overruns(0), longestLoop(0) {}
 
 private:
   friend class JavinoBoard;
-  void (*hook_)(JavinoBoard &); /* The board's hook, which is called behind counting. */
+  void (*hook_)(JavinoBoard &); /* The board's hook, which is called after counting. */
   unsigned long look_ms_;                    /* The time of the board's last look for messages. */
   uint8_t frames_;                           /* The counts of the core. */
   uint8_t damaged_;
@@ -90,8 +90,8 @@ public:
   typedef void (*Callback)();
 
   /**
-   * As Callback, but handed the board, whatever its class. Such functions do for several boards, and a class derived from a board finds
-   * its members with `static_cast<Robot &>(board)`.
+   * Like Callback, but handed the board, whatever its class. So one function can serve several boards, and a class derived from a board
+   * finds its members with `static_cast<Robot &>(board)`.
    */
   typedef JavinoActions::BoardFunction BoardCallback;
 
@@ -112,8 +112,8 @@ public:
    * Handles all messages that have arrived: answers requests for percepts, carries out actions, reports a lost link. An action that the
    * board does not know is refused or, in version 1, ignored. Call it in every loop().
    *
-   * Within a callback it only takes the bytes that have arrived, so that none is lost in a callback that takes long; requests and actions
-   * wait until the callback has returned, `stop` too. See later().
+   * Within a callback it only takes the bytes that have arrived, so that none is lost in a callback that takes long; requests and actions,
+   * even `stop`, wait until the callback has returned. See later().
    */
   void run();
 
@@ -122,7 +122,7 @@ public:
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
   }
-  /** The same. A template, so that NULL is a Callback. */
+  /** The same for a function that is handed the board. It is a template so that NULL counts as a Callback. */
   template <typename = void> void perceive(BoardCallback write) {
     perceive_ = reinterpret_cast<Callback>(write);
     look_ = write ? perceiveWithBoard : NULL;
@@ -134,9 +134,10 @@ public:
   /**
    * Registers the function for an action with arguments.
    *
-   * @param name       the functor, which is not copied; one in flash is copied into the board's memory, before anything has arrived
+   * @param name       the functor, which is not copied; only one in flash is copied into the board's memory, so give it before anything has
+   *                   arrived
    * @param function   takes the board, the arguments, both in this order, or neither; one that takes no arguments refuses an action that
-   *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or otherwise
+   *                   has some. It returns `void`; or `bool`, where false refuses the action because of its arguments or for another reason
    * @param arguments  the number of arguments: with another number the action is refused and the function not called
    * @return false if it is left out: see JavinoActions::full()
    */
@@ -180,18 +181,18 @@ public:
    * While it is set the board does not describe its actions to computers, since ARGO sends a board only the actions that it has described.
    * So every action comes as text, and reaches the function.
    *
-   * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. It returns `void`, and the action is
-   *                  refused, so that it may count or show it; or `bool`: true if it has carried it out. NULL: none
+   * @param function  is handed the action's whole text, such as `fly(3)`, good until it returns. If it returns `void`, it may count or show
+   *                  the action, which is then refused; if `bool`, true says that it has carried the action out. NULL: none
    */
   void onUnknownAction(void (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
-  /** The same for a function that returns bool. A template, so that NULL is a function of the other kind. */
+  /** The same for a function that returns bool. It is a template so that NULL counts as a function that returns void. */
   template <typename = void> void onUnknownAction(bool (*function)(JavinoBoard &board, const char *action)) { act.refuseWith(function); }
 
   /**
    * Call it in an action's function to report the outcome later, with done(). The function returns at once, its result is ignored, and the
    * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
-   * version 2 is carried out, not even an urgent one; report an action that must be stoppable on the way as carried out when it begins, and
-   * its end with a percept.
+   * version 2 is carried out, not even an urgent one; if an action must be stoppable on the way, report it as carried out when it begins,
+   * and its end with a percept.
    *
    * @return the value for done(). In version 1, which has no outcomes, a value with which done() does nothing
    */
@@ -201,12 +202,12 @@ public:
    * Reports the outcome of an action that called later().
    *
    * @param carried_out  false if it could not be carried out
-   * @return true if it was reported; not if the computer has begun anew since: then nobody waits for this outcome
+   * @return true if it was reported; false if the computer has begun anew since: then nobody waits for this outcome
    */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers the function that is called if nothing valid has arrived for so long, so that motors stop if the computer has died. Called
+   * Registers the function that is called if nothing valid has arrived for this time, so that motors stop if the computer has died. Called
    * once, and again only after something has arrived. Bytes that arrived while loop() was busy count as having come at the beginning of
    * that time. Only a watchdog notices a loop() that never returns.
    *
@@ -218,7 +219,7 @@ public:
     supervise_ = ms && function ? loseAlone : NULL;
     javino_link_supervise(&board_.link, millis());
   }
-  /** The same. A template, so that NULL is a Callback. */
+  /** The same for a function that is handed the board. It is a template so that NULL counts as a Callback. */
   template <typename = void> void onLinkLost(unsigned long ms, BoardCallback function) {
     onLinkLost(ms, reinterpret_cast<Callback>(function));
     supervise_ = ms && function ? loseWithBoard : NULL;
@@ -243,12 +244,12 @@ public:
 
   /**
    * Lets the board watch critical rules itself, which the computer sets: a reflex is carried out within a run(), at once when a rule begins
-   * to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name; wants() tells these, so it
-   * should read no other sensor. Actions that are a reflex are called within percept().
+   * to be met. The function given to perceive() is called up to every 5 ms for the percepts that the rules name. It should read no other
+   * sensor; wants() tells which. Actions that are a reflex are called within percept().
    *
    * Call it in setup(), before anything arrives. A sketch that does not call it does not link the code.
    *
-   * @param bytes  of the board's memory for the rules; one takes some 20
+   * @param bytes  the part of the board's memory for the rules; one rule takes some 20 bytes
    * @return false if there is too little memory, something has arrived, or version 2 is left out
    */
   bool watchRules(uint8_t bytes = 96) {
@@ -272,8 +273,7 @@ public:
    * @param functor  an atom, with a ~ before it if the percept is negated
    * @param terms    whole numbers, of 64 bits too; numbers with decimals, of which two are written, or as many as decimals() has; true
    *                 and false; text, which becomes an atom if it is one and otherwise a string
-   * @return false if it will not be sent, being longer than a frame, or because the memory is full and nobody
-   *         has asked
+   * @return false if it will not be sent: it is longer than a frame, or the memory is full and nobody has asked
    */
   template <typename... Terms> bool percept(const char *functor, Terms... terms) {
     return javino_percept_begin(&board_, functor) ? write(terms...) : true;
@@ -287,7 +287,17 @@ public:
   bool addPercept(const String &text) { return addPercept(text.c_str()); }
   bool addPercept(const __FlashStringHelper *text);
 
-  /** Returns true if the request in hand asks for percepts of this functor; spares reading a sensor. */
+  /**
+   * Describes a kind of percepts: `describe(F("dist(front|left, cm 0..400)"))`. Call it in the function given to perceive(), for each kind.
+   * It writes only when a computer of version 2 asks for the description, which is seldom; wants() is false for all percepts then.
+   *
+   * @param kind  a functor, and for each argument `_` for anything, a choice such as `front|left` or `0|1`, or a number: its unit, if it
+   *              has one, and its range, `cm 0..400`, `-40..125`, `% ..`; at most 250 bytes
+   * @return as percept()
+   */
+  bool describe(const __FlashStringHelper *kind);
+
+  /** Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read. */
   bool wants(const char *functor) const { return javino_board_wants(&board_, functor, static_cast<uint8_t>(strlen(functor))); }
   bool wants(const __FlashStringHelper *functor) const;
 
@@ -301,7 +311,7 @@ public:
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /** Looks for the next message. The one before is over: an action counts as carried out. Within a callback as run(). */
+  /** Looks for the next message. The message before is over: an action counts as carried out. Within a callback, see run(). */
   bool availableMsg();
 
   /** The message's text: an action, or getPercepts for a request. Empty if there is none. Uses the heap. */
@@ -426,7 +436,7 @@ private:
   template <typename Other> void term(Other *) = delete;
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
-  void (*look_)(JavinoBoard &); /* Calls the next one. */
+  void (*look_)(JavinoBoard &); /* Calls perceive_. */
   Callback perceive_;            /* Set together with look_. */
   void (*supervise_)(JavinoBoard &); /* Null in a sketch that does not supervise its link, and so does not link the code. */
   Callback lost_;                    /* Set together with supervise_ and silence_ms_. */

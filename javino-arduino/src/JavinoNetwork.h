@@ -18,7 +18,7 @@
  *       javino.run();
  *     }
  *
- * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so that a frame is not a packet for each byte.
+ * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so that a frame does not take a packet for each byte.
  */
 #ifndef JAVINO_NETWORK_H
 #define JAVINO_NETWORK_H
@@ -79,7 +79,7 @@ struct JavinoGatheringHolder {
   JavinoGathering gathering_;
 };
 
-/** A board on streams, with this many bytes of memory, as JavinoSized has them. */
+/** A board on streams, with this many bytes of memory, see JavinoSized. */
 template <uint16_t Bytes> class JavinoNetworkSized : private JavinoGatheringHolder, public JavinoBoard {
 public:
   /** A board on no stream until setStream(). */
@@ -95,9 +95,9 @@ public:
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this stream from now on, such as the connection of a computer that has come. The part of a message that came through the one
-   * before is forgotten. A command that a computer repeats through the new one, since its outcome was lost, is still carried out once. Not
-   * within a callback.
+   * Uses this stream from now on, such as the connection of a computer that has come. The part of a message that came through the old
+   * stream is forgotten. A command that a computer repeats through the new stream, since its outcome was lost, is still carried out only
+   * once. Do not call it within a callback.
    *
    * @param stream  an open stream, which must last until another one is set
    */

@@ -13,14 +13,14 @@
 /* True if parts of an answer have gone out, but not the last. */
 #define IS_OPEN(board) ((board)->part != 0)
 #define HEADER JAVINO_ITEM_HEADER
-/* The bytes of an answer in a frame, without the numbers of the request and the part. */
+/* The most bytes of an answer in a frame, without the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
 #define SPLITS /* a percept longer than the memory is sent in pieces */
 #endif
 #endif
 
-#define NOT_SAME 0xFF /* a name begins otherwise than the functor */
+#define NOT_SAME 0xFF /* a name differs from the functor */
 
 #ifndef JAVINO_VERSION_1_ONLY
 static JAVINO_NOINLINE bool rule(javino_board *b, uint8_t where)
@@ -40,7 +40,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
     javino_decoder *d = &b->link.decoder;
     uint8_t *place = d->bytes;
     uint16_t room = b->memory - base;
-    /* In version 1 a message is one frame; while an answer is written, bytes arrive. */
+    /* In version 1 a message is one frame. Bytes that arrive while an answer is written need room too. */
 #if JAVINO_TEXT_MAX > 255
     if (!JAVINO_IS_2(&b->link))
         room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
@@ -248,7 +248,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set, sends only the part that must go out now: the rest follows when they can be watched. */
+    /* While rules are set, sends only the part that must go out now: the rest follows when the rules can be watched. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -270,9 +270,21 @@ static void make_room(javino_board *b)
 
 /* ---- Percepts ---- */
 
+bool javino_kind_begin(javino_board *board)
+{
+    const javino_link *l = &board->link;
+    if (l->event != JAVINO_REQUEST || l->length != 3 || l->text[1] != '?')
+        return false; /* The functors are not (?). */
+    javino_percept_put(board, '?');
+#ifndef JAVINO_VERSION_1_ONLY
+    board->text[board->whole] = JAVINO_ITEM_TEXT; /* Takes no shape from the percepts. */
+#endif
+    return true;
+}
+
 bool javino_percept_begin(javino_board *board, const char *functor)
 {
-    const char *name = *functor == '~' ? functor + 1 : functor; /* A negation is not part of it. */
+    const char *name = *functor == '~' ? functor + 1 : functor; /* The ~ is no part of the functor. */
     if (!javino_board_wants(board, name, (uint8_t)strlen(name)))
         return false;
     javino_percept_text(board, functor);

@@ -3,10 +3,10 @@
  * A board: a link, and the percepts that it answers with when it is asked for them.
  *
  * An answer is text: percepts with a `;` after each. It is built in the memory into which the link receives, behind the received bytes, and
- * coded in place when it is sent, or earlier if there is no more room. In version 2 a percept whose text the computer knows but for the
- * digits takes half a byte for each digit. A beginning that does not fit then goes out ahead, in version 2 as a part of the answer, in
- * version 1 as messages of whole percepts. Unasked percepts wait in all memory but JAVINO_WINDOW bytes, so that the longest frame still
- * arrives; in version 1 they are one message of 255 bytes at most.
+ * coded in place when it is sent, or earlier if there is no more room. In version 2, if the computer knows the text of a percept except for
+ * its digits, the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead, in version 2 as
+ * a part of the answer, in version 1 as messages of whole percepts. Unasked percepts wait in all memory but JAVINO_WINDOW bytes, so that
+ * the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -24,9 +24,7 @@ extern "C" {
 /** The least memory, in bytes, that a board works with. */
 #define JAVINO_MEMORY_MIN 160
 
-/**
- * The largest text in bytes: that of one frame, or in version 2 as many as the memory holds. The former takes less flash.
- */
+/** The largest text in bytes: that of one frame, which takes less flash, or in version 2 as many as the memory holds. */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
@@ -42,7 +40,7 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * The number of shapes, that is percepts' texts without their digits, that a board tells apart, at most 126; four bytes each. Percepts of
+ * The number of shapes (texts of percepts without their digits) that a board tells apart, at most 126. Each takes four bytes. Percepts of
  * further shapes are sent as text.
  */
 #ifndef JAVINO_SHAPES
@@ -64,15 +62,15 @@ struct javino_rules;
 
 /** The points at which a board calls its rules, see javino_rules.h. */
 enum {
-    JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand, and is over then. */
+    JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand. The call ends it. */
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
-    JAVINO_RULES_ANSWER,  /**< An answer is ready. True: it is no more to be sent. */
-    JAVINO_RULES_GO_ON,   /**< An answer that goes out part by part may go on. True: one does. */
-    JAVINO_RULES_END,     /**< As before, all that is left of it, since a request is in hand. True: rules leave its answer less memory. */
-    JAVINO_RULES_ALL      /**< The same at any time. */
+    JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the board does not send it. */
+    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: such an answer is under way. */
+    JAVINO_RULES_END,     /**< A request is in hand: the rest of such an answer goes out. True: rules leave the new answer less memory. */
+    JAVINO_RULES_ALL      /**< The rest of such an answer goes out, at any time. */
 };
 
-/** A board. The members are private but for link, on which javino_link_receive and so on are called. */
+/** A board. The members are private except link, which javino_link_receive and its like take. */
 typedef struct javino_board {
     char *text;
     uint16_t memory; /* number of bytes */
@@ -81,7 +79,7 @@ typedef struct javino_board {
     javino_room whole;  /* number of bytes of whole percepts in the text */
     bool overlong;   /* the percept that is being written does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool split;         /* a piece of the percept that is being written has been ended */
+    bool split;         /* a piece of the percept that is being written has gone out */
     javino_room coded;  /* number of bytes of items in the form in which they are sent */
     uint8_t part;       /* number of parts that have gone out; 0: no answer has been begun */
     uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
@@ -131,6 +129,14 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
+ * Begins the description of a kind of percepts, which a computer may ask for in place of the percepts. The text of the kind must follow,
+ * such as `dist(front|left, cm 0..400)`, and javino_percept_end.
+ *
+ * @return true if the request in hand asks for kinds; if not, write nothing and do not end it
+ */
+bool javino_kind_begin(javino_board *board);
+
+/**
  * Begins a percept with its functor, which must be an atom, with a ~ before it if it is negated.
  *
  * @return true if it is wanted; if not, write nothing and do not end it
@@ -155,12 +161,12 @@ void javino_percept_string(javino_board *board, const char *text);
 /**
  * Ends a percept.
  *
- * @return true if it will be sent. Not if in version 1 it is longer than 255 bytes, or if no request is in hand and
- *         there is no more room.
+ * @return true if it will be sent; false if it is longer than 255 bytes in version 1, or if no request is in hand and there is no more
+ *   room.
  */
 bool javino_percept_end(javino_board *board);
 
-/** Sends the percepts written so far, even none, as the answer; without a request unasked. */
+/** Sends the percepts written so far, even none: as the answer or, if there is no request, unasked. */
 void javino_board_answer(javino_board *board);
 
 /** For javino_rules.c: sends n bytes of the text, as the end of an answer or ahead of the rest of the answer. */

@@ -50,8 +50,7 @@ JAVINO_OUTLINE uint16_t javino_crc16(uint16_t crc, uint8_t byte)
 
 /* ---- Decoder ---- */
 
-/* The milliseconds that have passed; none if was is in the future: a byte may have come while the caller's now was growing
- * old. */
+/* The milliseconds that have passed; 0 if `was` is in the future, since a byte may have come after the caller read its `now`. */
 static uint16_t elapsed(uint16_t now, uint16_t was)
 {
     now -= was;
@@ -104,7 +103,7 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce)
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Returns true if this is a kind of a computer's frame. */
+/* Returns true if computers send frames of this kind. */
 static bool is_kind(uint8_t kind)
 {
     switch (kind) {

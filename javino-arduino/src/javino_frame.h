@@ -12,9 +12,11 @@
  *  - javino_link.h: the conversation, that is versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
  *
- * Switches leave parts out if they are defined for all files: JAVINO_VERSION_1_ONLY version 2; JAVINO_VERSION_2_ONLY version 1: without a
- * session nothing is sent, and there is no javino_link_send(); JAVINO_NO_FUNCTOR_LISTS the functors in requests: the board then answers
- * with all percepts; JAVINO_NO_DECIMALS numbers with decimals, in the Arduino class.
+ * Switches that are defined for all files leave parts out:
+ *  - JAVINO_VERSION_1_ONLY: version 2;
+ *  - JAVINO_VERSION_2_ONLY: version 1. Without a session nothing is sent, and there is no javino_link_send();
+ *  - JAVINO_NO_FUNCTOR_LISTS: the functors in requests. The board answers with all percepts;
+ *  - JAVINO_NO_DECIMALS: numbers with decimals, in the Arduino class.
  */
 #ifndef JAVINO_FRAME_H
 #define JAVINO_FRAME_H
@@ -57,7 +59,7 @@ enum {
     JAVINO_ASK = 0x20,
     JAVINO_DESCRIBE = 0x28,
     JAVINO_COMMANDS = 0x30,
-    JAVINO_RESUME = 0x31, /**< Commands too. */
+    JAVINO_RESUME = 0x31, /**< Commands, after the computer has seen a refusal. */
     JAVINO_WELCOME = 0x80,
     JAVINO_ACK = 0x81,
     JAVINO_PERCEPTS = 0x82,
@@ -66,7 +68,7 @@ enum {
     JAVINO_CRITICAL = 0x85,
     JAVINO_VOCABULARY = 0x86,
     JAVINO_REFUSED = 0x40, /**< A flag in the kinds from the board. */
-    JAVINO_BUSY = 0x20     /**< Another one. */
+    JAVINO_BUSY = 0x20     /**< Another such flag. */
 };
 
 /* ---- CRC ---- */
@@ -82,7 +84,7 @@ uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 /** Begins a frame of version 2. One of version 1 begins with `f`. */
 #define JAVINO_START 0xA5
 
-/** The places of the parts of a received frame: of version 2, without escapes, and the payload of version 1. */
+/** The places of the parts of a received frame: those of version 2, without escapes, and the payload's in version 1. */
 enum { JAVINO_LENGTH_AT = 1, JAVINO_KIND_AT = 2, JAVINO_NUMBER_AT = 3, JAVINO_PAYLOAD_AT = 4, JAVINO_PAYLOAD_AT_1 = 6 };
 
 /** The bytes that follow a frame of version 1. */
@@ -99,7 +101,7 @@ typedef struct {
     uint16_t size;
     uint16_t end;      /* number of bytes there are */
     uint16_t gap;      /* place of a silence between the bytes; 0: there is none */
-    uint16_t taken;    /* bytes of the frame at the front: all of them, or in version 2 those that stand without escapes already */
+    uint16_t taken;    /* bytes of the frame at the front: all of them, or in version 2 those whose escapes are taken out */
     uint16_t timeout_ms;
     uint16_t last_ms;
     uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */
@@ -120,7 +122,7 @@ typedef struct {
  */
 bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size, uint16_t timeout_ms);
 
-/** @return true if javino_decoder_put has room. If not, there is at the latest when javino_decoder_next is called again. */
+/** @return true if javino_decoder_put has room. If not, it has room at the latest after the next javino_decoder_next. */
 bool javino_decoder_ready(const javino_decoder *decoder);
 
 /**
@@ -143,7 +145,7 @@ void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
  * Begins a session of version 2: from now on a frame of version 1 counts only if it begins behind a silence of a quarter of
  * the timeout, and is not read twice.
  *
- * @param nonce  the session's; 0 ends it
+ * @param nonce the nonce of the session; 0 ends it
  */
 void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 
@@ -154,13 +156,13 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * confirms the frame; anything else means that it may have been misread, and the bytes after its first are read again. When silence falls
  * inside such a frame, its bytes after the first are read again too.
  *
- * A frame of version 2 that is damaged, too long for the memory, of another session or no computer's is dropped and never read again.
+ * A frame of version 2 that is damaged, too long for the memory, of another session or not from a computer is dropped and never read again.
  * Without a session only the checksum of HELLO is looked at: other frames cannot be checked, and only show that a computer is there.
  *
  * @param now_ms  the time of the last look into the receive buffer. Unless javino_decoder_ready returns false, nothing
  *                has come since the last byte handed in.
- * @return the frame, JAVINO_OVERHEAD bytes and its payload, of version 2 without escapes; if there is one, ask again before the
- *         next byte. NULL: there is none yet
+ * @return the frame, JAVINO_OVERHEAD bytes and its payload, of version 2 without escapes; if there is one, call this again before you hand
+ *   in the next byte. NULL: there is none yet
  */
 const uint8_t *javino_decoder_next(javino_decoder *decoder, uint16_t now_ms);
 
@@ -193,7 +195,7 @@ void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 #endif
 
 /**
- * Begins a frame of version 2, as javino_encoder_begin.
+ * Begins a frame of version 2. The same calls must follow as for javino_encoder_begin.
  *
  * @param nonce   as for JAVINO_CRC_START
  * @param kind    the byte CC

@@ -15,7 +15,7 @@ extern "C" {
 enum {
     JAVINO_ITEM_CONTINUED = 0x7E, /**< The beginning of a text. */
     JAVINO_ITEM_TEXT = 0x7F,      /**< A text without an id. */
-    JAVINO_ITEM_DIGITS = 0x80,    /**< An id is added: of it and those that follow only the digits. */
+    JAVINO_ITEM_DIGITS = 0x80,    /**< An id is added. Only the digits follow, of its percept and of those with the next ids. */
     JAVINO_ITEM_NEW = 0xFF        /**< Never sent: a text that is not coded yet. */
 };
 

@@ -136,7 +136,7 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
     javino_encoder_end(&l->encoder);
 }
 
-/* Hands out the next command of the row that is to be carried out; at its end acknowledges it. */
+/* Hands out the next command of the row that is to be carried out. At the end of the row, acknowledges the row. */
 static javino_event next_command(javino_link *l)
 {
     uint8_t *frame = l->decoder.bytes;
@@ -182,7 +182,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* Returns the event that a frame of version 2 is for the program. */
+/* Returns the program's event for a frame of version 2. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];
@@ -216,7 +216,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 
 /* ---- Both versions ---- */
 
-/* Returns the event that the frame that has just arrived is for the program. */
+/* Returns the program's event for the frame that has just arrived. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
 #ifndef JAVINO_VERSION_2_ONLY
@@ -325,7 +325,7 @@ JAVINO_OUTLINE void javino_link_supervise(javino_link *link, uint32_t now_ms)
 JAVINO_NOINLINE bool javino_link_lost(javino_link *link, uint32_t silence_ms, uint32_t now_ms)
 {
     if (link->heard) {
-        /* The valid message may have waited since the receive buffer was empty. */
+        /* The valid message may have waited since the receive buffer was last empty. */
         link->heard = link->lost = false;
         link->since_ms = link->drained_ms;
     }

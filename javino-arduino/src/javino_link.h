@@ -26,9 +26,9 @@ extern "C" {
 enum {
     JAVINO_NOTHING, /**< No message. */
     JAVINO_REQUEST, /**< Percepts are asked for. The text is empty or the functors that are wanted, as in (dist,light). */
-    JAVINO_WATCH,   /**< Never found: the percepts that are written now are compared with rules, see javino_rules.h. */
+    JAVINO_WATCH,   /**< Never returned: the percepts that are written now are compared with rules, see javino_rules.h. */
     JAVINO_ACTION,  /**< A command. The text is a literal. */
-    JAVINO_RULE     /**< Never found on a javino_board, which handles it: rules are set or removed, see javino_rules.h. */
+    JAVINO_RULE     /**< Never returned for a javino_board, which handles it: rules are set or removed, see javino_rules.h. */
 };
 typedef uint8_t javino_event;
 
@@ -47,7 +47,7 @@ typedef struct {
 /** The most actions of a board: on the line, the next numbers stand for no command and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** Bytes of an action's name at most, so that a page of the vocabulary holds it. */
+/** The most bytes of an action's name, so that a page of the vocabulary holds it. With a longer name, computers know no action. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */
@@ -65,7 +65,7 @@ typedef struct {
     uint8_t length;     /**< Bytes of its text. */
     const char *text;   /**< Its text, not terminated. It stays in place until the message is over. */
     const void *actions;  /**< A row of javino_action, which are numbered from the last. */
-    uint8_t action_size;  /**< Bytes from one to the next. */
+    uint8_t action_size;  /**< The distance between two actions in memory, in bytes. */
     uint8_t action_count; /**< At most JAVINO_ACTIONS_MAX. 0, as at first: the actions have no numbers. */
     bool answered;
     bool drained; /* the last poll has read all that there was */
@@ -73,7 +73,7 @@ typedef struct {
     bool lost;
     uint8_t frames; /**< Intact ones that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. With the next five the payload of WELCOME. */
+    uint8_t session;    /**< Its nonce; 0: there is none, and version 1 is spoken. This and the next five are the payload of WELCOME. */
     uint8_t credit;
     uint8_t longest;    /* most bytes of payload that a frame may have */
     uint8_t rules_max;  /* number of rules that the board can hold */
@@ -88,7 +88,7 @@ typedef struct {
     uint8_t known;      /* number of shapes whose text the computer knows */
     uint8_t shapes;     /* number of shapes that have been sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the frame in hand holds commands; its length is of those that are left, its number the next one's */
+    bool row;           /* the frame in hand holds commands; its length and number are those of the commands that are left */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
@@ -96,7 +96,7 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** True if the message in hand is of version 2, or, without one, the next that is sent will be: a message of version 1 ends the session. */
+/** True if the message in hand is of version 2; without one, if the next sent message will be. A message of version 1 ends the session. */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)
@@ -129,9 +129,9 @@ bool javino_link_ready(const javino_link *link);
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
- * Ends the message in hand, a command as carried out, and looks for the next. Frames that ask nothing of the program are handled here; so
- * are commands that are repeated because an acknowledgement was lost: they are acknowledged again and not handed out. Call it more often
- * than every 20 s, with a javino_board on top through javino_board_poll.
+ * Ends the message in hand, where a command counts as carried out, and looks for the next. Frames that ask nothing of the program are
+ * handled here; so are commands that are repeated because an acknowledgement was lost: they are acknowledged again and not handed out. Call
+ * it more often than every 20 s, with a javino_board on top through javino_board_poll.
  *
  * Before each call hand in all bytes that wait, until javino_link_ready returns false.
  *

@@ -242,7 +242,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. Percepts that the program writes meanwhile wait, as unasked ones. */
+/* Carries a reflex out. Percepts that the program writes meanwhile wait, like unasked percepts. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -398,7 +398,7 @@ static bool take_part(javino_board *b, uint8_t where)
     case JAVINO_RULES_ANSWER: return answer(b);
     case JAVINO_RULES_END:
         go_on(b, where);
-        /* Percepts are compared behind the answer as soon as it is written. */
+        /* When the answer has been written, percepts are compared in the memory behind it. */
         return b->link.rules && b->memory - b->link.decoder.end >= 2 * JAVINO_TEXT_MIN;
     default: return go_on(b, where);
     }

@@ -28,8 +28,9 @@ ABOUT = [
     "vocabulary: pages; an action is its name and how many arguments it has, 255 for any number. numbers: what goes by number without"
     " arguments.",
     "rules: the text that sets a rule, percepts, and whether each meets it; met is null where a board refuses the text.",
-    "board: conversations. A board has actions, texts that its program refuses, and texts whose outcome is reported later; all others"
-    " are carried out. Frames are CC SS payload; of the payload of WELCOME compare the first byte only. A step has what goes to the"
+    "board: conversations. A board has actions, texts that its program refuses, texts whose outcome is reported later, and the kinds of"
+    " its percepts, if it describes them; all other texts are carried out. Frames are CC SS payload; of the payload of WELCOME compare"
+    " the first byte only. A step has what goes to the"
     " board (to), what it sends (from) and what its program carries out (carried). Frames are those of the session that the HELLO before"
     " them began, or of that with the nonce in the step's nonce; those from the board are of its session. percepts sets the texts of now, look has the rules"
     " compared, unasked has percepts sent unasked, report gives the outcome of the action whose outcome was open, restart switches the"
@@ -484,7 +485,8 @@ def conversations():
 def converse(name, has, *steps):
     description = {"actions": [["front", 0], ["left", 0], ["speed", 1], ["bump", 0], ["grip", 0]], "refuses": ["bump"],
          "later": ["grip"]} | has
-    program = Program([(raw(n), a) for n, a in description["actions"]], map(raw, description["refuses"]), map(raw, description["later"]))
+    program = Program([(raw(n), a) for n, a in description["actions"]], map(raw, description["refuses"]), map(raw, description["later"]),
+                      map(raw, description.get("kinds", ())))
     device, shown, nonce = Device(program, 0), [], 0
     for step in steps:
         step, out = dict(step), []
@@ -532,6 +534,7 @@ HELLO = to(f(0x10, 7))
 FRONT, LEFT, SPEED, BUMP, GRIP = 0, 1, b"speed(5)", 3, 4
 rule = commands.Rule
 SET_RULE = rule(b"\x07dist\x002<40\x00\x02front")
+KINDS = {"kinds": ["dist(f|b, cm 0..400)", "temp(\xb0C -40..125.5)", "ready"]}
 CONVERSATIONS = [
     ("HELLO and WELCOME", {}, HELLO, to(f(0x10, 7)), to(f(0x10, 8))),
     ("without a session everything is answered with WELCOME 00", {}, to(row(0, FRONT)), to(f(0x20, 1, b"\x00")), to(f(0x28, 1, b"\x00")),
@@ -605,6 +608,14 @@ CONVERSATIONS = [
      {"percepts": ["a(2);", "b(3);"], "unasked": True}),
     ("DESCRIBE", {}, HELLO, to(f(0x28, 1, b"\x00")), to(f(0x28, 2, b"\x03")), to(f(0x28, 3, b"\x05")),
      to(row(0, BUMP), f(0x28, 4, b"\x04"))),
+    ("kinds of percepts are asked for", KINDS, HELLO, {"percepts": ["dist(f,50);"], "to": [f(0x20, 1, b"\x00(?)")]},
+     to(f(0x20, 2, b"\x00")), to(f(0x20, 3, b"\x01")), to(f(0x20, 4, b"\x01(?)"), f(0x20, 5, b"\x01(dist)"))),
+    ("a board that describes no percepts", {}, HELLO, {"percepts": ["dist(f,50);"], "to": [f(0x20, 1, b"\x00(?)")]}),
+    ("kinds of percepts take no ids from percepts", KINDS, HELLO, to(f(0x20, 1, b"\x00(?)")),
+     {"percepts": ["ready;", "dist(f,50);"], "to": [f(0x20, 2, b"\x00")]}, to(f(0x20, 3, b"\x02"))),
+    ("with rules set a description goes in parts of twelve bytes", KINDS, HELLO, to(row(0, rule(b"\x01a\x00")), f(0x20, 1, b"\x00(?)"))),
+    ("other functors are no request for kinds", KINDS, HELLO,
+     {"percepts": ["dist(f,50);"], "to": [f(0x20, 1, b"\x00(?,dist)"), f(0x20, 2, b"\x00(dist,?)"), f(0x20, 3, b"\x00(?")]}),
     ("a rule and its reflex", {}, HELLO, {"percepts": ["dist(f,41);"], "to": [row(0, SET_RULE)]}, {"look": True},
      {"percepts": ["dist(f,39);"], "look": True},
      {"look": True}, {"percepts": ["dist(f,38);"], "look": True}, {"percepts": ["dist(f,50);"], "look": True},

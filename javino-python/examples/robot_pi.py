@@ -17,7 +17,7 @@ bumper = Button(2)
 board = javino.Board(sys.argv[1] if len(sys.argv) > 1 else "/dev/serial0", baud=115200)
 
 
-@board.perceive
+@board.perceive("dist(front, cm 0..100)", "bumper(true|false)")
 def look():
     if board.wants("dist"):
         board.percept("dist", "front", round(sonar.distance * 100))

@@ -18,6 +18,7 @@ _LOOK_MS = 5
 _IDLE_MS = 100
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
+_KINDS = "(?)"  # in place of functors: the kinds of percepts are asked for
 _NOTHING = None  # a command whose number is used up
 
 
@@ -70,10 +71,11 @@ class Board:
     """A board on a line.
 
     `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate with which a named serial
-    port is opened and at which a reflex overtakes a long answer; 100 ms of silence end a frame that has begun, on a slower line than 2000
-    baud 20 byte times. `credit` is the size of the port's receive buffer in bytes, `longest` the largest payload of a frame in bytes,
-    `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of milliseconds.
+    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port; by
+    it the board spaces the parts of a long answer, so that the report of a reflex overtakes them. 100 ms of silence end a frame that has
+    begun; on a line slower than 2000 baud, 20 byte times do. `credit` is the size of the port's receive buffer in bytes, `longest` the
+    largest payload of a frame in bytes, `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of
+    milliseconds.
 
     Call it from only one thread, never from an interrupt.
     """
@@ -88,9 +90,10 @@ class Board:
         self._ticks = ticks
         self._actions = []  # (name, arguments, function), by number
         self._perceive = None
+        self._kinds = []
         self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
         self._running = False
-        self._inbox = b""  # frames that came while a function ran
+        self._inbox = b""  # bytes that came while a function ran
         self._texts = []  # percepts that were written and not sent
         self._waiting = 0  # bytes of the unsent percepts, while nobody has asked
         self._asked = None  # the functors of the request in hand
@@ -136,7 +139,7 @@ class Board:
         if function is None:
             return lambda decorated: self.on_action(name, decorated, arguments)
         if split(name) != (name, [], True):
-            raise ValueError("%r is no action's name; give the functor alone, and the number of its arguments as arguments=1" % name)
+            raise ValueError("%r is no action's name; give only the functor, and the number of its arguments as arguments=1" % name)
         if len(to_bytes(name)) > _MAX_NAME:
             raise ValueError("an action's name has at most %d characters, unlike %r" % (_MAX_NAME, name))
         for i in range(len(self._actions)):
@@ -148,9 +151,18 @@ class Board:
         self._actions.append((name, arguments, function))
         return function
 
-    def perceive(self, function):
-        """Registers the function that writes percepts when they are asked for. Returns it, to decorate it."""
+    def perceive(self, function, *kinds):
+        """Registers the function that writes percepts when they are asked for. Returns it, so that this can be a decorator.
+
+        `kinds` describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
+        `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or `0|1`,
+        or a number's unit, if it has one, and its range: `cm 0..400`, `-40..125`, `% ..`.
+        """
+        if isinstance(function, str):
+            kinds = (function,) + kinds
+            return lambda decorated: self.perceive(decorated, *kinds)
         self._perceive = function
+        self._kinds = [b"?" + to_bytes(kind) + b";" for kind in kinds]
         return function
 
     def watch_rules(self, room=8):
@@ -160,15 +172,15 @@ class Board:
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers the function that is called if nothing valid has arrived for so many milliseconds, once until something arrives. 0:
-        never."""
+        """Registers the function that is called if nothing valid has arrived for `ms` milliseconds: once, and again only after something
+        has arrived. 0: never."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
     # ---- percepts ----
 
     def wants(self, functor):
-        """Returns true if the request in hand asks for percepts of this functor; spares reading a sensor."""
+        """Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
@@ -237,6 +249,10 @@ class Board:
         while len(answer) > size * _MAX_PARTS:
             texts = texts[:len(texts) * 3 // 4]
             answer = self._shapes.write(texts, self._known)
+        self._send_answer(request, answer)
+
+    def _send_answer(self, request, answer):
+        size = _PART_WITH_RULES if self._rules else _PART
         if len(answer) <= (size if self._rules else size + 1):
             self._parts.append((frames.PERCEPTS, bytes((request,)) + answer))
         else:
@@ -294,8 +310,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action that called `later`. Returns true if it was reported: not if the computer has begun anew since,
-        or for 0."""
+        """Reports the outcome of an action that called `later`. Returns true if it was reported; false if the computer has begun anew
+        since, or for 0."""
         if not later or later != self._open:
             return False
         self._open = 0
@@ -366,7 +382,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # percepts that its function writes wait
+                self._is_looking = False  # percepts that the reflex's function writes wait
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -410,10 +426,10 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits until something arrives, at most so many milliseconds; shorter if silence or the sensors matter sooner."""
+        """Waits at most `ms` milliseconds until something arrives. The wait is shorter if a silence may end it or rules watch sensors."""
         if self._parts:
             ms = min(ms, 1)
-        elif self._rules or self._receiver.is_waiting():  # rules that are set
+        elif self._rules or self._receiver.is_waiting():  # true if rules are set
             ms = min(ms, _LOOK_MS)
         self.line.wait(ms)
 
@@ -461,7 +477,7 @@ class Board:
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Takes the verdict of the following bytes on the message of version 1 before them: true if it was read rightly."""
+        """Takes what the next bytes show about the message of version 1 before them: true if it was read rightly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)
@@ -486,7 +502,12 @@ class Board:
 
     def _ask(self, number, payload):
         self._known = min(payload[0] if payload else 0, len(self._shapes))
-        self._answer(number, to_text(payload[1:]), 2)
+        functors = to_text(payload[1:])
+        if functors == _KINDS:
+            self._send_answer(number, self._shapes.write_without_ids(self._kinds))
+            self._send_parts()
+        else:
+            self._answer(number, functors, 2)
 
     def _describe(self, number, first):
         page = b""

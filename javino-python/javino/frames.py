@@ -219,6 +219,6 @@ class Receiver:
         elif size == body[0] + 5:
             self._body = None
             nonce = 0 if body[1] == HELLO else self.session
-            is_unchecked = body[1] != HELLO and not nonce  # a board without a session cannot tell, and only says so
-            if is_unchecked or crc16(body, nonce) == 0:  # over the bytes and their own checksum it is 0
+            is_unchecked = body[1] != HELLO and not nonce  # without a session the checksum is unknown; the board answers so
+            if is_unchecked or crc16(body, nonce) == 0:  # the CRC of bytes followed by their CRC is 0
                 self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

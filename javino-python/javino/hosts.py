@@ -7,7 +7,7 @@ import time
 
 from .lines import LineGone, Port
 
-_CREDIT = 255  # the system keeps more for a busy program
+_CREDIT = 255  # the system's own buffer is larger
 _PATIENCE = 1.0  # seconds until bytes that nobody takes are lost, as on a serial line
 
 
@@ -69,7 +69,8 @@ def _pyserial(name, baud):
 
 
 def _write_all(send, target, data):
-    """Writes all bytes to what `select` calls target. Returns false if that takes none for a second: then the rest is lost."""
+    """Writes all bytes by `send`; `select` tells when `target` takes more. Returns false if it takes none for a second: then the rest is
+    lost."""
     end = time.monotonic() + _PATIENCE
     while data:
         try:
@@ -81,7 +82,7 @@ def _write_all(send, target, data):
 
 
 class Descriptor:
-    """Two descriptors of a system, or one for both directions."""
+    """A line on two descriptors of the system, or on one for both directions."""
 
     credit = _CREDIT
 
@@ -111,7 +112,7 @@ class Descriptor:
             raise LineGone(f"{self.name} is gone: {e.strerror}") from e
 
     def wait(self, ms):
-        """Waits until something has arrived, at most so long."""
+        """Waits until something has arrived, at most `ms` milliseconds."""
         select.select([self._in], [], [], ms / 1000)
 
     def close(self):
@@ -196,7 +197,7 @@ class Listener:
             self._leave()
 
     def wait(self, ms):
-        """Waits until something has arrived, at most so long."""
+        """Waits until something has arrived, at most `ms` milliseconds."""
         select.select([self._server] + ([self._connection] if self._connection else []), [], [], ms / 1000)
 
     def close(self):

@@ -37,8 +37,7 @@ class Shapes:
         return len(self._ids)
 
     def write(self, texts, known):
-        """Returns the items of an answer. `known` is the number of texts that the computer knows, by the newest request, of those at that
-        time."""
+        """Returns the items of an answer. `known` is the number of shapes that the computer knew when it sent the newest request."""
         items = bytearray()
         first, count, halves = 0, 0, bytearray()  # percepts in a row, sent only by their digits
         for text in texts:
@@ -55,6 +54,14 @@ class Shapes:
             count += 1
             halves.extend(digits)
         self._end_row(items, first, count, halves)
+        return bytes(items)
+
+    @classmethod
+    def write_without_ids(cls, texts):
+        """Returns the items of texts that take no ids, as those of a description do."""
+        items = bytearray()
+        for text in texts:
+            cls._write_text(items, text, _WITHOUT_ID)
         return bytes(items)
 
     def _id(self, text, digits):

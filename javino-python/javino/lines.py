@@ -30,7 +30,7 @@ def open_line(line, baud=None):
 
 
 def _wait(is_ready, ms):
-    """Looks every millisecond until something is ready, at most so long."""
+    """Looks every millisecond until something is ready, for at most `ms` milliseconds."""
     try:
         from time import sleep_ms
     except ImportError:
@@ -69,7 +69,7 @@ class Port:
             data = data[written:]
 
     def wait(self, ms):
-        """Waits until something has arrived, at most so long."""
+        """Waits until something has arrived, at most `ms` milliseconds."""
         _wait(self._count, ms)
 
 
@@ -115,7 +115,7 @@ class Console:
         self._out.write(data)
 
     def wait(self, ms):
-        """Waits until something has arrived, at most so long."""
+        """Waits until something has arrived, at most `ms` milliseconds."""
         if self._poll:
             self._is_ready(ms)
         else:

@@ -11,7 +11,7 @@ def to_bytes(text):
         return data
     for character in text:
         if ord(character) > 255:
-            raise ValueError("%r holds %r, and a message has characters of ISO 8859-1 alone" % (text, character))
+            raise ValueError("%r holds %r, and a message has only characters of ISO 8859-1" % (text, character))
     return bytes([ord(character) for character in text])
 
 

@@ -107,7 +107,7 @@ class Rules:
         self._seen = []
 
     def newly_met(self, percept):
-        """Returns the (number, reflex) of rules that this percept is the first of the look to meet, and that were not met before."""
+        """Returns (number, reflex) of each rule that this percept is the first to meet in this look and that the last look did not meet."""
         found = []
         for number, rule in self._rules:
             if number not in self._seen and is_met(rule, percept):

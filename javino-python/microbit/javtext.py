@@ -33,7 +33,7 @@ def split(text):
     return parts
 
 
-# The function for an action. Not sure: its text may be the beginning of another one's.
+# The function for an action. Not sure: its text may be the beginning of another action's.
 def choose(act, parts, sure):
     name = parts[0]
     found = act.get(name)

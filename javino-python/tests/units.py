@@ -49,6 +49,28 @@ class Bench:
         return self.hear(kind, number, commands.write_row([text]))
 
 
+class Descriptions(unittest.TestCase):
+    def described(self, bench):
+        bench.greet()
+        return [frame.payload for frame in bench.hear(frames.ASK, 1, b"\0(?)")]
+
+    def test_kinds_are_described_by_a_decorator_and_by_arguments(self):
+        decorated, called = Bench(), Bench()
+
+        @decorated.board.perceive("dist(cm 0..400)", "ready")
+        def look():
+            raise AssertionError("nobody asks for percepts")
+
+        self.assertEqual(called.board.perceive(look, "dist(cm 0..400)", "ready"), look)
+        for bench in (decorated, called):
+            self.assertEqual(self.described(bench), [b"\x01\x7f\x11?dist(cm 0..400);\x7f\x07?ready;"])
+
+    def test_a_function_without_kinds_describes_nothing_and_is_not_called(self):
+        bench = Bench()
+        bench.board.perceive(lambda: bench.board.percept("ready"))
+        self.assertEqual(self.described(bench), [b"\x01"])
+
+
 class Values(unittest.TestCase):
     def test_a_percepts_values_become_terms(self):
         for each, text in ((30, "30"), (-1, "-1"), (1.5, "1.5"), (True, "true"), (False, "false"), ("front", "front"),

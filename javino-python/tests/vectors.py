@@ -133,7 +133,7 @@ class Program:
         self.board = Board(self.line, ticks=lambda: self.now)
         for name, count in case["actions"]:
             self.register(name, count, name in case["refuses"], case["later"])
-        self.board.perceive(self.write)
+        self.board.perceive(self.write, *case.get("kinds", []))
         self.board.watch_rules()
 
     def register(self, name, count, refuses, later):

@@ -8,7 +8,7 @@
 //             +!take <- argo.act(close); .print("I have it").
 //             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
-// Report an action that must be stoppable on the way as carried out when it begins: other actions wait for its outcome.
+// Other actions wait for the outcome. So if an action must be stoppable on the way, report it as carried out when it begins.
 
 #include <Javino.h>
 
@@ -34,6 +34,7 @@ void close() {
 }
 
 void look() {
+  javino.describe(F("gripper(open|closing|closed)"));
   javino.percept("gripper", state);
 }
 

@@ -1,8 +1,8 @@
 // A motor that never outlives the computer: when nothing valid has arrived for 300 ms, it stops.
 //
-// run() notices that, so not while loop() is held up. For a loop() that never comes back there is the watchdog: on AVR
-// #include <avr/wdt.h>, wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop() restart a board that has hung for
-// half a second, and its motors are off. (Boot loaders of some older Megas and Nanos do not survive that.)
+// Only run() notices that, so a loop() that is held up does not. For a loop() that never comes back there is the watchdog: on AVR #include
+// <avr/wdt.h>, wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop() restart a board that has hung for half a second, and its motors
+// are off. (Boot loaders of some older Megas and Nanos do not survive that.)
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), stopped(linkLost) once after the link was lost
@@ -37,10 +37,14 @@ void linkLost() {
 }
 
 void look() {
+  javino.describe(F("motor(0..255)"));
+  javino.describe(F("stopped(linkLost)"));
   javino.percept("motor", power);
-  if (wasLost)
+  // Nothing is lost when other percepts, or the description, are asked for.
+  if (wasLost && javino.wants("stopped")) {
     javino.percept("stopped", "linkLost");
-  wasLost = false;
+    wasLost = false;
+  }
 }
 
 void setup() {

@@ -82,6 +82,9 @@ int celsius(uint8_t pin) {
 }
 
 void look() {
+  javino.describe(F("dist(f|b|r|l, cm 0..650)"));
+  javino.describe(F("light(f|b|r|l, 0..1023)"));
+  javino.describe(F("temp(f|b|r|l, C 0..150)"));
   // A sensor that nobody asks for is not read.
   bool light = javino.wants("light");
   bool temperature = javino.wants("temp");

@@ -51,6 +51,8 @@ void move() {
 }
 
 void look() {
+  javino.describe(F("angle(degrees 0..180)"));
+  javino.describe(F("moving"));
   javino.percept("angle", angle);
   if (angle != wanted)
     javino.percept("moving");

@@ -68,6 +68,8 @@ void stop() {
 }
 
 void look() {
+  javino.describe(F("dist(0..4095)"));
+  javino.describe(F("motor(0..255)"));
   Reading reading;
   if (!xQueuePeek(readings, &reading, 0))
     return;  // nothing has been measured yet

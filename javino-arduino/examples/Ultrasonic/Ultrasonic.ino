@@ -71,6 +71,9 @@ void measure() {
 }
 
 void look() {
+  javino.describe(F("dist(cm 0..400)"));
+  javino.describe(F("clear"));
+  javino.describe(F("silent(sonar)"));
   if (sight == SEEN)
     javino.percept("dist", cm);
   else if (sight == CLEAR)

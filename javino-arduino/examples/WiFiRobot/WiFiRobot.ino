@@ -8,7 +8,7 @@
 //             +signal(DB) : DB < -80 <- argo.act(speed(0)).
 //
 // The motor stops when nothing has come from the computer for a second, whatever has failed: the computer, the network, the router. The
-// newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can do so: Javino has no
+// newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can connect: Javino has no
 // passwords, so use a network of your own, or TlsRobot.
 
 #include <JavinoNetwork.h>
@@ -51,6 +51,8 @@ void linkLost() {
 }
 
 void look() {
+  javino.describe(F("motor(0..255)"));
+  javino.describe(F("signal(dBm -127..0)"));
   javino.percept("motor", power);
   javino.percept("signal", static_cast<long>(WiFi.RSSI()));
 }

@@ -24,7 +24,7 @@ void pin_output(uint8_t pin);
 /** Sets an output high or low. */
 void pin_write(uint8_t pin, bool high);
 
-/** Turns an output on for duty parts of 255 of the time. */
+/** Turns an output on for duty/255 of the time. */
 void pin_pwm(uint8_t pin, uint8_t duty);
 
 /** @return the level of an output, or of an input as it was set */

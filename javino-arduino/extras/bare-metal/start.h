@@ -7,7 +7,7 @@
 
 #include "machine.h"
 
-/** Keeps a byte that a port has received until machine_take. Without room it is lost, as in a UART that nobody reads. */
+/** Keeps a byte that a port has received until machine_take. If there is no room, the byte is lost, as in a UART that nobody reads. */
 void machine_receive(uint8_t port, uint8_t byte);
 
 /** Counts one of the milliseconds of machine_ms. */

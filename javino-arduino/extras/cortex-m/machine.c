@@ -1,7 +1,6 @@
 /**
- * @file
- * A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image, as `qemu-system-arm -M mps2-an385` is. On another Cortex-M the
- * vectors and the clock stay as they are; the UART's registers, the rate of the clock and the numbers of interrupts are others.
+ * @file A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image, as `qemu-system-arm -M mps2-an385` is. On another Cortex-M
+ * the vectors and the clock stay as they are; the UART's registers, the rate of the clock and the numbers of interrupts are different.
  */
 #include "start.h"
 

@@ -1,8 +1,7 @@
 /**
- * @file
- * A RISC-V microcontroller without any library: SiFive's FE310 (RV32IMAC, 16 KB of RAM), as `qemu-system-riscv32 -M sifive_e` is. On
+ * @file A RISC-V microcontroller without any library: SiFive's FE310 (RV32IMAC, 16 KB of RAM), as `qemu-system-riscv32 -M sifive_e` is. On
  * another one the first instructions stay as they are; the UART's registers, the clock's address and its rate, and the numbers of
- * interrupts are others.
+ * interrupts are different.
  */
 #include "start.h"
 

@@ -100,6 +100,8 @@ def analogue_inputs_become_percepts(robot="Robot4WD"):
         for _ in range(3):
             equal(session.ask(), expected)
         equal([p.split("(")[0] for p in session.ask("(dist)").split(";")[:-1]], ["dist"] * 4)
+        if robot == "Robot4WD":
+            equal(session.ask("(?)"), "?dist(f|b|r|l, cm 0..650);?light(f|b|r|l, 0..1023);?temp(f|b|r|l, C 0..150);")
 
 
 def motors_stop_when_the_far_end_falls_silent():

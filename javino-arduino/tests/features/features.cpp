@@ -35,7 +35,10 @@ JavinoCounters counters;
 #endif
 
 void look() {
-#if defined(FEATURE_WHOLE) || defined(FEATURE_RULES)
+#if defined(FEATURE_DESCRIBE)
+  javino.describe(F("light(0..1023)"));
+#endif
+#if defined(FEATURE_WHOLE) || defined(FEATURE_DESCRIBE) || defined(FEATURE_RULES)
   javino.percept("light", static_cast<int>(reading));
 #elif defined(FEATURE_TEXT)
   javino.percept("light", "front", static_cast<int>(reading));

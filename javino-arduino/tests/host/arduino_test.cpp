@@ -825,6 +825,24 @@ TEST_CASE("texts may lie in flash") {
   CHECK(board.javino.act.count() == 4);
 }
 
+TEST_CASE("a sketch describes its percepts if it is asked to, in as many parts as its memory needs") {
+  Board board;
+  std::string all;
+  for (int i = 0; i < 40; i++)
+    all += "?light(front|back, % 0..100);";
+  board.javino.perceive([](JavinoBoard &of) {
+    of.percept("light", "front", 3);
+    for (int i = 0; i < 40; i++)
+      of.describe(F("light(front|back, % 0..100)"));
+  });
+  CHECK(board.run(frame1("getPercepts")) == frame1("light(front,3);"));
+  board.begin();
+  Percepts percepts;
+  CHECK(percepts.read(board.run(ask(1, 0, "(?)")), 1) == all);
+  CHECK(percepts.read(board.run(ask(2, 0)), 2) == "light(front,3);");
+  CHECK(board.run(ask(3, 1)) == frame2(0x82, 0, bytesOf("03 80 01 3F")));
+}
+
 TEST_CASE("version 1: no function is called for what may be the beginning of an action") {
   Board board;
   board.javino.act["ledOn"] = ledOn;

@@ -49,7 +49,7 @@ bool endsPercepts(const json &texts) {
 /** A board of the vectors and its program. */
 struct Program : Conversation {
   std::set<std::string> refuses, reports_later;
-  std::vector<std::string> texts;
+  std::vector<std::string> texts, kinds;
   std::vector<std::string> answers; /* to messages of version 1 */
   json carried = json::array();
   javino_later pending = 0;
@@ -61,6 +61,8 @@ struct Program : Conversation {
       refuses.insert(name);
     for (const json &name : board["later"])
       reports_later.insert(name);
+    for (const json &kind : board.value("kinds", json::array()))
+      kinds.push_back(latin1(kind));
     REQUIRE(javino_rules_init(&this->board, 250, react, nullptr));
   }
 
@@ -101,6 +103,9 @@ struct Program : Conversation {
   }
 
   void writePercepts() {
+    for (const std::string &kind : kinds)
+      if (javino_kind_begin(&board))
+        percept(kind);
     for (const std::string &text : texts) {
       std::string functor = text.substr(0, text.find_first_of("(;"));
       if (javino_board_wants(&board, functor.data(), functor.size()))

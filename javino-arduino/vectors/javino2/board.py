@@ -7,12 +7,18 @@ DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
 MAX_CRITICAL_PERCEPT = 253
+KINDS = b"(?)"  # in place of functors: asks for the kinds of percepts
 REVISION = 1
+
+
+def described(kinds):
+    """Returns the texts that describe the kinds of percepts."""
+    return [b"?" + kind + b";" for kind in kinds]
 
 
 class Board:
     """A board with a program on it: an object with `actions` (pairs of name and number of arguments), `percepts(functors)`, the
-    texts of now, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
+    texts of now, `kinds`, the kinds of percepts that it has, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
 
     Numbers wrap after `numbers`; the protocol has 256 of them, a model fewer. Parts of an answer have
     `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
@@ -109,13 +115,17 @@ class Board:
 
     def _ask(self, request, known, functors):
         self.known = min(int.from_bytes(known, "big"), len(self.writer.ids))
+        if functors == KINDS:
+            return self._answer(request, self.writer.write_without_ids(described(self.program.kinds)))
         return self._percepts(request, self.program.percepts(functors))
 
     def percepts_unasked(self):
         return self._percepts(0, self.program.percepts(b"")) if self.session else []
 
     def _percepts(self, request, texts):
-        answer = self.writer.write(texts, self.known)
+        return self._answer(request, self.writer.write(texts, self.known))
+
+    def _answer(self, request, answer):
         size = PART_WITH_RULES if self.rules else self.part_size
         return [self._say(kind, payload) for kind, payload in parts.split(request, answer, size)]
 

@@ -48,6 +48,11 @@ class Writer:
                 items.append(self._text(text, id))
         return b"".join(i if isinstance(i, bytes) else bytes([BY_NUMBER + i[0], i[1]]) + pack(i[2]) for i in items)
 
+    @classmethod
+    def write_without_ids(cls, texts):
+        """Returns the items of texts that take no ids, as those of a description do."""
+        return b"".join(cls._text(text, None) for text in texts)
+
     def _id(self, text):
         if len(text) > MAX_TEXT:
             return None

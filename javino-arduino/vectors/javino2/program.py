@@ -9,8 +9,8 @@ from .rules import literal
 class Program:
     """Carries out an action with the right number of arguments, unless its text is in `refuses` or `later`."""
 
-    def __init__(self, actions=(), refuses=(), later=()):
-        self.actions, self.refuses, self.later = list(actions), set(refuses), set(later)
+    def __init__(self, actions=(), refuses=(), later=(), kinds=()):
+        self.actions, self.refuses, self.later, self.kinds = list(actions), set(refuses), set(later), list(kinds)
         self.texts = []
         self.carried_out = []
 

@@ -1,9 +1,6 @@
 package javino;
 
-/**
- * The board has refused the action: it does not know it, or not with these arguments, or refuses it now. It has not acted. The port is
- * still open.
- */
+/** The board has refused the action: it does not know it, takes other arguments, or refuses it now. It has not acted. The port is open. */
 public final class ActionRefusedException extends PortException {
     private static final long serialVersionUID = 1L;
 

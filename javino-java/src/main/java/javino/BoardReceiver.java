@@ -12,9 +12,9 @@ import javino.wire.WireFrame;
  * one clock. One thread at a time.
  */
 public final class BoardReceiver {
-    /** A frame of one of the two versions; the other is null. */
+    /** A frame of one version; the field of the other version is null. */
     public record Found(Frame version1, WireFrame version2) {
-        /** The nonce of the session behind it, 0: there is none; empty: it neither begins nor ends one. */
+        /** The nonce of the session that the frame begins; 0: the frame ends the session; empty: it does neither. */
         public OptionalInt nonceBehind() {
             if (version2 == null) {
                 return OptionalInt.of(0);
@@ -34,8 +34,8 @@ public final class BoardReceiver {
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
      * @param longestPayload bytes of payload of version 2
-     * @param nonce that of the session of version 2 when a byte arrives: then a frame of version 1 counts behind a silence only; 0: there
-     *     is none
+     * @param nonce gives the nonce of the present session of version 2, in which a frame of version 1 counts only behind a silence; 0:
+     *     there is no session
      */
     public BoardReceiver(
             Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
@@ -57,7 +57,7 @@ public final class BoardReceiver {
     /**
      * Takes a byte that has arrived at {@code now}.
      *
-     * @param silenceNanos silence before it
+     * @param silenceNanos silence before the byte
      */
     public void accept(byte octet, long now, long silenceNanos) {
         idle(now);
@@ -79,7 +79,7 @@ public final class BoardReceiver {
         version2.idle(now);
     }
 
-    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: it has not. */
+    /** Nanoseconds from {@code now} until {@link #idle} has something to decide; {@link Long#MAX_VALUE}: nothing is to be decided. */
     public long nanosUntilIdle(long now) {
         return version1.isReading() || version2.isInFrame()
                 ? Math.max(0, lastNanos + timeoutNanos + 1 - now)
@@ -96,7 +96,7 @@ public final class BoardReceiver {
         }
     }
 
-    /** Takes bytes that version 1 leaves. The first byte begins a frame of version 2. */
+    /** Takes the bytes that the decoder of version 1 has left. The first of them begins a frame of version 2. */
     private void readAgain(byte[] rest) {
         for (int i = 0; i < rest.length; i++) {
             if (i == 0) {

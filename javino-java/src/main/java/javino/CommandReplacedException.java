@@ -1,6 +1,6 @@
 package javino;
 
-/** A command had not begun to go out when a later one of the same functor took its place; none of it was sent, and none will be. */
+/** A later command of the same functor took the place of this one before it began to go out. No byte of it is ever sent. */
 public final class CommandReplacedException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package javino;
 
-/** A command had not begun to go out when its time was over; none of it was sent, and none will be. */
+/** The time limit of a command was over before it began to go out. No byte of it is ever sent. */
 public final class CommandWithdrawnException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -5,9 +5,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * A transport over a driver whose calls block. A read waits for one slice of its time after another. Drivers have no time limit for writes,
- * so a thread of this transport writes; it ends when the transport is closed. The caller writes only bytes that the driver certainly takes
- * at once.
+ * A transport over a driver whose calls block. A read calls the driver again until its time is over. Drivers have no time limit for writes,
+ * so a thread of this transport writes, until the transport is closed. The caller's thread writes only bytes that the driver certainly
+ * takes at once.
  */
 public abstract class DriverTransport implements Transport {
     private final String name;
@@ -29,26 +29,25 @@ public abstract class DriverTransport implements Transport {
     /**
      * Reads the bytes that have arrived.
      *
-     * @param nanos the time to wait for a byte at most; less if this is long; no wait if it is 0 or less
+     * @param nanos the longest time to wait for a byte; the driver may wait less; 0 or less: no wait
      * @return bytes read; 0 if there were none
      */
     protected abstract int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException;
 
-    /** Writes all the bytes, however long it takes; returns how many were written, fewer or -1 if the device is not there any more. */
+    /** Writes all the bytes, however long it takes. Returns how many were written: fewer, or -1, if the device has gone. */
     protected abstract int writeToDriver(byte[] bytes);
 
     /**
-     * Returns whether {@link #writeToDriver} certainly returns at once with a frame, as {@link #isWritableNow} says, if no other write is
-     * under way.
+     * Returns whether {@link #writeToDriver} certainly takes a frame at once if no other write is under way; see {@link #isWritableNow}.
      */
     protected boolean hasRoom(long unread) {
         return false;
     }
 
-    /** Closes the device; called once. Reads and writes that wait end. */
+    /** Closes the device, which ends waiting reads and writes. Called once. */
     protected abstract void closeDriver();
 
-    /** The reason of a read or a write that the driver refused; completes "port x is gone: ...". */
+    /** The reason why the driver refused a read or a write; completes "port x is gone: ...". */
     protected abstract String lossWhenRefused();
 
     @Override
@@ -103,7 +102,7 @@ public abstract class DriverTransport implements Transport {
         return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
-    /** Returns the exception of a read if the device is gone; only the first reason counts, and none once this was closed. */
+    /** Notes {@code why} the device is lost, unless a reason is known or this was closed. Returns the exception for the caller. */
     protected final PortGoneException lost(String why) {
         if (!closed.get() && loss == null) {
             loss = why;

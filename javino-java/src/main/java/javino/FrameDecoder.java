@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  * have swallowed the beginning of the next one; so its bytes are kept until the bytes behind it are known:
  * <ul>
  *   <li>the header of another frame, or silence, confirms it, and its bytes are forgotten;
- *   <li>anything else puts it in doubt: its bytes, but for the first, are read once more together with what followed, and intact frames
+ *   <li>anything else puts it in doubt: all but the first of its bytes are read once more, together with those behind it, and intact frames
  *       among them are handed over as well.
  * </ul>
  * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
@@ -27,7 +27,7 @@ public final class FrameDecoder {
     private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
     private static final int PREAMBLE_END = 3;
     private static final int LENGTH_AT = 4;
-    /** A delivered frame and an unfinished header behind it, and as much again so that bytes are seldom moved. */
+    /** Twice the length of a delivered frame with an unfinished header behind it, so that bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
     private enum Header {
@@ -60,10 +60,11 @@ public final class FrameDecoder {
     }
 
     /**
-     * A decoder for a line that frames of another protocol share: it stops at the first byte of one, and the caller
-     * {@link #takeOther takes} that frame.
+     * A decoder for a line that also carries frames of another protocol. It stops at the first byte of such a frame, which the caller
+     * {@link #takeOther takes}.
      *
-     * @param other the byte with which those begin outside of payloads of version 1; -1: there are none
+     * @param other the byte that begins a frame of the other protocol if it stands in no payload of version 1; -1: there is no other
+     *     protocol
      */
     FrameDecoder(long interByteTimeoutNanos, int other, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
@@ -75,7 +76,7 @@ public final class FrameDecoder {
         this.sink = sink;
     }
 
-    /** The inter-byte timeout for a line when nothing else is known: 100 ms, or 20 byte times if that is longer. */
+    /** The usual inter-byte timeout of a line: 100 ms, or 20 byte times if that is longer. */
     public static long interByteTimeoutNanos(LineSettings line) {
         return Math.max(LEAST_INTER_BYTE_NANOS, INTER_BYTE_TIMES * line.byteNanos());
     }
@@ -138,7 +139,7 @@ public final class FrameDecoder {
         return discarded;
     }
 
-    /** Sets whether a frame may begin at any byte from now on, or only at a byte before which it was {@link #quiet}. */
+    /** Sets whether a frame may begin at any byte from now on, or only at a byte after {@link #quiet}. */
     void anywhere(boolean value) {
         isAnywhere = value;
     }
@@ -156,7 +157,7 @@ public final class FrameDecoder {
         return start == end;
     }
 
-    /** Takes the bytes from where a frame of the other protocol begins; empty if none begins. */
+    /** Takes all held bytes if they begin with a frame of the other protocol; else returns none. */
     byte[] takeOther() {
         if (!isOtherAt(start)) {
             return new byte[0];
@@ -231,7 +232,7 @@ public final class FrameDecoder {
         return true;
     }
 
-    /** Decides after a silence, which leaves an unfinished frame unfinished. */
+    /** Decides on all held bytes after a silence: an unfinished frame among them is given up. */
     void giveUp() {
         while (end > start) {
             decide();

@@ -6,14 +6,14 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** The time that lines and links go by. It is passed in, so that tests of code that depends on time need not wait. */
+/** The clock of lines and links. It is passed in, so that tests of code that depends on time need not wait. */
 public interface LineClock {
     /** Nanoseconds from an origin that stays the same; never goes back. Only differences mean something. */
     long nanos();
 
     /**
-     * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds
-     * the condition's lock. A clock that does not go by the machine's time has waits of its own.
+     * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds the
+     * condition's lock. A clock other than the machine's has waits of its own.
      *
      * @throws InterruptedException if the thread is interrupted
      */
@@ -22,19 +22,16 @@ public interface LineClock {
     }
 
     /**
-     * Returns a new reentrant lock for code that goes by this clock; {@link #await} takes only conditions of such locks. A clock that moves
-     * only when all threads that go by it wait returns locks of its own kind.
+     * Returns a new reentrant lock for code that uses this clock; {@link #await} takes only conditions of such locks. A clock of virtual
+     * time, which moves only while all its threads wait, returns locks of its own kind.
      *
-     * @param fair whether threads that wait for the lock get it in their order
+     * @param fair whether waiting threads get the lock in the order in which they asked for it
      */
     default Lock newLock(boolean fair) {
         return new ReentrantLock(fair);
     }
 
-    /**
-     * Runs {@code action}, which does not wait for anything, when {@code nanos} of this clock have passed, on a thread of the clock's
-     * choice.
-     */
+    /** Runs {@code action} when {@code nanos} of this clock have passed, on a thread of the clock's choice. The action does not wait. */
     default void schedule(long nanos, Runnable action) {
         CompletableFuture.delayedExecutor(nanos, TimeUnit.NANOSECONDS, Runnable::run)
                 .execute(action);

@@ -6,7 +6,7 @@ package javino;
  * @param baud bits a second, at least 1; boards in the field use 9600
  */
 public record LineSettings(int baud) {
-    /** The rate that boards use unless they say otherwise. */
+    /** The rate of a board for which no other one is given. */
     public static final int DEFAULT_BAUD = 9600;
 
     private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit

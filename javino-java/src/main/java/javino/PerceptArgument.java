@@ -63,7 +63,7 @@ public sealed interface PerceptArgument {
     /**
      * The argument is a number: {@code cm 0..400}.
      *
-     * @param unit its unit; empty: none is said
+     * @param unit the number's unit; empty: no unit is given
      * @param min the least that it can be; empty: there is no limit
      * @param max the most that it can be; empty: there is no limit
      */
@@ -101,7 +101,7 @@ public sealed interface PerceptArgument {
                     : Optional.empty();
         }
 
-        /** The number that is the text of an argument; empty: it is none. */
+        /** The number in the text of an argument; empty: the text is no number. */
         private static Optional<Double> numberIn(String value) {
             return NUMERAL.matcher(value).matches() ? Optional.of(Double.valueOf(value)) : Optional.empty();
         }
@@ -114,7 +114,7 @@ public sealed interface PerceptArgument {
         }
     }
 
-    /** The reason why the text of a percept's argument is not as described, as "more than 400"; empty: it is. */
+    /** The reason why the text of a percept's argument is not as described, such as "more than 400"; empty: it is as described. */
     Optional<String> deviationOf(String value);
 
     /**

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 /**
  * A kind of percepts that a board has: {@code dist(front|left|right, cm 0..400)}.
  *
- * <p>Boards write it so in their description of themselves, and files of percepts have one a line.
+ * <p>Boards describe themselves with such texts, and files of percepts have one on each line.
  *
  * <table>
  * <caption>Arguments</caption>
@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  * <tr><td>{@code cm 0..400}, {@code % ..}</td><td>such a number in this unit</td></tr>
  * </table>
  *
- * @param functor their functor, with a {@code ~} in front if they are strongly negated
+ * @param functor the percepts' functor, with a {@code ~} in front if they are strongly negated
  * @param arguments the arguments, in their order; percepts of this kind have as many
  */
 public record PerceptKind(String functor, List<PerceptArgument> arguments) {
@@ -101,6 +101,16 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
+    /** Returns the first of {@code kinds} that the percept is of; if it is of none, the first with its functor and number of arguments. */
+    public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
+        List<PerceptKind> alike =
+                kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
+        return alike.stream()
+                .filter(kind -> kind.deviationOf(percept).isEmpty())
+                .findFirst()
+                .or(() -> alike.stream().findFirst());
+    }
+
     /**
      * The reason why a percept is of none of several kinds; empty: it is of one. If one kind has the percept's functor and number of
      * arguments, the reason is that of this kind; else it names the kinds.
@@ -118,6 +128,19 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
                 Optional.of("it is none of "
                         + alike.stream().map(PerceptKind::toString).collect(Collectors.joining(" and ")));
         };
+    }
+
+    /** Writes a percept with this functor and number of arguments for a person, with units behind numbers: {@code dist(front,38 cm)}. */
+    public String withUnits(PerceptTerm percept) {
+        List<String> shown = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            String unit = arguments.get(i) instanceof PerceptArgument.Quantity quantity ? quantity.unit() : "";
+            shown.add(
+                    unit.isEmpty()
+                            ? percept.arguments().get(i)
+                            : percept.arguments().get(i) + " " + unit);
+        }
+        return shown.isEmpty() ? functor : functor + "(" + String.join(",", shown) + ")";
     }
 
     /** Returns whether a percept has the functor and the number of arguments of this kind. */

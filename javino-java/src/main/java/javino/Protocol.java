@@ -2,7 +2,7 @@ package javino;
 
 /** The version of the Javino protocol that is spoken on a line. */
 public enum Protocol {
-    /** The board is asked for its version; of a link: the version is not known yet. */
+    /** As a setting: the board is asked for its version. As the state of a link: the version is not known yet. */
     AUTO,
 
     /** Version 1, which boards in the field speak: frames without a checksum, nothing is acknowledged. */

@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Finds services as the calling thread sees them, and as this library does: in a Jason project the two may differ. A service that cannot be
- * loaded costs one warning and leaves the others.
+ * Finds services by the class loader of the calling thread and by that of this library, which may differ in a Jason project. A service that
+ * cannot be loaded is reported once, and the others are still found.
  */
 public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
@@ -20,7 +20,7 @@ public final class Services {
 
     private Services() {}
 
-    /** The providers of {@code service}, without making any; one that both class loaders see comes twice. */
+    /** The providers of {@code service}; none creates its service yet. A provider that both class loaders see comes twice. */
     public static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
         List<ServiceLoader.Provider<T>> found = new ArrayList<>();
         addAll(found, ServiceLoader.load(service));
@@ -42,7 +42,7 @@ public final class Services {
         }
     }
 
-    /** Makes the service of {@code provider}; null if that fails. */
+    /** Creates the service of {@code provider}; null, with a warning, if that fails. */
     public static <T> T make(ServiceLoader.Provider<T> provider) {
         try {
             return provider.get();

@@ -14,8 +14,8 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So a thread
- * of this writer's own writes while the caller waits, unless the caller knows that the driver takes the bytes at once.
+ * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So this
+ * writer has a thread that writes while the caller waits. A caller that knows that the driver takes the bytes at once writes by itself.
  *
  * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
  */
@@ -49,12 +49,12 @@ final class TimedWriter {
     }
 
     /**
-     * Writes the bytes, waiting at most {@code timeoutMillis} milliseconds. After {@link Outcome#TOO_LATE} they have not left, or are
+     * Writes the bytes, waiting at most {@code timeoutMillis} milliseconds. After {@link Outcome#TOO_LATE} they will never leave, or are
      * still on their way out.
      */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
-        // set by the thread that writes the frame, or by the caller when it gives up
+        // set by the thread when it begins to write, or by the caller when it gives up
         AtomicBoolean isTaken = new AtomicBoolean();
         CompletableFuture<Outcome> write;
         underWay.incrementAndGet();
@@ -100,7 +100,7 @@ final class TimedWriter {
         return underWay.get() > 0;
     }
 
-    /** Ends the thread as soon as its write returns. Calls that wait get {@link Outcome#CLOSED}. */
+    /** Ends the thread as soon as its write returns. Waiting calls return {@link Outcome#CLOSED}. */
     void close() {
         thread.shutdown();
         closed.complete(Outcome.CLOSED);

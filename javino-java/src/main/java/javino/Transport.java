@@ -15,12 +15,12 @@ public interface Transport extends AutoCloseable {
     /** The rate this line was opened with. */
     LineSettings line();
 
-    /** Returns whether the far end may go unnoticed, as in a network; then a line that is silent for long is worth opening anew. */
+    /** Returns whether the far end may vanish unnoticed, as in a network; then it pays to reopen a line that is silent for long. */
     default boolean mayVanish() {
         return false;
     }
 
-    /** A question to a person about what to check when the board does not answer. */
+    /** A question that tells a person what to check if the board does not answer. */
     default String doubt() {
         int baud = line().baud();
         return "does the board run a Javino sketch at " + baud + " baud, with javino.start(" + baud
@@ -32,7 +32,7 @@ public interface Transport extends AutoCloseable {
      * Waits until at least one byte has arrived, then takes the bytes that are there.
      *
      * @param b the array to fill from {@code off}
-     * @param len bytes wanted at most, at least 1
+     * @param len the most bytes to read, at least 1
      * @param timeoutMillis milliseconds to wait at most; 0 takes only bytes that are there already
      * @return bytes read, 1 to {@code len}, or 0 when the time is over
      * @throws PortGoneException if the line is closed, or its device gone, which is noticed within a second
@@ -55,9 +55,9 @@ public interface Transport extends AutoCloseable {
     /**
      * Returns whether {@link #write} would hand a frame of {@value #LONGEST_FRAME} bytes to the driver without waiting for anything, while
      * no other thread writes. True only if that is certain: because the line knows its room, or because {@code unread} leaves room in the
-     * smallest buffer that it may have. Messages that the far end sends unasked do not make it certain. Safe on any thread; does not wait.
+     * smallest buffer that it may have. Messages that the far end sends unasked prove nothing. Safe on any thread; does not wait.
      *
-     * @param unread bytes at the end of all that was written that the far end has not proved to have read
+     * @param unread how many of the last bytes written the far end has not proved to have read
      */
     default boolean isWritableNow(long unread) {
         return false;

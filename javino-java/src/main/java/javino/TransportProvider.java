@@ -3,8 +3,8 @@ package javino;
 import java.util.List;
 
 /**
- * Opens transports of one kind. Programs add kinds of their own through {@link java.util.ServiceLoader}: a class with a public
- * constructor without arguments, named in {@code META-INF/services/javino.TransportProvider}.
+ * Opens transports of one kind. Programs add other kinds through {@link java.util.ServiceLoader}: a class with a public constructor without
+ * arguments, named in {@code META-INF/services/javino.TransportProvider}.
  *
  * <p>A port is written {@code scheme:address}; {@link Transports} hands what follows the colon to the provider of that scheme.
  * Providers are called from any thread.
@@ -17,7 +17,7 @@ public interface TransportProvider {
      * Opens the port at {@code address}.
      *
      * @param address the text behind {@code scheme:}, not blank
-     * @throws PortException of the kind that says why it cannot be opened
+     * @throws PortException if the port cannot be opened; its class and its message say why
      */
     Transport open(String address, LineSettings line) throws PortException;
 
@@ -26,7 +26,7 @@ public interface TransportProvider {
         return scheme() + ':' + address;
     }
 
-    /** The ports there are now, as a person would give them to {@link Transports#open}; by default none, as when they cannot be listed. */
+    /** The ports there are now, by names for {@link Transports#open}; none if they cannot be listed, as by default. */
     default List<String> ports() {
         return List.of();
     }
@@ -41,8 +41,8 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns one name for all the names of one device, whatever their schemes: a provider that finds devices of another provider
-     * gives the name which that one gives.
+     * Returns one name for all the names of one device, whatever their schemes. For a device of another provider it is the name that the
+     * other provider gives.
      *
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */
@@ -51,16 +51,16 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns whether there is something that {@link #open} could open now. Called again and again for a device that has gone, so it is
+     * Returns whether there is something that {@link #open} could open now. Called again and again while a device is missing, so it is
      * cheap, and opens nothing.
      *
-     * @return true also where only opening it can tell, as by default
+     * @return true also if only opening the port could tell, as by default
      */
     default boolean isPresent(String address) {
         return true;
     }
 
-    /** The line to ask for if the rate of the board is not given: 9600 baud, unless ports of this kind have another. */
+    /** The settings to open a port with if no rate is given: 9600 baud, unless ports of this kind have others. */
     default LineSettings usualLine() {
         return LineSettings.defaults();
     }

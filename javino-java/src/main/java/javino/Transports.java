@@ -43,11 +43,11 @@ public final class Transports {
     }
 
     /**
-     * Returns one name for all the names of one device: symbolic links are followed, a USB device is the serial device that it is now, and
-     * a scheme is written in front. Neither the port nor its scheme need exist.
+     * Returns one name for all the names of one device: symbolic links are followed, a USB identity becomes the serial device that has it
+     * now, and a scheme is written in front. Neither the port nor its scheme need exist.
      */
     public static String canonicalName(String port) {
-        return ask(port, TransportProvider::canonicalName, port); // a name that cannot be opened is nobody else's name
+        return ask(port, TransportProvider::canonicalName, port); // a name without a device stands for itself
     }
 
     /** Returns whether {@code port} is there, as far as can be told without opening it, see {@link TransportProvider#isPresent}. */
@@ -55,7 +55,7 @@ public final class Transports {
         return ask(port, TransportProvider::isPresent, false);
     }
 
-    /** The line to ask for if the rate of the board at {@code port} is not given, see {@link TransportProvider#usualLine}. */
+    /** The settings to open {@code port} with if no rate is given, see {@link TransportProvider#usualLine}. */
     public static LineSettings usualLine(String port) {
         return ask(port, (provider, address) -> provider.usualLine(), LineSettings.defaults());
     }
@@ -77,7 +77,7 @@ public final class Transports {
                     port,
                     "port " + port + " cannot be opened: no " + TransportProvider.class.getName()
                             + " was found, not even one for serial devices; does the program's jar hold META-INF/services,"
-                            + " merged from all it was made of?");
+                            + " merged from all its libraries?");
         }
         if (provider == null) {
             throw new NoSuchPortException(
@@ -105,7 +105,7 @@ public final class Transports {
         return providers;
     }
 
-    /** Returns whether both are of one class, which two class loaders may see. */
+    /** Returns whether both are of one class, which two class loaders may have loaded. */
     private static boolean isSame(TransportProvider one, TransportProvider other) {
         return one.getClass().getName().equals(other.getClass().getName());
     }

@@ -1,17 +1,17 @@
 /**
  * Messages between a program and a microcontroller board, over a serial line, in versions 1 and 2 of the Javino protocol.
  *
- * <p>{@link javino.link.Link} is the way in: it opens a port for one owner, asks the board that is there until it answers, and exchanges
- * messages at the pace of the line. {@link javino.link.Javino} is the classic interface on top of it. Below it a
- * {@link javino.Transport} moves bytes, and {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
+ * <p>{@link javino.link.Link} is the way in: it opens a port for one owner, asks the board until it answers, and exchanges messages at the
+ * pace of the line. {@link javino.link.Javino} is the classic interface on top of it. Below it a {@link javino.Transport} moves bytes, and
+ * {@link javino.Frame} and {@link javino.FrameDecoder} make messages of them:
  *
  * <pre>
  * board --bytes--&gt; Transport --&gt; FrameDecoder --&gt; Link --messages--&gt; program
  * board &lt;--bytes-- Transport &lt;-- Frame &lt;-------- Link &lt;--messages-- program
  * </pre>
  *
- * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}),
- * one known by its USB identity ({@code usb:2341:0043}), a board on the network ({@code tcp://robot:4000}), a
+ * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}), a
+ * serial device by its USB identity ({@code usb:2341:0043}), a board on the network ({@code tcp://robot:4000}), a
  * {@link javino.sim.SimulatedBoard} of this program ({@code sim:robot}), or what a {@link javino.TransportProvider} adds.
  * {@code javino.sim.FakeBoard}, in the library {@code argo-testkit}, is a simulated board for tests.
  *

@@ -105,6 +105,21 @@ class PerceptKindSpec : FunSpec({
         deviation("gps(_)", "gps(\"48.1, 11.5\")") shouldBe null
     }
 
+    test("units are shown behind the numbers of a percept") {
+        val kinds = PerceptKind.parseLines("dist(front|left, cm 0..400)\ndist(back, inch 0..150)\nlight(% ..)\nready\ncount(0..9)")
+        fun shown(percept: String): String? {
+            val term = PerceptTerm.of(percept)
+            return PerceptKind.of(term, kinds).map { it.withUnits(term) }.orElse(null)
+        }
+        shown("dist(left, 38)[at(1)]") shouldBe "dist(left,38 cm)"
+        shown("dist(back,38)") shouldBe "dist(back,38 inch)"
+        shown("dist(up,38)") shouldBe "dist(up,38 cm)"
+        shown("light(5)") shouldBe "light(5 %)"
+        shown("ready") shouldBe "ready"
+        shown("count(3)") shouldBe "count(3)"
+        shown("light") shouldBe null
+    }
+
     test("of several kinds a percept needs to be of one") {
         val kinds = PerceptKind.parseLines("dist(front, cm 0..400)\ndist(back, cm 0..50)\nready\nlight(0..10)")
         fun deviation(percept: String) = PerceptKind.deviationOf(PerceptTerm.of(percept), kinds)

@@ -17,8 +17,8 @@ sealed interface Condition {
     }
 
     /**
-     * A condition on the annotations called [name]: the first argument of one of them must meet all [tests]. Without tests it is enough
-     * that there is one. It is false for a percept that has no such annotation.
+     * A condition on the annotations called [name]: the first argument of one of them must meet all [tests]. Without tests, a percept meets
+     * it if it has such an annotation. It is false for a percept that has no such annotation.
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())

@@ -1,10 +1,10 @@
 package argo.filters
 
 /**
- * A rule whose percepts must not wait: they are kept whatever the filter's other rules, are not held back, and an agent perceives them
- * before what else waits for it. It drops nothing. [argo.filters.matching.PerceptMatcher] decides if a percept meets one.
+ * A rule on percepts that must not wait: they are kept whatever the filter's other rules say, are not held back, and an agent perceives
+ * them before all that waits for it. It drops nothing. [argo.filters.matching.PerceptMatcher] decides whether a percept meets such a rule.
  *
- * @property rule the rule that these percepts meet; it has no rate
+ * @property rule the rule that the percepts meet; it has no rate
  * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
  * U+00FF, none of them a control character, no blanks around them, no `fffe` with two hexadecimal digits, and not the request
  * `getPercepts`, with or without arguments; null: none

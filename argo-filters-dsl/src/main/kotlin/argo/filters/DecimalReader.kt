@@ -2,13 +2,13 @@ package argo.filters
 
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
-    /** Beyond as many digits the quotient of two exact doubles is no longer the nearest double. */
+    /** With more digits than this, the quotient of two exact doubles need not be the nearest double. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 
     /**
-     * The number that fills the text from [start] to [end], blanks after it aside: an optional sign, digits, an optional fraction. NaN for
-     * any other text, also for another form of a number. Allocates nothing.
+     * The number that fills the text from [start] to [end], except for blanks after it: an optional sign, digits, an optional fraction. NaN
+     * for any other text, even if that is a number in another form. Allocates nothing.
      */
     fun plain(text: CharSequence, start: Int, end: Int): Double {
         val negative = text[start] == '-'

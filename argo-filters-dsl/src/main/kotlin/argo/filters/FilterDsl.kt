@@ -8,7 +8,7 @@ import argo.filters.PerceptionFilter.OnSwitch
 annotation class FilterDsl
 
 /**
- * Makes a filter that drops the percepts its rules meet and keeps all others.
+ * Makes a filter that drops the percepts that meet its rules and keeps all others.
  *
  * ```kotlin
  * val frontDistance = dropFilter("frontDistance") {
@@ -27,7 +27,7 @@ fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRu
     DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical) }
 
 /**
- * Makes a filter that keeps the percepts its rules meet and drops all others.
+ * Makes a filter that keeps the percepts that meet its rules and drops all others.
  *
  * ```kotlin
  * val frontDistance = keepFilter("frontDistance") {
@@ -53,7 +53,7 @@ sealed class RuleList(private val mode: Mode) {
      * dropFilter("night") { include(frontDistance); drop("light") }
      * ```
      *
-     * @throws IllegalArgumentException if one of the filters drops what its rules meet and the other keeps it
+     * @throws IllegalArgumentException if one filter drops the percepts that meet its rules and the other one keeps them
      */
     fun include(other: PerceptionFilter) {
         require(other.mode == mode) {
@@ -64,21 +64,21 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules, and come before all else.
-     * A critical rule drops nothing.
+     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come before
+     * everything else. A critical rule drops nothing.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }
      * ```
      *
-     * @throws IllegalArgumentException if [predicate] is none, or the reflex cannot be sent
+     * @throws IllegalArgumentException if [predicate] is no predicate, or the reflex cannot be sent
      */
     fun critical(predicate: String, conditions: CriticalConditions.() -> Unit = {}) {
         critical += CriticalConditions().apply(conditions).criticalRule(Predicate.of(predicate))
     }
 
     /**
-     * As the other form, but for percepts of a declared type, whose arguments have names.
+     * Adds a critical rule on percepts of a declared type, whose arguments have names.
      *
      * ```kotlin
      * critical(Distance) { cm lt 15; reflex("stop") }
@@ -111,7 +111,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
      * drop("~open")
      * ```
      *
-     * @throws IllegalArgumentException if [predicate] is none
+     * @throws IllegalArgumentException if [predicate] is no predicate
      */
     fun drop(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
 

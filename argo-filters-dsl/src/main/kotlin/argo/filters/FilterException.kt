@@ -12,7 +12,7 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
     /** `file:line:column: message`. */
     override fun toString(): String = "$source:$line:$column: $message"
 
-    /** Returns this problem with a message of bounded length: of a long one only the beginning and the end are left. */
+    /** Returns this problem with a message of bounded length: only the beginning and the end of a long message are left. */
     internal fun shortened(): Problem {
         if (message.length <= MAX_LENGTH) return this
         val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
@@ -43,5 +43,5 @@ class FilterException(problems: List<Problem>, cause: Throwable? = null) :
     }
 }
 
-/** No filter of the name that was asked for; the message lists where it was looked for and which filters there are. */
+/** There is no filter of the name that was asked for. The message lists the places of the search and the filters there are. */
 class FilterNotFoundException(message: String) : Exception(message)

@@ -6,7 +6,7 @@ private const val FOREIGN = "\\:*?\"<>|"
 /** The name with which `argo.change_filter` switches filtering off. */
 private const val NO_FILTER = "none"
 
-/** Explains why neither a filter nor its file can have this [name]; null if they can. */
+/** Explains why a filter and its file cannot have this [name]; null if they can. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"

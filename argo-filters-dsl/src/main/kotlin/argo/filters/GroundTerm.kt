@@ -3,8 +3,8 @@ package argo.filters
 /**
  * A value that a condition compares an argument with: a ground Jason term.
  *
- * Values are equal as Jason's terms are: `36` and `36.0` are one number, the atom `front` and the string `"front"` are two things.
- * `toString` is a text that [of] reads back to an equal value.
+ * Values are equal if Jason's terms are: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. `toString` is a text
+ * that [of] reads back to an equal value.
  */
 sealed interface GroundTerm {
 
@@ -33,10 +33,10 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string. If Jason's syntax has no way to write it, as for `C:\maps`, its backslashes and carriage returns are written
-     * `\u005C` and `\u000D`, which [of] and the reader of percepts understand, and Jason's parser does not.
+     * A string. Jason's syntax cannot write some, such as `C:\maps`. Their backslashes and carriage returns are written `\u005C` and
+     * `\u000D`, which [of] and the reader of percepts understand, but Jason's parser does not.
      *
-     * @property text the characters between the quotes once it is read: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
+     * @property text the characters that the string stands for: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
      */
     data class Text(val text: String) : GroundTerm {
         override fun toString(): String = StringText.write(text)
@@ -76,7 +76,7 @@ sealed interface GroundTerm {
         /**
          * Reads a value as Jason reads a term: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
          *
-         * @throws IllegalArgumentException if [text] is none; the message names the fault
+         * @throws IllegalArgumentException if [text] is no value; the message names the fault
          */
         fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 
@@ -98,7 +98,7 @@ sealed interface GroundTerm {
 
         /**
          * Returns [text], which begins as a variable, without underscores in front and with its first letter in lower case; null if Jason
-         * reads no word or structure from that.
+         * does not read the result as a word or a structure.
          */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }

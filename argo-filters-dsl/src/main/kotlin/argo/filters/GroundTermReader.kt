@@ -3,12 +3,12 @@ package argo.filters
 /**
  * Reads one ground term out of a region of text, as Jason's parser would.
  *
- * Returns null for text that is not an atom, number, string, structure or list of such (variables, expressions, plans, malformed text), and
- * for terms nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
+ * Returns null for other text (variables, expressions, plans, malformed text) and for terms nested deeper than [MAX_DEPTH]. Never throws,
+ * whatever the text.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
-    /** The term that fills the whole region, blanks around it aside. */
+    /** The term that fills the whole region, except for blanks around it. */
     fun readWhole(): GroundTerm? = term(0)?.takeIf { blanks() == end }
 
     private fun term(depth: Int): GroundTerm? {

@@ -17,7 +17,7 @@ internal class HeadScanner(private val text: CharSequence, start: Int, end: Int)
     /** The character after the functor; negative if no literal begins here. */
     val functorEnd: Int = Syntax.atomEnd(text, functorStart, end).let { if (it >= 0 && isWritable(it)) it else -1 }
 
-    /** The namespace's name, the default one where none is written. */
+    /** The namespace's name; that of the default namespace if the text has none. */
     val namespace: String
         get() = if (namespaceEnd == first) Predicate.DEFAULT_NAMESPACE else Predicate.namespaceOf(text.substring(first, namespaceEnd))
 

@@ -30,7 +30,7 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
  * condition on it, as in `drop(Distance) { side }`, is refused when it is made.
  *
  * @param predicate the functor, as in `distance` or `~open`
- * @throws IllegalArgumentException if [predicate] is none
+ * @throws IllegalArgumentException if [predicate] is no predicate
  */
 @FilterDsl
 abstract class PerceptType(predicate: String) {
@@ -48,7 +48,7 @@ abstract class PerceptType(predicate: String) {
     /** The next argument is a string. */
     protected fun string(): Declared<StringArgument> = declare { index, name -> StringArgument(this, index, name) }
 
-    /** The next argument is any term: a structure, a list, or now one thing and now another. */
+    /** The next argument is any term: a structure, a list, or a term of changing type. */
     protected fun term(): Declared<TermArgument> = declare { index, name -> TermArgument(this, index, name) }
 
     private fun <A : TypedArgument<*>> declare(make: (Int, String) -> A): Declared<A> {
@@ -80,7 +80,7 @@ sealed class TypedArgument<V>(
     override fun toString(): String = name
 }
 
-/** An argument that is an atom. Conditions compare it with the text of one, as Jason writes it; other text is refused. */
+/** An argument that is an atom. Conditions compare it with an atom's text, as Jason writes it; other text is refused. */
 class AtomArgument internal constructor(type: PerceptType, index: Int, name: String) : TypedArgument<String>(type, index, name, ::atomOf)
 
 /** An argument that is a number. */
@@ -91,7 +91,7 @@ class NumberArgument internal constructor(type: PerceptType, index: Int, name: S
 class StringArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::Text)
 
-/** An argument that is any term. Conditions compare it with the text of one, as Jason writes it. */
+/** An argument that is any term. Conditions compare it with a term's text, as Jason writes it. */
 class TermArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::of)
 

@@ -3,13 +3,12 @@ package argo.filters
 /**
  * A perception filter, which decides over percepts by its [rules].
  *
- * Immutable, and safe to share between agents. Two filters are equal if they decide alike; their [name]s may differ, since a name only
- * finds a filter.
+ * Immutable, and safe to share between agents. Two filters are equal if they decide alike, even if their [name]s differ.
  *
  * @property name the name by which agents call the filter
- * @property mode the fate of the percepts that a rule meets
+ * @property mode the fate of the percepts that meet a rule
  * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
- * @param critical the rules on percepts that must not wait, which have the last word
+ * @param critical the rules on percepts that must not wait, which decide before all other rules
  */
 class PerceptionFilter(
     val name: String,
@@ -18,9 +17,9 @@ class PerceptionFilter(
     val onSwitch: OnSwitch = OnSwitch.FORGET,
     critical: List<CriticalRule> = emptyList(),
 ) {
-    /** The fate of the percepts that one of a filter's rules meets. */
+    /** The fate of the percepts that meet one of a filter's rules. */
     enum class Mode {
-        /** Percepts that meet a rule are dropped; all others are kept: the filters of the paper. */
+        /** Percepts that meet a rule are dropped; all others are kept. The filters of the ARGO paper are of this mode. */
         DROP,
 
         /** Percepts that meet a rule are kept; all others are dropped. */

@@ -7,7 +7,7 @@ package argo.filters
  *
  * @property functor an atom as it is written, quotes included: `dist`, `'Left wheel'`
  * @property negated whether strong negation (`~`) stands before the functor
- * @property namespace the namespace's name; [DEFAULT_NAMESPACE] where none is written
+ * @property namespace the namespace's name; [DEFAULT_NAMESPACE] if the text has none
  */
 data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
 
@@ -28,7 +28,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         /** The namespace of everything that is written without one. */
         const val DEFAULT_NAMESPACE: String = "default"
 
-        /** Jason's word for the namespace that a text is read in. */
+        /** Jason's word for the namespace in which a text is read. */
         internal const val THIS_NAMESPACE = "this_ns"
 
         /**
@@ -44,7 +44,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        /** Returns the index of the `::` behind a namespace, negative if there is none; one in quotes is part of a name. */
+        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` in quotes is part of a name. */
         private fun separator(text: String): Int {
             val first = text.indexOf("::")
             val quote = text.indexOf('\'')
@@ -56,7 +56,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
-        /** Returns the namespace that [written], the text before `::`, means; it may be empty. */
+        /** Returns the namespace that [written] means: the text before `::`, which may be empty. */
         internal fun namespaceOf(written: String): String =
             if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }

@@ -1,11 +1,11 @@
 package argo.filters
 
 /**
- * One rule of a filter: a percept of this [predicate] and [arity] that meets all [conditions] is met by the rule.
+ * One rule of a filter: percepts of this [predicate] and [arity] that meet all [conditions] meet it.
  *
- * @property conditions may be empty: then the rule meets every percept of the predicate
+ * @property conditions if there are none, every percept of the predicate meets the rule
  * @property arity the number of arguments that the percept must have; null: any
- * @property rate whether percepts are held back in time rather than dropped for good; null: they are not
+ * @property rate the rate by which percepts that meet the rule are held back; null: they are not held back
  */
 data class Rule(
     val predicate: Predicate,
@@ -30,16 +30,16 @@ data class Rule(
 /**
  * Holds percepts back that come too soon or differ too little from the one that was let through last.
  *
- * It counts for each percept up to its numeric arguments: `dist(f,1)` and `dist(f,2)` are one, `dist(f,1)` and `dist(b,1)` are two.
- * A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. A percept that is held back is
- * not lost: it is delivered when the interval ends; if there are only deadbands, [SETTLING_MS] after it was first held back.
+ * It counts for each kind of percept: `dist(f,2)` is of the same kind as `dist(f,1)`, as they differ only in numbers; `dist(b,1)` is of
+ * another. A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. A percept that is held
+ * back is not lost: it is delivered when the interval ends or, if there are only deadbands, [SETTLING_MS] after it was first held back.
  *
  * Only an [argo.filters.matching.FilterSession], which has the time, holds percepts back.
  *
- * @property everyMs the interval in milliseconds in which at most one percept is let through; null: none
+ * @property everyMs the interval in milliseconds in which at most one percept is let through; null: there is no interval
  * @property deadbands the distances by which numbers must move for a percept to be let through at once
- * @throws IllegalArgumentException if there is neither an interval nor a deadband, if one argument has two, or if the interval is
- * not at least 1 ms
+ * @throws IllegalArgumentException if there is neither an interval nor a deadband, if an argument has two deadbands, or if the interval is
+ * below 1 ms
  */
 data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptySet()) {
     init {
@@ -59,7 +59,7 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
 }
 
 /**
- * The distance that a number must move to be let through.
+ * The distance by which a number must move for its percept to be let through.
  *
  * @property argument the argument's position, counted from 0; null: each argument that is a number
  * @property width the least distance: a percept is held back if its number is closer to the number that was let through last

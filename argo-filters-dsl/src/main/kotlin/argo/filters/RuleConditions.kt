@@ -37,7 +37,7 @@ open class RuleConditions internal constructor() {
     /**
      * The percept must have [count] arguments: `arity(2)`.
      *
-     * @throws IllegalArgumentException if there is another number already
+     * @throws IllegalArgumentException if the rule already has another number
      */
     fun arity(count: Int) {
         require(arity == null || arity == count) { "a rule has one arity, and $arity is it; expected another rule for $count arguments" }
@@ -47,7 +47,7 @@ open class RuleConditions internal constructor() {
     /**
      * Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
      *
-     * @throws IllegalArgumentException if there is another interval already
+     * @throws IllegalArgumentException if the rule already has another interval
      */
     fun everyMs(ms: Long) {
         require(everyMs == null || everyMs == ms) { "a rule has one interval, and $everyMs ms is it; expected another rule for $ms ms" }
@@ -57,11 +57,11 @@ open class RuleConditions internal constructor() {
     /**
      * As [everyMs]: `every(2.seconds)`.
      *
-     * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or there is another interval already
+     * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or the rule already has another interval
      */
     fun every(interval: Duration): Unit = everyMs(wholeMillis(interval))
 
-    /** Holds back percepts of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
+    /** Holds back percepts in which each number has moved by less than [width]: `deadband(5)`; see [Rate]. */
     fun deadband(width: Number): Unit = deadband(null, width)
 
     internal fun deadband(argument: Int?, width: Number) {
@@ -82,7 +82,7 @@ open class RuleConditions internal constructor() {
         unsaid.removeAll { it === term }
     }
 
-    /** @throws IllegalArgumentException if there is an argument or annotation without a test, which would be a condition lost */
+    /** @throws IllegalArgumentException if an argument or annotation was named without a test: the author meant a condition */
     internal fun rule(predicate: Predicate): Rule {
         require(unsaid.isEmpty()) {
             "nothing is said of ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
@@ -120,7 +120,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
 /**
  * A term whose type is not declared: an argument or an annotation's value.
  *
- * Text is read as Jason reads it: `argument(0) eq "front"` is about an atom, `argument(0) eq "\"front\""` about a string.
+ * Text is read as Jason reads it: `argument(0) eq "front"` compares with an atom, `argument(0) eq "\"front\""` with a string.
  */
 @FilterDsl
 sealed class AnyTerm {
@@ -187,7 +187,7 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
         tests.forEach { rule.add(Condition.Argument(index, it)) }
     }
 
-    /** Holds back percepts of which this argument has not moved by [width]: `argument(1) deadband 5`; see [Rate]. */
+    /** Holds back percepts in which this argument has moved by less than [width]: `argument(1) deadband 5`; see [Rate]. */
     infix fun deadband(width: Number) {
         rule.specify(this)
         rule.deadband(index, width)

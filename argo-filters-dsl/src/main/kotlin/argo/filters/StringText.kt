@@ -7,7 +7,7 @@ internal object StringText {
     /** The length of `\uXXXX`. */
     private const val UNICODE_LENGTH = 2 + UNICODE_DIGITS
 
-    /** Returns [text] in quotes: as Jason writes it if it can, else with `\uXXXX` for each character that it cannot write. */
+    /** Returns [text] in quotes: as Jason writes it, with `\uXXXX` for each character that Jason cannot write. */
     fun write(text: String): String {
         val written = quoted(text)
         val end = written.length
@@ -35,7 +35,7 @@ internal object StringText {
         return text.append(asJason(written.substring(start))).toString()
     }
 
-    /** Resolves escapes as Jason does when it reads a string: only these two, one after the other. */
+    /** Resolves escapes as Jason does when it reads a string: only `\n` and `\"`, one after the other. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
     /** Returns true if the backslash at [start] begins `\uXXXX`. */

@@ -10,7 +10,7 @@ internal object Syntax {
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** The reserved words, at the index of their length: each percept's name is compared only with words of its own length. */
+    /** The reserved words by their length, so that a percept's name is compared only with words of its own length. */
     private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }
@@ -22,7 +22,7 @@ internal object Syntax {
     fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
         isAt(text, start, end, "true") || isAt(text, start, end, "false")
 
-    /** The end of the letters, digits and underscores from [start]. */
+    /** The end of the row of letters, digits and underscores from [start]. */
     fun wordEnd(text: CharSequence, start: Int, end: Int): Int = first(text, start, end) { !isWordCharacter(it) }
 
     /** The first position from [start] whose character is [wanted]; [end] if there is none. */
@@ -88,7 +88,9 @@ internal object Syntax {
 
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
-    /** The end of the string in double quotes that starts at [start], or -1 if it is not closed or not as [GroundTerm.Text] is written. */
+    /**
+     * The end of the string in double quotes that starts at [start], or -1 if it is not closed or has a form that [GroundTerm.Text] lacks.
+     */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
         while (i < end) {
@@ -97,7 +99,7 @@ internal object Syntax {
                 '\n', '\r' -> return -1
                 '\\' -> {
                     if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
-                    i += 2 // the digits behind \u are letters like others
+                    i += 2 // the loop passes the digits behind \u like any letters
                 }
                 else -> i++
             }
@@ -121,7 +123,7 @@ internal object Syntax {
         return i
     }
 
-    /** The end of the comment that starts at [start], or [start] itself if none does. */
+    /** The end of the comment that starts at [start], or [start] itself if no comment starts there. */
     fun commentEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start + 1 >= end) return start
         return when (text[start + 1]) {

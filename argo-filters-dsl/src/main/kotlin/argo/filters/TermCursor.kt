@@ -10,7 +10,7 @@ internal abstract class TermCursor(protected val text: CharSequence, protected v
 
     protected fun take(expected: Char): Boolean = isNext(expected).also { if (it) at++ }
 
-    /** Reads one item or several, with commas between them; null: [item] finds none. */
+    /** Reads one or more items, with commas between them; null: [item] finds none. */
     protected inline fun <T : Any> items(item: () -> T?): ArrayList<T>? {
         val items = ArrayList<T>(USUAL_ARITY)
         do items += item() ?: return null while (take(','))

@@ -3,7 +3,7 @@ package argo.filters
 
 import kotlin.time.Duration
 
-/** A rule on a declared percept type under construction. The functions of this file take it from their context. */
+/** A rule on a declared percept type under construction. The functions of this file have it as a context parameter. */
 open class TypedRule internal constructor(internal val type: PerceptType, internal val conditions: RuleConditions)
 
 /** A critical rule on a declared percept type under construction. */
@@ -49,7 +49,7 @@ infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
 context(rule: TypedRule)
 infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
 
-/** Holds back percepts of which this argument has not moved by [width]: `cm deadband 5`; see [Rate]. */
+/** Holds back percepts in which this argument has moved by less than [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
 infix fun NumberArgument.deadband(width: Number) {
     specify()
@@ -68,7 +68,7 @@ fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
 context(rule: TypedRule)
 fun PerceptType.every(interval: Duration): Unit = rule.conditions.every(interval)
 
-/** Holds back percepts of which no number has moved by [width]: `deadband(5)`; see [Rate]. */
+/** Holds back percepts in which each number has moved by less than [width]: `deadband(5)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 

@@ -59,7 +59,7 @@ class LayersSpec : FunSpec({
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
-            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.tools", "argo.ros",
+            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.tools", "argo.ros",
             "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.link",
             "javino.serial", "javino.tcp", "javino.sim",
         )
@@ -173,6 +173,21 @@ class LayersSpec : FunSpec({
         }
     }
 
+    context("checks of programs") {
+        test("know no Jason, and not how bytes move") {
+            noClasses().that().resideInAPackage("argo.check..").should()
+                .dependOnClassesThat().resideInAnyPackage("jason..", "javino.serial..", "javino.tcp..", "javino.sim..").check(product)
+        }
+        test("read programs knowing only texts") {
+            noClasses().that().resideInAPackage("argo.check.syntax").should()
+                .dependOnClassesThat(productBut("argo.check.syntax")).check(product)
+        }
+        test("know filters, and of the architecture nothing") {
+            noClasses().that().resideInAPackage("argo.check..").should()
+                .dependOnClassesThat(productBut("argo.check..", "argo.filters..", "javino")).check(product)
+        }
+    }
+
     context("the tools") {
         test("know no Jason") {
             noClasses().that().resideInAPackage("argo.tools..").should().dependOnClassesThat().resideInAPackage("jason..").check(product)
@@ -181,7 +196,7 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.tools..").should()
                 .dependOnClassesThat(
                     productBut(
-                        "argo.tools..", "argo.filters..", "argo.mcap", "argo.recording", "argo.recording.replay", "argo.recording.why",
+                        "argo.tools..", "argo.check..", "argo.filters..", "argo.mcap", "argo.recording", "argo.recording.replay", "argo.recording.why",
                         "javino..",
                     ),
                 ).check(product)

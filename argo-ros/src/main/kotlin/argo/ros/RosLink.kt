@@ -43,8 +43,8 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. Its percepts are made of the newest message of each topic that the agent's filter lets
- * through.
+ * A robot behind a bridge of the rosbridge protocol. Its percepts are made of the newest message of each topic, unless the agent's filter
+ * drops all percepts of that topic.
  *
  * A thread of the HTTP client takes messages in and keeps the newest; the sensing thread makes percepts of them. So no message waits for a
  * thread, nor behind another message.
@@ -249,7 +249,7 @@ internal class RosLink private constructor(
         fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
             over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
 
-        /** As [open], but over the connection that [connect] makes. */
+        /** Like [open], but over the connection that [connect] makes. */
         fun over(port: String, mapping: Mapping, isPaced: Boolean, clock: LineClock, connect: (BridgeListener) -> Bridge): RosLink {
             val link = RosLink(port, mapping, isPaced, clock)
             var isOpened = false

@@ -310,7 +310,7 @@ class RosChecksSpec : FunSpec({
     test("of ever new things to report there are a hundred lines of log, and one that says so") {
         open("percepts:\n  - /photo std_msgs/String").use { link ->
             repeat(110) { bridge.say("""{"op": "new$it"}""") }
-            link.awaitWarning("there is more to report than 100 lines, and no more is")
+            link.awaitWarning("100 lines have been reported; the rest is left out")
             log.messages.filter { "which is not read" in it } shouldHaveSize 100
         }
     }
@@ -323,7 +323,7 @@ class RosChecksSpec : FunSpec({
             val beginning = """{"op":"publish","topic":"/photo","msg":{"data": "xxxxxxxxxxxxxxxxxxxxxxxxxxxx""".take(60)
             link.awaitWarning("the bridge sends a message of more than 4194304 characters, which begins $beginning; it is not read")
             bridge.sayBytes(byteArrayOf(1))
-            link.awaitWarning("the bridge sends a binary message, though nothing was asked for that is sent so; it is not read")
+            link.awaitWarning("the bridge sends a binary message, though ARGO asks for none; it is not read")
             bridge.say("""{"op": "png", "data": ""}""")
             link.awaitWarning("the bridge sends the operation png, which is not read")
         }

@@ -63,8 +63,8 @@ class TranscriptSpec : FunSpec({
                                 "its messages do not pass the bridge",
                             "/cmd_vel is of type geometry_msgs/Twist on the robot, and the mapping says std_msgs/Int32: " +
                                 "its messages do not pass the bridge",
-                            "the bridge does not know the type gripper_msgs/State, so that nothing comes of it: service " +
-                                "[/rosapi/message_details] responded with an error: b'error processing request: " +
+                            "the bridge does not know the type gripper_msgs/State, so the agent gets no percepts from its messages: " +
+                                "service [/rosapi/message_details] responded with an error: b'error processing request: " +
                                 "Unable to load the manifest for package gripper_msgs.",
                             "no node publishes /nobody",
                             "no node publishes /gripper",

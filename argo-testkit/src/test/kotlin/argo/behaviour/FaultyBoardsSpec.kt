@@ -36,7 +36,7 @@ class FaultyBoardsSpec : FunSpec({
             bob.board.disturbs("dist(f,30);\r\n")
             bob.shouldBelieve("port(ttyACM0,timeout)")
             bob.log.single { "port ttyACM0 is timeout" in it || "gave no answer" in it } shouldContain
-                "13 bytes came since the last message and are none: \"dist(f,30);\\r\\n\", which is text without a frame"
+                "13 bytes came since the last message and are no message: \"dist(f,30);\\r\\n\", which is text without a frame"
         }
     }
 

@@ -1,5 +1,6 @@
 package argo.tools
 
+import argo.tools.board.DescribeCommand
 import argo.tools.board.MonitorCommand
 import argo.tools.board.PortsCommand
 import argo.tools.board.ReplayCommand
@@ -30,7 +31,7 @@ import picocli.CommandLine.Spec
     description = ["Tools for boards, filters and projects of ARGO.", ""],
     versionProvider = JarVersion::class,
     subcommands = [
-        PortsCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
+        PortsCommand::class, DescribeCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
         RecordingCommand::class, WhyCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class,
         CheckAgentCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
         CompletionCommand::class,

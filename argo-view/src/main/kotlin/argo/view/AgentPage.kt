@@ -15,6 +15,6 @@ internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val state
     /** The page's path on its server, such as `/bob/`. */
     val path: String = "/${URLEncoder.encode(agent.name, Charsets.UTF_8).replace("+", "%20")}/"
 
-    /** Returns the tab with which pages of other agents show it. */
+    /** Returns the tab for this agent on the pages of other agents. */
     fun tab() = AgentTab(agent.name, agent.isPerceiving && agent.ports().any { it.isPerceived && (it.isStale || it.status != "on") })
 }

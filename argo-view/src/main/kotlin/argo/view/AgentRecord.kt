@@ -15,7 +15,7 @@ import kotlin.concurrent.withLock
 /**
  * Records the latest events of [agent] for its view. Its memory is bounded, however much happens.
  *
- * Safe for use by several threads; the lock is held for no longer than a note takes.
+ * Safe for use by several threads; each event holds the lock only while it is noted.
  */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
     /** The agent's beliefs and intentions. */
@@ -33,13 +33,13 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var changes = 0L
     private val printed = PrintRecord(agent::nanos) { changing {} }
 
-    /** Another number after each event but the end of a cycle. */
+    /** A number that grows with each event, except the end of a cycle. */
     val version: Long get() = lock.withLock { changes }
 
     /** Reads the agent's log from now on, until [close]. */
     fun begin() = agent.printed.addHandler(printed)
 
-    /** Returns everything recorded at [now]. [Recorded.unseen] are the messages since the last call. */
+    /** Returns everything recorded at [now]. [Recorded.unseen] has the messages since the last call. */
     fun take(now: Long): Recorded = lock.withLock {
         val counted = counts.copy(commands = commands.count)
         Recorded(
@@ -97,10 +97,10 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     }
 
     private companion object {
-        /** The most names of ports that are kept: twice as many as ports can have states. */
+        /** The largest number of ports whose changes are kept. */
         const val MAX_PORTS = 256
 
-        /** The most messages not shown yet: as many as a board that sends percepts one by one can send in 0.1 s at 115200 baud. */
+        /** The most messages kept until they are shown: a board that sends percepts one by one sends as many in 0.1 s at 115200 baud. */
         const val MAX_UNSEEN = 64
     }
 }
@@ -128,5 +128,5 @@ internal class PortChange(val status: String, val reason: String?, val nanos: Lo
 /** A message was perceived at [nanos], [delayNanos] after its last byte. */
 internal class PerceptionTime(val nanos: Long, val delayNanos: Long)
 
-/** The numbers of messages that came and that were perceived, of commands that were done or failed, and of cycles. */
+/** The number of messages that came, of messages that were perceived, of commands that were done or failed, and of cycles. */
 internal data class Counts(val frames: Long, val handOvers: Long, val commands: Long, val cycles: Long)

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * The live view of one agent: a page that browsers on this computer can open while the agent runs. An agent has one whose options
- * hold `argo_view=8080`, or `argo_view=0` for any port that is free; it is among [argo.Arch.observers]. Agents of one program whose
- * options hold the same number share the port, and their pages lead to each other.
+ * The live view of one agent: a page that browsers on this computer can open while the agent runs. The option `argo_view=8080` of an agent
+ * opens it, as does `argo_view=0`, which takes any free port; it is among [argo.Arch.observers]. Agents of one program whose options have
+ * the same number share the port, and their pages have links to each other.
  *
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */
@@ -30,13 +30,13 @@ class AgentView private constructor(
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
 
-    /** Sends pages the agent's end if the program ends with it. */
+    /** Tells the pages of the agent's end when the whole program ends. */
     private val farewell = Farewell(MAX_FAREWELL_MS) {
         close()
         publisher.join()
     }
 
-    /** @throws java.io.IOException if the port cannot be had */
+    /** @throws java.io.IOException if the port cannot be opened */
     internal constructor(agent: ObservedAgent, port: Int, log: Logger) : this(agent, port, log, AgentRecord(agent, log))
 
     init {
@@ -56,7 +56,7 @@ class AgentView private constructor(
         composer.picture = picture
     }
 
-    /** Sends the pages the agent's end and gives the port and all threads back. Returns at once; may be called twice. */
+    /** Tells the pages of the agent's end, frees the port and ends all threads. Returns at once. A second call does nothing. */
     override fun close() {
         record.close()
         closing.countDown()

@@ -20,16 +20,16 @@ internal class Broadcast {
     /** Returns true if a page has come since the last call. */
     fun takeNewPage(): Boolean = lock.withLock { hasNewPage.also { hasNewPage = false } }
 
-    /** Replaces the newest state by [json]; no state follows one that [isLast]. */
+    /** Replaces the newest state by [json]. With [isLast], no state follows it. */
     fun publish(json: String, isLast: Boolean) = lock.withLock {
         newest = Published(newest.number + 1, json, isLast)
         changed.signalAll()
     }
 
     /**
-     * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, until the last
-     * one, and [end] behind that. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed
-     * connection is noticed. The page counts as open until [end] has returned; after that the port may be closed.
+     * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, up to the last one,
+     * and finally [end]. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed connection is noticed.
+     * The page counts as open until [end] has returned; after that the port may be closed.
      */
     fun serve(begin: () -> Unit, send: (String?) -> Unit, end: () -> Unit) {
         var number = lock.withLock {

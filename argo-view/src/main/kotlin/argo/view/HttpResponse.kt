@@ -6,7 +6,7 @@ import kotlinx.serialization.json.Json
 /**
  * The response to a request.
  *
- * @property allow the methods of the resource, if another one was used
+ * @property allow the methods that the resource has, if the request used another one
  * @property location the address of the resource, if it is elsewhere
  */
 internal class HttpResponse(
@@ -19,7 +19,7 @@ internal class HttpResponse(
         /** Makes a response with [message] for a person, as `{"message": …}`. */
         fun message(status: Int, message: String, allow: String? = null) = json(Message(message), status, allow)
 
-        /** Refuses a request to a resource that has the method [allowed] only. */
+        /** Refuses a request to a resource that has only the method [allowed]. */
         fun wrongMethod(allowed: String) = message(405, "use $allowed here", allowed)
 
         /** Leads the client to [location]. */

@@ -10,7 +10,7 @@ import kotlinx.serialization.Serializable
 /**
  * An intention and its plans.
  *
- * @property state `running`, `waiting` or `suspended`, by the internal action `.suspend`
+ * @property state `running`, `waiting`, or `suspended` (by the internal action `.suspend`)
  * @property waitsFor the step in which it waits; null: it does not wait
  * @property plans the latest first
  * @property more the number of plans left out of [plans]
@@ -61,7 +61,7 @@ private fun planState(means: IntendedMeans): PlanState {
     val plan = means.plan
     val trigger = means.trigger ?: plan.trigger
     val goal = (trigger.literal.capply(means.unif) as Literal).copy().apply { clearAnnots() }
-    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // a plan's own may be its body's
+    val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // the plan's source may be that of its body
     return PlanState(shown("${trigger.operator}${trigger.type}$goal"), source?.let { fileName(it.srcFile) }, source?.srcLine)
 }
 

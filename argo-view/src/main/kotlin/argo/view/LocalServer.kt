@@ -9,11 +9,11 @@ import java.net.URI
 import java.util.concurrent.Executor
 
 /**
- * Makes a server for browsers on this computer. Drops the connection of a browser that has gone, and of one whose thread was interrupted.
+ * Makes a server for browsers on this computer. Drops a connection when its browser has gone or its thread was interrupted.
  *
  * @param port 0 to 65535; 0: any that is free
  * @param threads run [handle] for each exchange
- * @throws IOException if the port cannot be had
+ * @throws IOException if the port cannot be opened
  */
 internal fun localServer(port: Int, threads: Executor, handle: (HttpExchange) -> Unit): HttpServer {
     val server = HttpServer.create(InetSocketAddress(InetAddress.getByName("127.0.0.1"), port), 0)
@@ -44,7 +44,7 @@ internal fun HttpExchange.send(response: HttpResponse) {
     response.location?.let { responseHeaders.add("Location", it) }
     response.allow?.let { responseHeaders.add("Allow", it) }
     begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-    responseBody.use { it.write(response.body) } // before the rest of a long request is read
+    responseBody.use { it.write(response.body) } // sends the response before the server reads the rest of a long request
 }
 
 /** Begins the response to an exchange with [status], content of [type] and [length] bytes; see [HttpExchange.sendResponseHeaders]. */

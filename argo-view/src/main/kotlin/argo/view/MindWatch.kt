@@ -4,8 +4,7 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Looks into an agent's mind by the agent's own thread, between two reasoning cycles, while somebody watches, and ten times a second at
- * most.
+ * Looks into an agent's mind while somebody watches: on the agent's own thread, between two reasoning cycles, at most ten times a second.
  *
  * @param look returns the mind; called by the agent's thread only
  * @param nanos a clock in ns that never goes back
@@ -49,7 +48,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
 
     private fun seen(): Seen? = try {
         Seen(nanos(), look())
-    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or since another thread changed it
+    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or because another thread changed it
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true
         null

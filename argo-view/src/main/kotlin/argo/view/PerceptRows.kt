@@ -4,7 +4,7 @@ import argo.observing.PerceivedMessage
 import java.util.concurrent.TimeUnit
 
 /**
- * The last percept of each sensor. Percepts of a board that differ in numbers only are one sensor's, and a sensor without a percept for
+ * The last percept of each sensor. Percepts of a board that differ only in numbers belong to one sensor. A sensor without a percept for
  * [FORGOTTEN_NANOS] ns is forgotten, unless its whole board is silent. Not safe for use by several threads.
  */
 internal class PerceptRows {
@@ -21,7 +21,7 @@ internal class PerceptRows {
     var moreCourses = 0
         private set
 
-    /** Takes in the next message. @param isAlone whether the agent perceives no other board: then the rows of others go */
+    /** Takes in the next message. @param isAlone whether the agent perceives no other board: then the rows of other boards go */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()

@@ -8,7 +8,7 @@ import java.util.logging.LogRecord
 import java.util.logging.SimpleFormatter
 
 /**
- * The last lines of an agent's log. Safe for use by several threads; a thread that prints waits no longer than a note takes.
+ * The last lines of an agent's log. Safe for use by several threads; a thread that prints waits only until its line is noted.
  *
  * @param nanos a clock in ns that never goes back
  * @param changed is called after each line

@@ -2,10 +2,7 @@ package argo.view
 
 import java.util.concurrent.TimeUnit
 
-/**
- * The numbers of one sensor during the last minute, twice a second: the last ones of each half second. Not safe for use by
- * several threads.
- */
+/** The numbers of one sensor during the last minute: the last ones of each half second. Not safe for use by several threads. */
 internal class RecentNumbers {
     private val points = ArrayDeque<Point>()
 
@@ -17,7 +14,7 @@ internal class RecentNumbers {
         while (points.size > STEPS) points.removeFirst()
     }
 
-    /** Returns the values of each number until [now], oldest first, [STEPS] of them; null for a half second without one. */
+    /** Returns the values of each number until [now], oldest first, [STEPS] of them; null stands for a half second without a number. */
     fun values(now: Long): List<List<Double?>> {
         val last = Math.floorDiv(now, STEP_NANOS)
         val numbers = points.lastOrNull()?.numbers?.size ?: 0

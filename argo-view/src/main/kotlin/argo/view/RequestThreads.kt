@@ -9,7 +9,7 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer the requests to a server of views, one for each at a time. A client that does not finish its request, or does
+ * The threads that answer the requests to a server of views, each one request at a time. A client that does not finish its request, or does
  * not read its response, holds its thread up until [interruptStalled]. Safe for use by several threads.
  *
  * @param name of the server, for the threads' names
@@ -38,10 +38,10 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
 
     /** Ends the calling thread's wait for its client. */
     fun stopWaiting() = lock.withLock {
-        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // this interruption was for the wait that is over
+        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interruption of this wait, which is over
     }
 
-    /** Ends waits longer than [MAX_WAIT_NANOS], or than a tenth of that while requests are queued. Their connections end too. */
+    /** Ends waits longer than [MAX_WAIT_NANOS], or than a tenth of that while requests are queued. This closes their connections too. */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }
@@ -54,7 +54,7 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
     }
 
     companion object {
-        /** The time that a client has to send its request or to read its response, over a slow tunnel too. */
+        /** The time that a client has to send its request or to read its response: enough for a slow tunnel. */
         val MAX_WAIT_NANOS = TimeUnit.SECONDS.toNanos(10)
 
         /** Twice the largest number of pages, each of which holds one thread. */

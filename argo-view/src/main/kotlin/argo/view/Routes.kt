@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Responds to the requests of [agent]'s page and its buttons, but for the stream of states. The thread of a request finds and reads
+ * Responds to all requests of [agent]'s page and its buttons, except that for the stream of states. The thread of a request finds and reads
  * filters; the agent's own thread changes the agent. Safe for use by several threads.
  */
 internal class Routes(private val agent: ObservedAgent) {
@@ -39,7 +39,7 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
         if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
-            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // no form sends it
+            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // an HTML form cannot send this type
         }
         if (body.size > MAX_BYTES) return HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
         val content = try {
@@ -73,7 +73,7 @@ internal class Routes(private val agent: ObservedAgent) {
         HttpResponse.message(500, "looking for $what ended in $broken")
     }
 
-    /** Lists the problems of one file, with its name once. */
+    /** Lists the problems of one file below the file's name. */
     private fun listed(source: String, problems: List<Problem>) =
         problems.joinToString("\n", "$source is refused:\n") { "line ${it.line}, column ${it.column}: ${it.message}" }
 
@@ -89,7 +89,7 @@ internal class Routes(private val agent: ObservedAgent) {
         return awaitDone(if (open) "the agent perceives again" else closed) { agent.perceive(open, it) }
     }
 
-    /** Has the agent send [command] and waits a while for the outcome, which the page's list of commands shows in any case. */
+    /** Has the agent send [command] and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
     private fun act(command: String): HttpResponse {
         val outcome = CompletableFuture<CommandFailure?>()
         agent.act(command, outcome::complete)
@@ -97,16 +97,16 @@ internal class Routes(private val agent: ObservedAgent) {
             val failure = outcome.get(MAX_WAIT_S, TimeUnit.SECONDS) ?: return HttpResponse.message(200, "$command: done")
             HttpResponse.message(422, "$command: ${failure.error}: ${failure.cause}")
         } catch (_: TimeoutException) {
-            HttpResponse.message(202, "$command: waits since more than $MAX_WAIT_S s; the commands show its outcome")
+            HttpResponse.message(202, "$command: has not ended within $MAX_WAIT_S s; the list of commands shows its outcome")
         }
     }
 
-    /** Has the agent do something and waits a while for its thread, which may be busy or not have started. */
+    /** Has the agent do something and waits a while for its thread, which may be busy or not yet running. */
     private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
         val done = CountDownLatch(1)
         ask(done::countDown)
         if (done.await(MAX_WAIT_S, TimeUnit.SECONDS)) return HttpResponse.message(200, message)
-        return HttpResponse.message(202, "asked for; the agent's next reasoning cycle does it, which is more than $MAX_WAIT_S s away")
+        return HttpResponse.message(202, "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s")
     }
 
     private class Route(val method: String, val respond: (Request) -> HttpResponse)

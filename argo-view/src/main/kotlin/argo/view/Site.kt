@@ -10,7 +10,7 @@ internal class Site {
     /** True if no agent has a page. */
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page], in front of the pages of agents of the same name that are about to end. */
+    /** Adds [page]. It comes before the page of an agent of the same name that is about to end. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)
@@ -21,7 +21,7 @@ internal class Site {
         return all.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() } to maxOf(0, all.size - MAX_TABS)
     }
 
-    /** Finds the page to which [path], still encoded, belongs, if any, and the path within it. */
+    /** Finds the page, if any, to which [path] belongs, and the path within that page. [path] is still URL-encoded. */
     fun find(path: String): Found {
         val parts = path.split('/').drop(1) // without the empty text before the first slash
         val name = parts.takeIf { it.size == 2 }?.let { decoded(it[0]) }

@@ -13,7 +13,7 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Composes the states that the page shows. Belongs to the view's thread, but for [picture].
+ * Composes the states that the page shows. For the view's thread only; any thread may set [picture].
  *
  * @param tabs returns the tabs of all agents, and the number of those left out
  */
@@ -39,13 +39,13 @@ internal class StateComposer(
     private var shownFilter: Pair<PerceptionFilter, FilterState>? = null
 
     /**
-     * Returns true if the page would show something else than the last [state]; asks for the project's picture, which may change at any
+     * Returns true if the page would show anything else than the last [state]. It asks for the project's picture, which may change at any
      * time.
      */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
         agent.criticalRules() != shownRules || tabs() != shownTabs
 
-    /** Takes in the last message of each board while nobody watches, so that courses have no gap. */
+    /** Takes in the last message of each board while nobody watches, so that the courses of numbers have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
 
     private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {
@@ -53,7 +53,7 @@ internal class StateComposer(
         messages.forEach { rows.add(it, isAlone) }
     }
 
-    /** Returns the filter in words, with its parts that have no effect, which are found once. */
+    /** Returns the filter in words, with its parts that have no effect; these are searched for only once. */
     private fun filterState(filter: PerceptionFilter): FilterState {
         if (shownFilter?.first !== filter) {
             val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")
@@ -62,7 +62,7 @@ internal class StateComposer(
         return checkNotNull(shownFilter).second
     }
 
-    /** Returns the state to show now; [isLast] if the agent has ended. It has courses once a second, and if [isFull]. */
+    /** Returns the state to show now; [isLast] if the agent has ended. It has courses of numbers once a second, or always if [isFull]. */
     fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()
         shownVersion = record.version

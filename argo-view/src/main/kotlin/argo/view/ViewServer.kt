@@ -9,12 +9,12 @@ import java.util.concurrent.atomic.AtomicBoolean
 /**
  * Serves the views of agents to browsers on this computer.
  *
- * The port is taken when this is made. Call [start] on a daemon thread: the server's own thread inherits that.
+ * The port is taken when this is made. Call [start] on a daemon thread: the server's own thread is a daemon only then.
  *
- * @param name for the threads' names
+ * @param name begins the names of its threads
  * @param port 0 to 65535; 0: any that is free
  * @param nanos a clock in ns that never goes back
- * @throws IOException if the port cannot be had
+ * @throws IOException if the port cannot be opened
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
     /** The pages that it serves. */
@@ -72,7 +72,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
                 write("retry: $RETRY_MS\n\n")
             },
             send = { json -> write(if (json == null) ":\n\n" else "data: $json\n\n") }, // JSON has no line breaks
-            end = { threads.waiting(exchange.responseBody::close) }, // a response without its last chunk counts as cut off
+            end = { threads.waiting(exchange.responseBody::close) }, // without its last chunk, a response counts as cut off
         )
     }
 
@@ -81,7 +81,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     private companion object {
         const val EVENTS = "/events"
 
-        /** The largest number of pages that can watch at once, of all agents together. */
+        /** The largest number of pages, of all agents together, that can watch at once. */
         const val MAX_PAGES = 12
 
         /** The time after which a browser whose connection is lost tries again, in ms. */

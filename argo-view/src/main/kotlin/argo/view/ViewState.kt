@@ -3,12 +3,13 @@ package argo.view
 import kotlinx.serialization.Serializable
 
 /**
- * The content of a page at one moment. Times are ages in ms at that moment; long lists are cut off, and say how many entries are left out.
+ * The content of a page at one moment. Times are ages in ms at that moment; long lists are cut off, with the number of entries left out.
  *
  * @property intervalMs the sensing interval of boards without one of their own
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property printed the lines that the agent has printed, the latest first
- * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as before
+ * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as in the state
+ * before
  * @property moreCritical the number of critical rules left out of [critical]
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]
@@ -48,7 +49,7 @@ internal data class FilterState(val name: String, val words: String)
  * @property rule the rule and its reflex in words
  * @property watcher `board` or `computer`
  * @property reflex the last outcome of its reflex, `done` or `failed`; null: there was none
- * @property by the side that had that reflex carried out, as [watcher]
+ * @property by the side that had that reflex carried out: `board` or `computer`
  * @property ageMs the age of that outcome
  * @property error the reason of its failure
  */
@@ -90,9 +91,9 @@ internal data class PortState(
 /**
  * The percepts of the boards, and the times of the newest message and perception.
  *
- * @property frameAgeMs the age of the newest message; null: there was none
+ * @property frameAgeMs the age of the newest message; null: no message has come
  * @property handedOverAgeMs the time since the agent last perceived a message; null: it has not
- * @property delayMs the age of that message then
+ * @property delayMs the age of that message when the agent perceived it
  * @property more the number of percepts left out of [percepts]
  * @property moreCourses the number of sensors with numbers whose course is not shown
  */
@@ -109,9 +110,9 @@ internal data class SensorState(
 /**
  * A percept as it came off the line.
  *
- * @property key the same for the readings of one sensor, which differ in numbers only
+ * @property key identifies its sensor; the readings of one sensor differ only in numbers
  * @property board the namespace of the board that it came from; null: it has none
- * @property fate `kept`, `dropped`, `held` back, or `unreadable` when the filter keeps it and it is no percept
+ * @property fate `kept`, `dropped`, `held` (back), or `unreadable` if the filter keeps it but it is not a percept
  * @property silent whether nothing comes from its board
  * @property ageMs the time since it came last
  * @property sameMs the time for which it has been the same
@@ -131,7 +132,7 @@ internal data class PerceptState(
  * The agent's beliefs.
  *
  * @property ageMs the age of this picture of the belief base; null: there is none yet
- * @property total the number of beliefs, those left out of [beliefs] too
+ * @property total the number of all beliefs, with those left out of [beliefs]
  */
 @Serializable
 internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: List<Belief>)
@@ -147,7 +148,7 @@ internal data class Belief(val text: String, val sources: List<String>)
 /**
  * The agent's intentions.
  *
- * @property total the number of intentions, those left out of [intentions] too
+ * @property total the number of all intentions, with those left out of [intentions]
  */
 @Serializable
 internal data class IntentionsState(val total: Int, val intentions: List<IntentionState>)
@@ -162,9 +163,9 @@ internal data class IntentionsState(val total: Int, val intentions: List<Intenti
 internal data class AgentTab(val name: String, val silent: Boolean)
 
 /**
- * The agent's commands, those that have not gone out first, oldest first; then the others, newest first.
+ * The agent's commands: [unfinished] has those that have not gone out, the oldest first; [finished] the others, the newest first.
  *
- * @property waiting the number of commands that have not gone out, those left out of [unfinished] too
+ * @property waiting the number of all commands that have not gone out, with those left out of [unfinished]
  */
 @Serializable
 internal data class CommandsState(val waiting: Int, val unfinished: List<CommandState>, val finished: List<CommandState>)
@@ -174,11 +175,11 @@ internal data class CommandsState(val waiting: Int, val unfinished: List<Command
  *
  * @property number its number, which stays the same as long as it is shown
  * @property times the number of equal commands in a row; the other properties are about the last of them
- * @property state `line`, if it is the next of its port, `waiting`, `done` or `failed`
+ * @property state one of `line` (the next command of its port), `waiting`, `done` and `failed`
  * @property ageMs the time since it was issued
- * @property tookMs the time from then until it was done or had failed
+ * @property tookMs the time from its issue until it was done or had failed
  * @property error the reason of its failure
- * @property last the agent's number of the last of them
+ * @property last the agent's number of the last of these equal commands
  */
 @Serializable
 internal data class CommandState(

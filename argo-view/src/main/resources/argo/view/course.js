@@ -1,5 +1,5 @@
 'use strict';
-// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where none came.
+// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where no message came.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 20;

@@ -1,6 +1,6 @@
 'use strict';
-// The timeline of a recording, or of the last minutes of an agent that runs. The server sends the part in view, and heaps for lanes with
-// too many items for the screen.
+// The timeline of a recording, or of the last minutes of an agent that runs. The server sends the part in view. Lanes with too many items
+// for the screen come as heaps.
 
 const $ = id => document.getElementById(id);
 const LANES = ['LINE', 'PERCEPTS', 'EVENTS', 'INTENTIONS', 'COMMANDS', 'PRINTED'];
@@ -8,7 +8,7 @@ const NAMES = { LINE: 'line', PERCEPTS: 'percepts', EVENTS: 'events', INTENTIONS
 const LANE_HEIGHT = 44;
 const HEAD = 26;           // of an agent: its name
 const AXIS = 24;
-const PIXELS_EACH = 3;     // an item takes at least so many of the width, or it is in a heap
+const PIXELS_EACH = 3;     // the least width of an item; more items than fit become heaps
 const NEAR = 14;           // pixels from an item at which a click still chooses it
 const LEAST_SPAN = 0.002;  // seconds
 const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that is asked about
@@ -18,8 +18,8 @@ let recording = null;
 let from = 0, until = 1;   // the part in view, in seconds
 let parts = [];            // of the lanes, as they were sent
 let chosen = null;         // an item with its links
-let lit = new Set();       // the ids of these
-let asked = 0;             // counts requests for parts, since an answer may be overtaken
+let lit = new Set();       // the ids of the chosen item and its links
+let asked = 0;             // counts requests for parts, so that only the last one's answer is shown
 
 // --- from the server ---
 
@@ -33,7 +33,7 @@ async function get(path) {
 function shownProblem(words) { $('problem').textContent = words; $('problem').hidden = !words; }
 
 let waiting = false;
-/** Asks for the part in view, one request at a time; the last one counts. */
+/** Asks for the part in view. Only the answer to the last request is shown. */
 async function load() {
   asked++;
   if (waiting) return;
@@ -53,7 +53,7 @@ async function load() {
   }
 }
 
-/** Names the timeline in a request, since that of a running agent is taken anew. */
+/** Names the timeline in a request, since a running agent's timeline is replaced when a page asks anew. */
 const ofNumber = () => `&of=${recording.number}`;
 
 const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
@@ -105,9 +105,9 @@ function tell() {
 
 // --- why, in sentences ---
 
-let whyAsked = 0; // counts questions, since an answer may be overtaken
+let whyAsked = 0; // counts questions, so that only the last one's answer is shown
 
-/** Shows a sentence of the tool why, indented by two blanks for each cause that it is behind. */
+/** Shows a sentence of the tool why, which two blanks indent for each cause that it lies behind. */
 function sentence(words) {
   const depth = (words.length - words.trimStart().length) / 2;
   const made = line(words.trimStart());
@@ -122,7 +122,7 @@ function shownSentences(title, lines) {
   $('sentences').replaceChildren(...lines.map(sentence));
 }
 
-/** Tells why the chosen command was sent. The recorded agent is run again for it, which takes a while. */
+/** Tells why the chosen command was sent. For that the recorded agent is run again, which takes a while. */
 async function askWhy() {
   const { item } = chosen;
   const number = ++whyAsked;
@@ -381,7 +381,7 @@ $('after').addEventListener('click', () => beside('after'));
 new ResizeObserver(() => { if (recording) { draw(); load(); } }).observe(canvas.parentElement);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
-/** Returns the number of the command that the address asks about, of a running agent; null: none. */
+/** Returns the number of the running agent's command that the page's address asks about; null: it asks about none. */
 const askedCommand = () => /^#command=(\d+)$/.exec(location.hash)?.[1];
 
 /** Chooses the command that is asked about, so that its causes are listed. */

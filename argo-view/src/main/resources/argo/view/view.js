@@ -3,14 +3,14 @@
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
-let state = null;          // the newest
-let receivedAt = 0;        // when it came
+let state = null;          // the newest one
+let receivedAt = 0;        // when that came
 let source = null;
 let connection = 'connecting';
 let frozen = null;         // shown instead while the page is frozen
 let courses = {};          // of the sensors' numbers, by the sensors' keys
 let filters = null;        // the names of all filters
-let waits = false;         // for the answer to a button
+let waits = false;         // true while a pressed button has no answer yet
 const explained = new Map(); // a percept's key: its text and filter when it was asked about, and why it was kept or dropped
 
 // --- words ---
@@ -175,7 +175,7 @@ function showPorts(shown, since) {
   ), 'The agent has no port.');
 }
 
-/** Explains why sensors show the past although the agent perceives, a line for each board; empty if they do not. */
+/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty if they do not. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
@@ -225,7 +225,7 @@ function showSensors(shown, since) {
 
 const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
 
-/** Returns those of [beliefs] that have each word of the search in their text or source. */
+/** Returns those of [beliefs] whose text or source has each word of the search. */
 function found(beliefs) {
   const words = $('find').value.toLowerCase().split(/\s+/).filter(Boolean);
   return beliefs.filter(belief => words.every(word => `${belief.text} ${sourcesOf(belief)}`.toLowerCase().includes(word)));
@@ -324,10 +324,10 @@ function showConnection() {
 }
 
 function notice() {
-  if (state?.ended) return 'The agent has ended. What you see is how it was then.';
+  if (state?.ended) return 'The agent has ended. The page shows its last state.';
   if (frozen) return 'This page is frozen. The agent goes on.';
   if (connection === 'lost') {
-    return 'The connection is lost: the program has ended or does not answer. What you see is how it was then; this page tries again.';
+    return 'The connection is lost: the program has ended or does not answer. The page shows the last state and tries again.';
   }
   if (connection === 'full') return 'Too many pages show this agent already. Close one and load this one again.';
   if (state?.waitingToStart) return 'The agent has not started yet.';
@@ -413,7 +413,7 @@ async function explain(key, percept) {
 
 const filterWords = () => JSON.stringify(state.filter);
 
-/** Asks again for explanations of percepts that, or whose filter, have changed since. */
+/** Asks again for the explanation of each percept that has changed, or whose filter has. */
 function renewExplanations(shown) {
   for (const { key, text: percept } of shown.sensors.percepts) {
     const entry = explained.get(key);
@@ -475,7 +475,8 @@ $('send').addEventListener('submit', event => {
   if (!$('send-button').disabled) send();
 });
 
-// A hidden page gives up its connection: it keeps neither the agent busy nor one of the few connections that a browser has for one address.
+// A hidden page closes its connection: so it causes the agent no work, and leaves the browser's few connections to an address to other
+// pages.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

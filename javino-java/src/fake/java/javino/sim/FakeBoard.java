@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import javino.LineClock;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.Protocol;
@@ -61,7 +62,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * A new board that is not plugged in and goes by {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
+     * A new board that is not plugged in and uses {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
      *
      * @param name the board's name in messages
      */
@@ -84,7 +85,7 @@ public final class FakeBoard implements AutoCloseable {
         return script.rule(message, message::equals);
     }
 
-    /** Sets how the board handles messages of a kind. A rule for one message comes before this; among several of these the first counts. */
+    /** Sets how the board handles messages of a kind. A rule for one message comes before; among rules for kinds the earliest counts. */
     public Rule whenAsked(Predicate<String> kind) {
         return script.rule(null, kind);
     }
@@ -116,8 +117,8 @@ public final class FakeBoard implements AutoCloseable {
 
     /**
      * Lets the board speak version 2 of the protocol with computers that speak it, and version 1 with others. In version 2 it acknowledges
-     * commands once it has handled them, and handles a command that is repeated once; answers may be longer than a frame, and the answer to
-     * a command is sent as percepts that nobody asked for. To be called before the port is opened.
+     * commands when it has handled them, and handles a repeated command only once; answers may be longer than a frame, and the answer to a
+     * command is sent as percepts that nobody asked for. To be called before the port is opened.
      */
     public FakeBoard version2() {
         sketch.protocol = Protocol.AUTO;
@@ -134,6 +135,16 @@ public final class FakeBoard implements AutoCloseable {
         return this;
     }
 
+    /**
+     * Lets the board describe its percepts to computers of version 2.
+     *
+     * @param kinds as {@link PerceptKind#parse} reads them: {@code dist(front|left, cm 0..400)}
+     */
+    public FakeBoard perceives(String... kinds) {
+        sketch.kinds = Arrays.stream(kinds).map(PerceptKind::parse).toList();
+        return this;
+    }
+
     private static BoardAction action(String written) {
         if (!written.matches("[^/]+(/([0-9]{1,2}|\\*))?")) {
             throw new IllegalArgumentException(
@@ -145,9 +156,9 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board of version 2 watch so many critical rules, 0 unless set. While it has some it compares them with its answer to
-     * {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. It handles and records a reflex like a
-     * command that came. To be called before the port is opened.
+     * Lets the board of version 2 watch at most {@code rules} critical rules, 0 unless set. While it has some it compares them with its
+     * answer to {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. It handles and records a reflex
+     * like a received command. To be called before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
         sketch.rules = rules;
@@ -195,7 +206,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Puts a frame of version 2 on the line that the board would not send now, in the current session.
+     * Puts a frame of version 2 on the line, in the current session. The board would not send this frame by itself.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -253,8 +264,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is
-     * {@linkplain #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or no expected one.
+     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is {@linkplain
+     * #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or missed an expected one.
      *
      * @throws AssertionError that lists the faults and all messages received
      */
@@ -293,8 +304,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with these messages, one each time, and with the last of them from then on. The rules that the board
-         * {@linkplain FakeBoard#holdsRules holds} are compared with the one whose turn is next.
+         * Answers with these messages, one each time, and with the last of them from then on. The rules that the board {@linkplain
+         * FakeBoard#holdsRules holds} are compared with the answer whose turn is next.
          */
         public Rule answer(String first, String... next) {
             FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);

@@ -34,10 +34,11 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. It is asked under the lock, and about every millisecond since it may depend on other state, too.
+     * Waits until {@code reached} is true. This function is called under the lock, about every millisecond since it may also depend on
+     * other state.
      *
      * @param what completes "interrupted while ..."
-     * @return false if it is not within {@code timeoutMillis}
+     * @return false if it does not become true within {@code timeoutMillis}
      * @throws AssertionError if the thread is interrupted; it stays interrupted
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {

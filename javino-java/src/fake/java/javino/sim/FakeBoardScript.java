@@ -49,7 +49,7 @@ final class FakeBoardScript {
             answers = List.copyOf(all);
             answers.stream()
                     .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
-                    .forEach(Frame::of); // refuses a text here: later, the test would learn of it too late
+                    .forEach(Frame::of); // refuses an unfit text already here, in the test that gives it
         }
 
         /** Returns the answer whose turn it is. */

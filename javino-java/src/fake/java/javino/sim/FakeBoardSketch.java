@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import javino.LineClock;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.PortInterruptedException;
@@ -22,6 +23,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     volatile int bootMillis;
     volatile Protocol protocol = Protocol.V1;
     volatile List<BoardAction> vocabulary = List.of();
+    volatile List<PerceptKind> kinds = List.of();
     volatile int rules;
 
     private final FakeBoardScript script;
@@ -29,7 +31,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private final FakeBoardMonitor monitor;
     private final LineClock clock;
     private final String port;
-    private BoardLoop open; // guarded by the monitor, as is stalled
+    private BoardLoop open; // guarded by the monitor, like the next field
     private boolean stalled;
 
     /** @param port the port that exceptions name */
@@ -93,6 +95,11 @@ final class FakeBoardSketch implements SimulatedBoard {
         @Override
         public List<BoardAction> vocabulary() {
             return vocabulary;
+        }
+
+        @Override
+        public List<PerceptKind> perceptKinds() {
+            return kinds;
         }
 
         @Override

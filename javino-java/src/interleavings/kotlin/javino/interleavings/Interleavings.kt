@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /**
- * Runs [block], which calls [concurrently], in many interleavings of its threads: in as many as the system property `argo.interleavings`
- * says. Fails with the first in which it throws, or in which its threads wait for each other, and shows it.
+ * Runs [block], which calls [concurrently], in as many interleavings of its threads as the system property `argo.interleavings` says. Fails
+ * at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
  *
  * The block first runs once unchecked, so that the first use of classes is not part of the check.
  *
@@ -55,7 +55,7 @@ internal fun concurrently(vararg work: () -> Unit) {
  */
 private const val LONGEST_LOOP = 40
 
-/** Packages of classes that one thread at a time uses: no other thread is let in while one is in them. */
+/** Packages of classes that one thread at a time uses: while a thread is in them, Lincheck lets no other thread run. */
 private val ATOMIC = listOf(
     "jason.", "argo.filters.", "javino.session.", "javino.sim.", "javino.wire.", "kotlin.collections.", "kotlin.text.",
 )

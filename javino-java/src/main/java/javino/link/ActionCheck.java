@@ -39,15 +39,15 @@ final class ActionCheck {
             return "a bracket or quote in it is not closed";
         }
         if (actions.isEmpty()) {
-            return "it does not know the action, or not with these arguments, or its program has refused what was asked now";
+            return "it does not know the action, or takes other arguments, or its program refuses the action now";
         }
         String trouble = trouble(command, actions);
         return trouble == null
-                ? "it has the action, and its program has refused what was asked now; it has " + words(actions)
+                ? "it has the action, but its program refuses it now; it has " + words(actions)
                 : trouble;
     }
 
-    /** A command's text as boards read it: with brackets of three kinds, quotes of two, and backslashes in double quotes. */
+    /** A command's text as boards read it: with three kinds of brackets, two kinds of quotes, and backslashes in double quotes. */
     private static final class Shape {
         private final int open; // the place at which the arguments begin
         private int depth;

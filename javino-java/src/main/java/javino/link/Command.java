@@ -7,7 +7,7 @@ import javino.wire.CommandItem;
 
 /** A command from its submission to its outcome. Its state is guarded by the lock of the {@link FrameWriter} that it was submitted to. */
 final class Command implements SessionCommand {
-    /** The progress of a command: one that waits can be withdrawn, one that has begun goes out. */
+    /** The progress of a command: a waiting one can be withdrawn, one that has begun goes out. */
     private enum State {
         WAITING,
         BEGUN,
@@ -110,7 +110,7 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks it as going out behind so many bytes of its line; the caller has found that it waits. */
+    /** Marks it as going out behind the first {@code bytes} bytes of its line. The caller has found that it waits. */
     void begin(long bytes) {
         state = State.BEGUN;
         beganBehind = bytes;

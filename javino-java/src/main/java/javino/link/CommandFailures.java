@@ -19,7 +19,7 @@ final class CommandFailures {
         this.session = session;
     }
 
-    /** The failure that an outcome is; null: it is none. */
+    /** The exception for an outcome; null if the board has carried the command out. */
     PortException of(Command command, CommandOutcome outcome) {
         String text = command.text();
         return switch (outcome) {
@@ -32,7 +32,7 @@ final class CommandFailures {
                                         + ActionCheck.refusal(
                                                 text, session.vocabulary().orElse(List.of()))
                                 : "the board at port " + port + " refuses " + text
-                                        + ": it has no room for it, or cannot watch it");
+                                        + ": it has no room for the rule, or cannot watch it");
             case FAILED ->
                 new ActionRefusedException(
                         port,

@@ -17,9 +17,9 @@ import javino.Transport;
 import javino.wire.CommandItem;
 
 /**
- * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Whichever of
- * these is free takes the next command, its own or another's. If the line is free, the submitting thread writes its command at once.
- * Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of their dependents end no thread.
+ * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Each of these
+ * threads, when it is free, takes the next command, its own or another's. If the line is free, the submitting thread writes its command at
+ * once. Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of dependents end no thread.
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
@@ -34,7 +34,7 @@ final class CommandLoop {
     private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
 
     /**
-     * @param monitor the one of the writer and the line
+     * @param monitor the monitor of the writer and of the line
      * @param start returns when the board can be sent a command
      */
     CommandLoop(
@@ -115,7 +115,7 @@ final class CommandLoop {
         }
     }
 
-    /** Asks a board of version 1 for something, if the command whose turn is next waits for that. */
+    /** Sends a board of version 1 a request, if the next command may go out only after one. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;
@@ -125,12 +125,12 @@ final class CommandLoop {
             line.hasAsked();
         } catch (PortTimeoutException
                 | RuntimeException
-                | Error trouble) { // the latter is thrown by a transport; the commands behind go on
+                | Error trouble) { // the last two are thrown by a transport; later commands still go out
             fail(writer.withdrawNext(), trouble);
         }
     }
 
-    /** The time at which to look again whether a waiting command is to be given up, unless one gets through. */
+    /** The time at which waiting commands are given up, unless one gets through before. */
     private long patienceEnds() {
         long now = clock.nanos();
         if (writer.head() == null) {
@@ -142,8 +142,8 @@ final class CommandLoop {
     }
 
     /**
-     * Fails all commands without a time limit that have waited for {@link #PATIENCE_NANOS} together, if none has got through meanwhile, so
-     * that none goes out late when the line moves again.
+     * If no command has got through for {@link #PATIENCE_NANOS}, fails at once all commands without a time limit that have waited as long,
+     * so that none goes out late when the line moves again.
      */
     private void giveUpStuck() {
         long now = clock.nanos();
@@ -214,7 +214,7 @@ final class CommandLoop {
                         + "\" took its place, so it was not sent");
     }
 
-    /** Withdraws a command whose time is over, if it has not begun to go out. */
+    /** Withdraws a command whose time is over, if it has not begun to go out. Returns the exception for it. */
     private PortException timeOver(Command command) {
         String subject = '"' + command.text() + '"';
         return writer.withdraw(command)

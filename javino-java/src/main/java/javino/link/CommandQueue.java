@@ -15,7 +15,7 @@ final class CommandQueue {
     private long submitted;
     private long finished;
 
-    /** Queues a command, in the place of the first that it replaces if that is as urgent; returns those that it replaces. */
+    /** Queues a command, in place of the first equally urgent one that it replaces. Returns the commands that it replaces. */
     List<Command> add(Command command) {
         List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
         List<Command> its = command.isUrgent() ? urgent : ordinary;
@@ -60,7 +60,7 @@ final class CommandQueue {
         return finished >= count;
     }
 
-    /** Returns whether no command waits of those that had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether no command still waits that had been submitted when {@link #submitted} returned {@code count}. */
     boolean haveBegun(long count) {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }

@@ -18,7 +18,7 @@ import javino.session.WaitingCommands;
 /**
  * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames.
  *
- * <p>A {@link SessionLine} takes the commands from it. In version 1 requests go out before the commands that wait.
+ * <p>A {@link SessionLine} takes the commands from it. In version 1 requests go out before waiting commands.
  *
  * <p>Safe on any thread; no lock is held while bytes are written.
  */
@@ -61,7 +61,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         outcomeNanos = clock.nanos();
     }
 
-    /** Queues a command, and returns the waiting commands whose place it takes. */
+    /** Queues a command, and returns the waiting commands that it replaces. */
     List<Command> submit(Command command) throws PortGoneException {
         return monitor.get(() -> {
             requireLine();
@@ -69,7 +69,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Takes a command that has not begun to go out from the queue, for good; false: it has begun. */
+    /** Takes a command out of the queue for good; false: the command has begun to go out. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
@@ -142,7 +142,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> pacer.nanosHeld(clock.nanos()) > 0);
     }
 
-    /** Returns whether the board's {@code loop()} seems to take longer than commands are apart: see {@link Pacer#isSlow}. */
+    /** Returns whether the board's {@code loop()} seems to take longer than the gap between commands: see {@link Pacer#isSlow}. */
     boolean isBoardSlow() {
         return monitor.get(pacer::isSlow);
     }
@@ -169,18 +169,18 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Returns a condition: the commands that were submitted before this call have begun to go out. */
+    /** Returns a condition that is true once all commands submitted before this call have begun to go out. */
     BooleanSupplier commandsSoFarHaveBegun() {
         long submitted = monitor.get(commands::submitted);
         return () -> monitor.get(() -> commands.haveBegun(submitted));
     }
 
     /**
-     * Waits for a turn of its own, before the commands that wait, and writes a frame.
+     * Waits for its turn, ahead of waiting commands, and writes a frame.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis milliseconds to wait at most for the turn, beside those for which the pacer holds a frame back on a free line,
-     *     and again for the driver
+     * @param timeoutMillis the longest wait for the turn, in milliseconds, and again for the driver; the time for which the pacer holds a
+     *     frame back on a free line does not count
      * @return the time, by the clock, at which the frame's last byte leaves the line
      * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
      */
@@ -231,7 +231,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     String whyNoTime() {
         return isHeldBack()
                 ? "the board does not answer, and would lose commands, which wait until it does"
-                : "the line is busy with those before it, or the board takes long over them, as with delay(3000) in its loop()";
+                : "the line is busy with the messages before it, or the board takes long over them, as with delay(3000) in its loop()";
     }
 
     /** Records that a frame goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
@@ -244,7 +244,7 @@ final class FrameWriter implements WaitingCommands<Command> {
      * all of it. The caller does not hold the monitor's lock.
      *
      * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
-     * @return that time
+     * @return the time at which its last byte leaves
      */
     long writeFrame(Kind kind, byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         long start = clock.nanos();
@@ -320,7 +320,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records that a message is complete, the answer to the last request if an answer is awaited. Actions that waited for it go out. */
+    /** Records that a message is complete: the answer, if one is awaited. Actions that waited for it may go out now. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }

@@ -37,12 +37,9 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** The most messages that wait to be taken; the newest are kept. Nobody may ever take the messages of a board that speaks unasked. */
+    /** The most messages that wait to be taken; the newest are kept. A board may speak unasked although nobody takes its messages. */
     static final int MAX_MESSAGES = 64;
-    /**
-     * The most reads, one after the other, of bytes that a line has ready: more than any driver holds, but an end for a line that never
-     * rests.
-     */
+    /** The most reads in a row of bytes that a line has ready: enough to empty any driver, but not endless on a line that never rests. */
     private static final int READS = 64;
 
     private final Monitor monitor;

@@ -8,15 +8,16 @@ import javino.Protocol;
 import javino.Transports;
 
 /**
- * The interface that Javino programs know: one call for each thing to do with a port, each returning whether it was done.
+ * The interface that Javino programs know: one call for each operation on a port, which returns whether it succeeded.
  *
- * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; one whose device
- * has gone is opened anew by the next call. No call throws for what happens on the line: {@link #lastError()} says why one returned false.
+ * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; a port whose
+ * device has gone is opened anew by the next call. No call throws an exception of the line: {@link #lastError()} says why a call returned
+ * false.
  *
  * <p>It speaks version 1 of the protocol, as programs of this interface expect, unless its settings ask for version 2.
  *
- * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} speak of the latest call of all. Not final, so that
- * programs can put a class of their own in its place in tests.
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} tell of the latest call on any thread. Not final, so that
+ * tests of programs can replace it by a class of their own.
  */
 public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;
@@ -53,7 +54,7 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
     }
 
-    /** Sends a request, {@code getPercepts} say. True when its answer is in {@link #getData()}. */
+    /** Sends a request, such as {@code getPercepts}. True when its answer is in {@link #getData()}. */
     public boolean requestData(String port, String msg) {
         return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
     }
@@ -68,12 +69,12 @@ public class Javino implements AutoCloseable {
         return data;
     }
 
-    /** The reason of the latest call that returned false; empty if none has. */
+    /** The reason why the latest failed call returned false; empty if none has failed. */
     public String lastError() {
         return lastError;
     }
 
-    /** Closes the ports that were opened. They are opened again when they are next named. */
+    /** Closes the ports that were opened. A call that names one of them opens it again. */
     @Override
     public void close() {
         opening.lock();
@@ -108,7 +109,7 @@ public class Javino implements AutoCloseable {
         try {
             work.run();
             return true;
-        } catch (PortException | IllegalArgumentException e) { // the latter: the message fits into no frame
+        } catch (PortException | IllegalArgumentException e) { // the message fits into no frame
             lastError = e.getMessage();
             return false;
         }

@@ -14,6 +14,7 @@ import javino.CommandWithdrawnException;
 import javino.Frame;
 import javino.LineClock;
 import javino.NoSuchPortException;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortBusyException;
 import javino.PortException;
@@ -27,6 +28,7 @@ import javino.Transport;
 import javino.Transports;
 import javino.wire.BoardAction;
 import javino.wire.CommandItem;
+import javino.wire.PerceptDescription;
 
 /**
  * An open port that one owner exchanges messages through.
@@ -41,14 +43,15 @@ import javino.wire.CommandItem;
  * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
  *
  * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
- * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the former
- * and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all, and
- * {@link #send} knows what became of an action.
+ * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the first
+ * question and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all,
+ * and {@link #send} knows what became of an action.
  *
- * <p>Once the device has gone, or the link is closed, every call throws {@link PortGoneException}, those that wait promptly, and the port
- * is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
+ * <p>Once the device has gone, or the link is closed, every call, also one that waits, promptly throws {@link PortGoneException}, and the
+ * port is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
  */
 public final class Link implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Link.class.getName());
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
     /** Behind an answer or an outcome, the line is left free for this part of a request's time, for commands that the agent then sends. */
     private static final int GRACE_DIVISOR = 8;
@@ -86,7 +89,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits for that.
+     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits until the port is free.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
      * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
@@ -114,7 +117,7 @@ public final class Link implements AutoCloseable {
      * It has no owner, so {@link #ownerOf} knows nothing of it.
      *
      * @param transport closed with the link; its waits go by the same clock
-     * @param settings whose rate should be that of the line
+     * @param settings their rate is that of the line
      */
     public static Link over(Transport transport, LinkSettings settings, LineClock clock) {
         return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
@@ -130,7 +133,7 @@ public final class Link implements AutoCloseable {
         return transport.name();
     }
 
-    /** Returns whether the far end may go unnoticed by this end, see {@link Transport#mayVanish()}. */
+    /** Returns whether the far end may vanish unnoticed, see {@link Transport#mayVanish()}. */
     public boolean mayVanish() {
         return transport.mayVanish();
     }
@@ -153,13 +156,34 @@ public final class Link implements AutoCloseable {
         return line.session().vocabulary();
     }
 
+    /**
+     * Asks the board for the kinds of its percepts, in turn with requests. A kind that cannot be read is left out, with a line of log.
+     *
+     * @param timeoutMillis milliseconds that the board has to answer, at least 1
+     * @return empty: the board describes no percepts, gave no answer in time, or is not known to speak version 2
+     */
+    public List<PerceptKind> perceptKinds(int timeoutMillis) throws PortException {
+        requireTime(timeoutMillis);
+        Reply answer = reading(() -> channel.requestKinds(timeoutMillis));
+        if (answer == null) {
+            return List.of();
+        }
+        PerceptDescription description = PerceptDescription.read(answer.text());
+        description
+                .problems()
+                .forEach(problem -> LOG.log(
+                        System.Logger.Level.WARNING,
+                        "port " + port() + ": a kind of percepts that the board describes is left out: " + problem));
+        return description.kinds();
+    }
+
     /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */
     public int actionsLost() {
         return line.session().actionsLost();
     }
 
     /**
-     * Sets the listener for reports that the board sends of its own accord, in place of the one before. If a session has begun before,
+     * Sets the listener for reports that the board sends of its own accord, in place of the present one. If a session has begun already,
      * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
      */
     public void onBoardEvents(BoardListener listener) {
@@ -177,12 +201,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends a request and returns its answer. Messages received before it are dropped, as answers to earlier ones. After a request whose
-     * answer did not come in time, the next takes the last message that comes before the line falls silent.
+     * Sends a request and returns its answer. Messages received before it are dropped, since they answer earlier requests. After a request
+     * that was not answered in time, the next one takes for its answer the last message before the line falls silent.
      *
-     * @param timeoutMillis milliseconds, at least 1, that the request waits at most for its turn on the line, and that the board then has
-     *     to answer, counted from the request's last byte. After a missed answer the line is given as long again to fall silent; while the
-     *     board may be starting the request is repeated until it must have started
+     * @param timeoutMillis the longest wait for a turn on the line, in milliseconds, at least 1; then the board gets the same time to
+     *     answer, counted from the request's last byte. After a missed answer the line gets the same time once more to fall silent. While
+     *     the board may be starting, the request is repeated
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -196,9 +220,9 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #request(String, int)}, for a caller that asks again and again. The request gives way to the commands that were submitted
-     * before this call, and then to those that were submitted meanwhile, since one that a request overtakes waits for a whole exchange;
-     * each time for the longer of the last exchange and the interval, so that commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks again and again. The request first lets the commands go out that were
+     * submitted before this call, and then those that were submitted meanwhile, since a command that a request overtakes waits for a whole
+     * exchange. Each time it waits at most for the longer of the last exchange and the interval, so that commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -223,7 +247,9 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Waits, at most {@code nanos}, until the commands so far are over, or in version 2, which carries both ways at once, have begun. */
+    /**
+     * Waits at most {@code nanos} until the commands so far are over; in version 2, which carries both ways at once, until they have begun.
+     */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
             line.await(writer.commandsSoFarHaveBegun(), clock.nanos() + nanos, false);
@@ -237,9 +263,7 @@ public final class Link implements AutoCloseable {
         return board.speaks2() && !PerceptsRequest.isIn(message);
     }
 
-    /**
-     * In version 2 only percepts are requested: another message is a command, and the message that the board sends behind it is the answer.
-     */
+    /** In version 2 only percepts are requested. Any other message is a command, and the next message of the board is its answer. */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
         line.session().takeHeard(); // the board says what is awaited behind the command
         sendAndAwait(message, timeoutMillis);
@@ -277,13 +301,14 @@ public final class Link implements AutoCloseable {
      * {@link #writeCommandsUntilClosed}.
      *
      * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
-     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. Until then it is repeated, and the
-     * board takes the repetitions for one command; it is given up after four repetitions and 2 s without any frame of the board. Else it is
-     * completed with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
-     * {@link ActionUnconfirmedException} if it may or may not have been carried out; {@link CommandWithdrawnException} if its time was over
-     * before it began to go out; {@link CommandReplacedException} if a later one took its place before that; {@link PortTimeoutException}
-     * if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with what a
-     * transport threw. A command whose future is completed by others, cancelled for example, does not go out unless it has begun to.
+     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. In version 2 the command is
+     * repeated until then, and the board takes the repetitions for one command; it is given up after four repetitions and 2 s without any
+     * frame of the board. Else the future is completed with {@link ActionRefusedException} if the board does not know the command, or not
+     * with these arguments; {@link ActionUnconfirmedException} if it may have been carried out or not; {@link CommandWithdrawnException} if
+     * its time was over before it began to go out; {@link CommandReplacedException} if a later one took its place before that;
+     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is
+     * gone; or with any exception of a transport. A command whose future is completed by others, cancelled for example, does not go out
+     * unless it has begun to.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
@@ -292,8 +317,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No text does
-     * so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No command's
+     * text does so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
@@ -325,12 +350,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, on the calling thread, which sends the commands before it as well if no other thread does; returns when it has
-     * arrived.
+     * Like {@link #send}, but on the calling thread, which also sends the commands before it if no other thread does. Returns when the
+     * command has arrived.
      *
      * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some of
-     *     it may have been
+     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some
+     *     bytes may have left
      * @throws PortException as {@link #send} completes its future
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
@@ -339,7 +364,7 @@ public final class Link implements AutoCloseable {
         sendAndAwait(frame, SendOptions.defaults(), timeoutMillis);
     }
 
-    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority; the line may refuse to take it for five seconds. */
+    /** Like {@link #sendAndAwait(String, int)}, with a time limit and a priority. The command waits at most five seconds for the line. */
     public void sendAndAwait(String command, SendOptions options) throws PortException {
         sendAndAwait(Frame.ofCommand(command), options, FrameWriter.PATIENCE_MILLIS);
     }
@@ -389,7 +414,7 @@ public final class Link implements AutoCloseable {
      * Finds out whether the device is still there, for a caller that does not read the line all the time. Does not wait, and takes no
      * message from a thread that reads.
      *
-     * @throws PortGoneException if it is not
+     * @throws PortGoneException if the device has gone
      */
     public void check() throws PortException {
         noticing(() -> {

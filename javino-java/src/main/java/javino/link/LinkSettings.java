@@ -11,12 +11,12 @@ import javino.Protocol;
  * @param baud bits a second
  * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an
  *     urgent command never waits behind seconds of old ones; false writes at once
- * @param spacingMillis milliseconds at least from the end of a frame to a version 1 board, or of its answer, to the start of the next
- *     frame. It is longer, 50 ms, while fewer than six answers have been timed, and for a board whose answers show that its
- *     {@code loop()} takes long. 0: no gap, for a board that keeps all messages
+ * @param spacingMillis the least gap in milliseconds before the next frame, from the end of a frame to a version 1 board, or of its answer.
+ *     The gap is longer, 50 ms, while fewer than six answers have been timed, and for a board whose answers show that its {@code loop()}
+ *     takes long. 0: no gap, for a board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
- * @param bootMillis milliseconds since opening in which a board may not have started yet; 0 for a board that is known to run
- * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board does, else version 1
+ * @param bootMillis for how many milliseconds after opening the board may be starting; 0 for a board that is known to run
+ * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1
  * @param messageLimit the most bytes of a message from a version 2 board, at least 255; longer messages are dropped
  */
 public record LinkSettings(
@@ -45,7 +45,7 @@ public record LinkSettings(
         }
     }
 
-    /** 9600 baud, paced, 2 ms of spacing, a board that holds one message and starts within 3 s, the version that it speaks. */
+    /** 9600 baud, paced, 2 ms of spacing, a board that holds one message and starts within 3 s, {@link Protocol#AUTO}. */
     public static LinkSettings defaults() {
         return new LinkSettings(LineSettings.DEFAULT_BAUD, true, 2, 1, 3000, Protocol.AUTO, DEFAULT_MESSAGE_LIMIT);
     }

@@ -10,8 +10,8 @@ import javino.PerceptsRequest;
  * so a request would pass for its own answer.
  *
  * <p>A line turns out to be one of these when a request for percepts comes back, since no board sends one. From then on actions that come
- * back are no messages either. Before, such a message may be the board's own, since some boards repeat their commands. One thread at a
- * time.
+ * back are no messages either. Before that, an action that comes back may be a message of the board, since some boards repeat their
+ * commands. One thread at a time.
  */
 final class LocalEchoFilter {
     /** The most frames that are remembered, more than are ever on their way: older frames were lost on the line. */

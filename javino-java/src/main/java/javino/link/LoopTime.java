@@ -8,12 +8,12 @@ import java.util.concurrent.TimeUnit;
  * next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always about the same.
  * So the differences of delays show the loop.
  *
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice, and more of few delays, which may not have met
- * the whole of the loop. Of n delays at random the range is less than a part x of the loop with a probability of less than n x^(n-1), and
- * with one left out n (n-1) x^(n-2). The multiple is 1/x where that is one in 100,000. The estimate is at most {@value #MAX_MILLIS} ms,
- * since sensors may make the difference, and exactly that until {@value #MIN_SAMPLES} delays are known. Of {@value #MANY} delays and more
- * one in {@value #OUTLIER_AMONG} is left out at each end, and always the longest, so that one stall of this computer does not slow commands
- * down.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if the delays are so few that
+ * they may miss a part of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or
+ * below n (n-1) x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
+ * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are
+ * known. The longest delay is always left out, and from {@value #MANY} delays on one in {@value #OUTLIER_AMONG} at each end, so that one
+ * stall of this computer does not slow commands down.
  *
  * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
  * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
@@ -39,7 +39,7 @@ final class LoopTime {
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The fractional parts of its multiples are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** An answer that is later belongs to an earlier request; no request is delayed by more. */
+    /** A later answer belongs to an earlier request, so its delay is ignored. No request is delayed by more than this. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);

@@ -77,8 +77,9 @@ final class Monitor {
     }
 
     /**
-     * Waits until {@code nanosLeft} is 0 or less. It is asked under the lock, by any thread that gives the lock back, and when as many
-     * nanoseconds have passed; so it changes nothing, and depends on time and on the state that the lock guards. The caller holds the lock.
+     * Waits until {@code nanosLeft} is 0 or less. This function is called under the lock, by any thread that gives the lock back, and when
+     * as many nanoseconds have passed. So it must change nothing, and depend only on time and on the state that the lock guards. The caller
+     * holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {
         Waiter waiter = new Waiter(nanosLeft);
@@ -128,7 +129,7 @@ final class Monitor {
         private final Condition woken = lock.newCondition();
         private final LongSupplier nanosLeft;
         private long wakesAt;
-        private boolean isWoken = true; // or does not sleep yet
+        private boolean isWoken = true; // true also before it sleeps
 
         Waiter(LongSupplier nanosLeft) {
             this.nanosLeft = nanosLeft;

@@ -11,8 +11,8 @@ import javino.wire.WireFrame;
  * repeats both until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in
  * version 1, so it is sent HELLO once more, and several times if bytes came that are no message: a damaged WELCOME may be among them.
  *
- * <p>A frame of version 1 follows HELLO only when WELCOME would have come: a board in a session takes no frame of version 1 for one that
- * follows other bytes closely. One thread at a time.
+ * <p>A frame of version 1 follows HELLO only after the time in which WELCOME would have come, since a board in a session ignores a frame of
+ * version 1 that follows other bytes closely. One thread at a time.
  */
 final class Negotiation {
     private static final long HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -39,9 +39,9 @@ final class Negotiation {
     }
 
     /**
-     * Finds out the version, if the board answers within the time that {@code timeoutMillis} and its start leave.
+     * Finds out the version, if the board answers within {@code timeoutMillis}, or before it must have started if that is later.
      *
-     * @return the answer to its request in version 1, if one came meanwhile; null: none
+     * @return the answer to {@code request} in version 1, if one came meanwhile; null: none
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);

@@ -3,15 +3,15 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for that
- * of the next, so that the agent would be one answer behind for good. Therefore the next exchange listens on until the line has been silent
- * for a while, and takes the last answer.
+ * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for the
+ * answer to the next request, so that the agent would be one answer behind for good. Therefore the next exchange listens on until the line
+ * has been silent for a while, and takes the last answer.
  *
  * <p>Times are nanoseconds of one steady clock. One thread at a time.
  */
 final class OwedAnswers {
     private static final long MIN_SETTLING_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
-    /** A board that has never answered and does so later than this was starting, not slow. */
+    /** If the first answer of a board takes longer than this, the board was starting, not slow. */
     private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private long longestNanos; // the longest time that an answer has taken; 0: none has been timed
@@ -42,9 +42,9 @@ final class OwedAnswers {
     }
 
     /**
-     * Nanoseconds of silence after which no further answer is expected: twice the longest that one has taken, at least 50 ms, at most
-     * {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts, unless it shows that the board was
-     * just starting.
+     * Nanoseconds of silence after which no further answer is expected: twice the longest time that an answer has taken, at least 50 ms, at
+     * most {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts, unless it shows that the board
+     * was just starting.
      *
      * @param answerAt time at which the first message arrived
      */

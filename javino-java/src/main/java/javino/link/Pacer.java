@@ -6,16 +6,17 @@ import java.util.concurrent.TimeUnit;
  * Decides when the next frame may be handed to the driver, from the time and from all that was written and received before.
  *
  * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And the
- * limits of version 1 boards. They read all that has arrived between two rounds of their {@code loop()}, with room for one message, and
- * restart if the beginning of a frame follows a message in what they read. They do not read while they send an answer. So
+ * limits of version 1 boards. Between two rounds of their {@code loop()} they read all bytes that have arrived, and have room for one
+ * message. If these bytes hold a message and the beginning of another frame, the board restarts. Boards do not read while they send an
+ * answer. So
  * <ul>
- *   <li>a frame starts an inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
- *       far as {@link LoopTime} knows it, and at least what was asked for. Exception: the first action behind the answer to the only
- *       request, if no action was written since, starts at once. The board has handled all that it received;
+ *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
+ *       far as {@link LoopTime} knows it, and at least that of the settings. Exception: if only one request was open and no action was
+ *       written after it, the first action behind its answer starts at once, since the board has handled all that it received;
  *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
  *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
  *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request;
- *   <li>while a board that has answered before does not answer in time, it gets no actions but urgent ones: see {@link SilentBoardHold}.
+ *   <li>while a board that has answered before does not answer in time, it gets only urgent actions: see {@link SilentBoardHold}.
  * </ul>
  * Version 2 boards tell how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
@@ -47,7 +48,7 @@ final class Pacer {
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
     private int unanswered; // number of requests in a row without an answer
-    private boolean boardIsIdle; // the board has nothing to handle, so the next frame meets no message
+    private boolean boardIsIdle; // the board has nothing to handle, so the next frame follows no unread message
     private long busyUntil;
     private final SilentBoardHold silence = new SilentBoardHold();
     private int lateAnswers; // late answers in a row
@@ -87,7 +88,7 @@ final class Pacer {
         return paced ? silence.nanosHeld(now) : 0;
     }
 
-    /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the gap can be. */
+    /** Returns whether the board's answers begin so late that its {@code loop()} takes longer than the longest gap. */
     boolean isSlow() {
         return silence.isAnswering() && lateAnswers >= MANY_LATE;
     }

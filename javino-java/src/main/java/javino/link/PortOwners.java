@@ -11,7 +11,8 @@ import javino.PortInterruptedException;
 import javino.Transports;
 
 /**
- * The owners of ports: one table for the program, as the devices of a machine are, by {@linkplain Transports#canonicalName canonical name}.
+ * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the whole program, since the devices belong to
+ * the machine.
  */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
@@ -32,7 +33,7 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** Notes that the port is about to be given back: the next owner waits for it. Idempotent. */
+        /** Notes that the port is about to be given back: the next owner waits until it is free. Idempotent. */
         void leave() {
             isLeaving = true;
         }
@@ -48,7 +49,7 @@ final class PortOwners {
         }
     }
 
-    /** A hold on a line that is no port of the machine, and so excludes nobody. */
+    /** A claim to a line that is no port of the machine. It keeps nobody from the line. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }

@@ -16,6 +16,7 @@ final class RequestChannel {
     /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
+    private static final Frame KINDS_REQUEST = Frame.of(PerceptsRequest.KINDS);
     private static final int REQUEST_BYTES = 50;
 
     private final SessionLine line;
@@ -64,8 +65,8 @@ final class RequestChannel {
     }
 
     /**
-     * Like {@link #awaitStart}, if another thread {@linkplain #listen listens} and HELLO is all that is to be said: the listener reads the
-     * answer, so an action need not wait until it has heard something. Any thread.
+     * Like {@link #awaitStart}, but only if another thread {@linkplain #listen listens} and only HELLO has to be said: that thread reads
+     * the answer, so an action need not wait until it has heard a message. Any thread.
      *
      * @return whether HELLO has been said
      */
@@ -118,6 +119,11 @@ final class RequestChannel {
         return answer == null && board.speaks2() // its session has a request's time to begin, if it has not begun
                 ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
                 : answer;
+    }
+
+    /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or gives no answer in time. */
+    Reply requestKinds(int timeoutMillis) throws PortException {
+        return board.speaks2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
 
     private Reply requestInVersion2(Frame request, long waitMillis) throws PortException {

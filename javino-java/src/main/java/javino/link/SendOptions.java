@@ -5,7 +5,7 @@ import javino.CommandReplacedException;
 /**
  * Options of a command, see {@link Link#send(String, SendOptions)}.
  *
- * @param urgent whether it goes before the commands that wait and are not urgent
+ * @param urgent whether the command goes before waiting commands that are not urgent
  * @param limitMillis milliseconds from the call after which its outcome is known in any case; 0: there is no such limit
  * @param latest whether it takes the place of commands of the same functor that wait and have not begun to go out; they fail with
  *     {@link CommandReplacedException}

@@ -16,7 +16,7 @@ public record StrayBytes(long count, String first, int baud) {
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Returns whether they are text, but for a few: a sketch prints text, while bytes read at a wrong rate are none. */
+    /** Returns whether all but a few of them are text: a sketch prints text, while bytes read at a wrong rate are no text. */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)
@@ -26,8 +26,8 @@ public record StrayBytes(long count, String first, int baud) {
 
     /** Describes the bytes and their likely cause. */
     public String inWords() {
-        return count + (count == 1 ? " byte" : " bytes") + " came since the last message and are none: \"" + shown()
-                + (count > first.length() ? "\"…, " : "\", ") + cause();
+        return count + (count == 1 ? " byte" : " bytes") + " came since the last message and are no message: \""
+                + shown() + (count > first.length() ? "\"…, " : "\", ") + cause();
     }
 
     private String cause() {

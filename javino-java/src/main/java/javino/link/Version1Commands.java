@@ -65,7 +65,7 @@ final class Version1Commands {
         return underWay != null || mustAskFirst() ? Monitor.FOREVER : writer.nanosUntilCommand();
     }
 
-    /** Nanoseconds until {@link #endArrived} ends a command, or {@link #mustLook}. */
+    /** Nanoseconds until {@link #endArrived} ends a command, or {@link #mustLook} is true. */
     long nanosUntilArrived(long now) {
         if (!isWritten) {
             return Monitor.FOREVER;

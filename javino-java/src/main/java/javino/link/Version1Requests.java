@@ -22,7 +22,7 @@ final class Version1Requests {
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
-    private Reply overheard; // the newest message that came meanwhile, for a caller that listens; null: none
+    private Reply overheard; // the answer to such a request, for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
@@ -31,7 +31,7 @@ final class Version1Requests {
         this.board = board;
     }
 
-    /** Sets whether requests from now on are made for the sake of an action. */
+    /** Sets whether requests from now on are only made before an action. */
     void askForAction(boolean value) {
         isForAction = value;
     }
@@ -65,7 +65,7 @@ final class Version1Requests {
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
-    /** Writes a request, unless the board speaks version 2 after all, and returns when its last byte leaves. */
+    /** Writes a request, unless the board speaks version 2 after all, and returns the time at which its last byte leaves. */
     long ask(Frame request, int timeoutMillis) throws PortException {
         long sent = writer.write(FrameWriter.Kind.REQUEST, request.length(), timeoutMillis, () -> {
             if (!(isForAction && isListening)) {
@@ -83,7 +83,7 @@ final class Version1Requests {
         return sent;
     }
 
-    /** Brings the exchange whose first message has come to its end, and returns the answer. */
+    /** Ends an exchange whose first message has come, and returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
         board.heard();
         Reply answer = last(first, timeoutMillis);
@@ -107,7 +107,7 @@ final class Version1Requests {
         return newest(message);
     }
 
-    /** The next message, if it comes by {@code deadline}, or is coming then and complete by {@code giveUp}; else null. */
+    /** The next message if it is complete by {@code deadline}, or still arrives then and is complete by {@code giveUp}; else null. */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
@@ -123,16 +123,16 @@ final class Version1Requests {
     }
 
     /**
-     * The answer to the last request, when the first message behind it has come.
+     * The answer to the last request.
      *
-     * @param first that message
+     * @param first the first message that came after that request
      */
     private Reply last(Reply first, int timeoutMillis) throws PortException {
         if (owed.mayBeLate()) {
             return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
-        return newest(first); // the intact answer may come behind one that was cut
+        return newest(first); // the intact answer may come behind a truncated one
     }
 
     /** Returns the newest message that is there: {@code message}, unless other messages have come behind it. */

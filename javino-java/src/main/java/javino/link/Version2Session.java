@@ -12,6 +12,7 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
+import javino.wire.VocabularyPage;
 import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
@@ -42,6 +43,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private boolean hasDropped; // an answer was dropped, and none has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
+    private boolean hasToldUndescribed;
 
     Version2Session(
             Monitor monitor,
@@ -278,6 +280,16 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
             reports.warn("port " + port + " sent a frame " + kind
                     + " that cannot be read here, so it is dropped, as are others without a further warning;"
                     + " does the board run the library of this version of ARGO?");
+        }
+    }
+
+    @Override
+    public void undescribed(int described, int total) {
+        if (!hasToldUndescribed) {
+            hasToldUndescribed = true;
+            reports.warn("port " + port + ": the board describes " + described + " of its " + total
+                    + " actions and no more, so none of them is known here; is the name of the next one longer than "
+                    + VocabularyPage.MAX_NAME + " bytes, which no page of the vocabulary holds?");
         }
     }
 

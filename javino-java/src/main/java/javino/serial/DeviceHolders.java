@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Finds the processes that have a device open, on systems with a {@code /proc}; finds only processes that this user may look into. */
+/** Finds the processes that have a device open, on systems with a {@code /proc}, if this user may look into them. */
 final class DeviceHolders {
     private DeviceHolders() {}
 
@@ -16,7 +16,7 @@ final class DeviceHolders {
 
     /**
      * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty when none can be seen, and for a device
-     * that does not show in the file system. The program at the far end of a pseudo-terminal, which is the board, is none of them.
+     * that does not show in the file system. The program at the far end of a pseudo-terminal is left out, since it is the board.
      */
     static List<String> of(SerialDevice device) {
         if (!device.hasNode()) {

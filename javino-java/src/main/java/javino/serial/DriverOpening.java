@@ -9,17 +9,17 @@ import java.util.function.IntSupplier;
 import javino.PortInterruptedException;
 
 /**
- * Opens devices one after the other, since jSerialComm has one error code of a failed opening for the whole program. A device whose driver
- * takes long, as a Bluetooth one may, holds up the others for a moment only: then they are opened beside it. Safe on any thread.
+ * Opens devices one after the other, since jSerialComm keeps one error code for the whole program, that of the last failed opening. If a
+ * driver takes long, as for Bluetooth, the others wait only a moment, and are then opened at the same time. Safe on any thread.
  */
 final class DriverOpening {
-    /** Stands for an error code that may be another opening's. */
+    /** Stands for an error code that may be that of another opening. */
     static final int UNKNOWN_CODE = -1;
 
     private final ReentrantLock turn = new ReentrantLock(true);
     private final long maxWaitNanos;
 
-    /** @param maxWait time that one opening waits for another at most */
+    /** @param maxWait the longest time that an opening waits for another */
     DriverOpening(Duration maxWait) {
         maxWaitNanos = maxWait.toNanos();
     }
@@ -27,7 +27,7 @@ final class DriverOpening {
     /**
      * Opens a device.
      *
-     * @param open the driver's work; false: it failed
+     * @param open opens the device by its driver; returns false if that fails
      * @param errorCode gives the driver's error code of the failure
      * @return empty if the device is open, else the driver's error code or {@link #UNKNOWN_CODE}
      * @throws PortInterruptedException if the thread is interrupted while it waits for another opening

@@ -10,7 +10,7 @@ enum OpenFailure {
     NO_PERMISSION,
     OTHER;
 
-    // errno of Linux and macOS; EAGAIN, which a lock that another process holds gives, is the one that differs
+    // errno of Linux and macOS; only EAGAIN differs, which is given if another process holds the lock
     private static final Set<Integer> POSIX_NO_DEVICE =
             Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */, 21 /* EISDIR */, 25 /* ENOTTY */);
     private static final Set<Integer> POSIX_NOT_ALLOWED = Set.of(1 /* EPERM */, 13 /* EACCES */);

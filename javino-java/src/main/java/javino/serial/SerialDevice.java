@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The place of a serial device of a given name. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name
- * on Windows.
+ * The name of a serial device, and the place where that device is found. A name without a slash is {@code /dev/NAME} on Linux and macOS,
+ * and the device's own name on Windows.
  *
  * @param name the name, as it was given
  * @param path the path for the driver to open

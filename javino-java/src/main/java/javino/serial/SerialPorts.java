@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javino.PortFaultException;
 
-/** Finds out about serial devices without opening them, which would reset most boards. Safe on any thread. */
+/** Finds out about serial devices without opening them, since opening resets most boards. Safe on any thread. */
 public final class SerialPorts {
     private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a text that it does not know
 
@@ -32,7 +32,7 @@ public final class SerialPorts {
         }
     }
 
-    /** Like {@link #list}; empty where jSerialComm cannot run, which opening a device reports. */
+    /** Like {@link #list}, but empty if jSerialComm cannot run; opening a device reports that. */
     static List<SerialPortInfo> present() {
         try {
             return list();
@@ -57,7 +57,7 @@ public final class SerialPorts {
                 known(port.getSerialNumber()));
     }
 
-    /** The name to open the port by: a device that is not in {@code /dev} itself, as pseudo-terminals are, has its path. */
+    /** The name to open the port by; for a device below a folder of {@code /dev}, such as a pseudo-terminal, its path. */
     private static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
         return device.hasNode() && !device.path().equals(port.getSystemPortPath())

@@ -19,31 +19,31 @@ final class SerialTransport extends DriverTransport {
 
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** The time that closing waits for a read that should have ended. */
+    /** The longest time that closing waits for a read to end. */
     private static final int READ_END_MILLIS = 2_000;
-    /** The time that the driver may take to close the port, behind a write that waits. */
+    /** The longest time that the driver gets to end a waiting write and close the port. */
     private static final int CLOSE_MILLIS = 2_000;
-    /** The interval at which the driver is asked, when less than a slice is left, while bytes are on their way or an answer may be near. */
+    /** The interval at which the driver is asked for bytes in the last slice of a wait, on a line that was used just now. */
     private static final long POLL_NANOS = 250_000L;
-    /** The interval on a line that has been still for long: an unasked message comes seldom, and each question costs. */
+    /** The interval on a line that has been still for long: an unasked message comes seldom, and each question takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** The driver is asked again when the line has been still for this share of time longer. */
+    /** The interval is the time for which the line has been still, divided by this. */
     private static final int STILL_SHARE = 8;
 
-    /** The time that written bytes may take to leave the driver, which drops the rest when it closes the port. */
+    /** The time that written bytes get to leave the driver, since closing the port drops the rest. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that a driver takes if it does not tell how many wait in it, as that of a pseudo-terminal: a quarter of the bytes that one
-     * holds in Linux, and fewer than one in macOS holds at 9600 baud.
+     * Bytes that a driver certainly takes if it does not tell how many wait in it, as that of a pseudo-terminal does not. In Linux a
+     * pseudo-terminal holds four times as many, in macOS at 9600 baud also more than these.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
-    /** Held while the driver reads, so that it is not closed under it. */
+    /** Held while the driver reads, so that no other thread closes the driver meanwhile. */
     final ReentrantLock reading = new ReentrantLock();
 
     private final SerialPort port;
@@ -100,8 +100,8 @@ final class SerialTransport extends DriverTransport {
     }
 
     /**
-     * The time for which the driver is not asked after the line has been still for {@code stillNanos}: asking costs more than all else at
-     * 50 Hz.
+     * The time until the driver is asked again if the line has been still for {@code stillNanos}. At 50 Hz asking costs more than all other
+     * work.
      */
     static long pollNanos(long stillNanos) {
         return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
@@ -124,7 +124,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Takes the reading's lock; an interrupt ends the wait for it, but not a read of bytes that have arrived. */
+    /** Takes the lock {@link #reading}. An interrupt ends the wait for it; an interrupted thread still gets a free lock. */
     private void awaitReading() throws PortInterruptedException {
         try {
             if (!reading.tryLock()) {
@@ -180,7 +180,10 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Closes the port, which ends a write that waits; returns whether the driver returns from it in time, unless this is interrupted. */
+    /**
+     * Closes the port, which ends a waiting write. Returns false if the driver takes too long; true if it is done or the calling thread is
+     * interrupted.
+     */
     private boolean closePort() {
         Thread closing = new Thread(port::closePort, "close " + name());
         closing.setDaemon(true);
@@ -201,7 +204,7 @@ final class SerialTransport extends DriverTransport {
                         "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
-    /** Waits until the written bytes have left the driver, but not for a device that takes no more. */
+    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}; not if the device is lost. */
     private void linger() {
         long now = System.nanoTime();
         long deadline = now + MAX_LINGER_NANOS;

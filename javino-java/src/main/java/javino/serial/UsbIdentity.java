@@ -8,7 +8,7 @@ import javino.NoSuchPortException;
 /**
  * The identity of a device on USB, whatever name the system gives it: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
  *
- * @param serialNumber upper and lower case are the same, as Windows changes them; empty: any
+ * @param serialNumber compared without regard to case, since Windows changes it; empty: any
  */
 record UsbIdentity(int vendor, int product, String serialNumber) {
     private static final Pattern FORM = Pattern.compile("([0-9A-Fa-f]{1,4}):([0-9A-Fa-f]{1,4})(?::(.+))?");

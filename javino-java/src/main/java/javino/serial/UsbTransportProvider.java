@@ -2,7 +2,6 @@ package javino.serial;
 
 import java.util.List;
 import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import javino.LineSettings;
 import javino.NoSuchPortException;
 import javino.PortException;
@@ -13,13 +12,9 @@ import javino.Transports;
 /** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, whatever its name is now. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
-    /** On macOS each device has two names; this one begins the name for calls in. The name for calls out is the one to open. */
-    private static final String MAC_CALL_IN = "tty.";
-
-    private static final String MAC_CALL_OUT = "cu.";
 
     private final String scheme;
-    private final Supplier<List<SerialPortInfo>> present;
+    private final UsbDevices devices;
 
     /** The scheme {@code usb} and the devices of this machine. */
     public UsbTransportProvider() {
@@ -27,13 +22,13 @@ public class UsbTransportProvider implements TransportProvider {
     }
 
     /**
-     * The devices of another list than the driver's.
+     * Knows devices from another list than that of the driver.
      *
      * @param present the serial devices there are now; asked on any thread, about once a second while a device is waited for
      */
     protected UsbTransportProvider(String scheme, Supplier<List<SerialPortInfo>> present) {
         this.scheme = scheme;
-        this.present = present;
+        devices = new UsbDevices(present);
     }
 
     @Override
@@ -43,80 +38,27 @@ public class UsbTransportProvider implements TransportProvider {
 
     @Override
     public Transport open(String address, LineSettings line) throws PortException {
+        String port = port(address);
         return SerialTransport.open(
-                new SerialDevice(port(address), device(address).path()), line);
+                new SerialDevice(port, devices.device(port, address).path()), line);
     }
 
     @Override
     public String canonicalName(String address) {
+        String port = port(address);
         try {
-            return Transports.SERIAL + ':' + device(address).canonicalAddress();
+            return Transports.SERIAL + ':' + devices.device(port, address).canonicalAddress();
         } catch (NoSuchPortException e) {
-            return port(address); // the address names no device now
+            return port; // the address names no device now
         }
     }
 
     @Override
     public boolean isPresent(String address) {
         try {
-            return !fitting(address).isEmpty(); // if several fit, opening fails with their list
+            return !devices.fitting(port(address), address).isEmpty(); // if several fit, opening fails with their list
         } catch (NoSuchPortException e) {
             return false;
         }
-    }
-
-    private SerialDevice device(String address) throws NoSuchPortException {
-        List<SerialPortInfo> fitting = fitting(address);
-        return switch (fitting.size()) {
-            case 0 -> throw nothing(port(address), onUsb());
-            case 1 -> SerialDevice.of(fitting.get(0).name());
-            default -> throw severalAlike(port(address), fitting);
-        };
-    }
-
-    private List<SerialPortInfo> fitting(String address) throws NoSuchPortException {
-        UsbIdentity identity = UsbIdentity.of(port(address), address);
-        return onUsb().stream().filter(identity::fits).toList();
-    }
-
-    private List<SerialPortInfo> onUsb() {
-        return onceEach(present.get().stream()
-                .filter(port -> port.usbName().isPresent())
-                .toList());
-    }
-
-    private static NoSuchPortException nothing(String port, List<SerialPortInfo> present) {
-        return new NoSuchPortException(
-                port,
-                "there is no USB device " + port + "; "
-                        + (present.isEmpty()
-                                ? "there are no serial devices on USB now (is the board plugged in?)"
-                                : "the serial devices on USB are: " + listed(present)));
-    }
-
-    private static NoSuchPortException severalAlike(String port, List<SerialPortInfo> alike) {
-        long identities = alike.stream().map(SerialPortInfo::usbName).distinct().count();
-        return new NoSuchPortException(
-                port,
-                "port " + port + " is " + alike.size() + " devices: " + listed(alike) + "; "
-                        + (identities == alike.size()
-                                ? "give the serial number, too"
-                                : "USB cannot tell them apart, so give the name of the device")
-                        + " (on Linux \"/dev/serial/by-path/…\" names a socket)");
-    }
-
-    private static String listed(List<SerialPortInfo> ports) {
-        return ports.stream()
-                .map(port -> port.name() + " (" + port.usbName().orElseThrow() + ")")
-                .collect(Collectors.joining(", "));
-    }
-
-    /** Returns {@code ports} without the second names that macOS has for the same devices. */
-    static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
-        List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
-        return ports.stream()
-                .filter(port -> !port.name().startsWith(MAC_CALL_IN)
-                        || !devices.contains(MAC_CALL_OUT + port.name().substring(MAC_CALL_IN.length())))
-                .toList();
     }
 }

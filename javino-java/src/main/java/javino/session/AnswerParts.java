@@ -14,7 +14,7 @@ final class AnswerParts {
     private int request = NONE;
     private int parts;
 
-    /** Takes a frame of percepts; returns the answer that it completes, or makes void; null: neither. */
+    /** Takes a frame of percepts. Returns the answer if the frame completes it, or shows that a part of it is missing; else null. */
     Answer accept(WireFrame frame) {
         String payload = frame.payload();
         boolean isWhole = frame.kind() == FrameKind.PERCEPTS;

@@ -4,7 +4,7 @@ package javino.session;
 public enum CommandOutcome {
     /** The board has carried it out. */
     DONE,
-    /** The board does not know it, or not with these arguments. */
+    /** The board does not know it, takes other arguments, or refuses it now. */
     REFUSED,
     /** The board has begun it, and has reported later that it could not carry it out. */
     FAILED,

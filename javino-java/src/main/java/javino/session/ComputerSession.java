@@ -16,8 +16,8 @@ import javino.wire.WireFrame;
  * The computer's end of a line of version 2. It is given the frames that come, and asked for the next frame to write whenever the line is
  * free: repetitions first, then a request for percepts, then commands, then a request for the board's vocabulary.
  *
- * <p>It is closed, and then sends nothing by itself, until {@link #open} or the answer to a {@link #hello}. Then it goes from session to
- * session until it is closed, or the board is silent. One thread at a time.
+ * <p>At first it is closed and sends nothing by itself, until {@link #open} or the answer to a {@link #hello}. From then on one session
+ * follows another, until it is closed or the board is silent. One thread at a time.
  *
  * @param <C> the commands
  */
@@ -33,7 +33,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
     private static final long SILENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
     private static final int SILENT_REPETITIONS = 4;
-    /** Bytes of payload of a frame of several commands. */
+    /** The most bytes of payload of a frame with several commands. */
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
@@ -69,7 +69,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     /**
      * @param byteNanos nanoseconds that a byte takes on the line
-     * @param answerLimit bytes that an answer has at most
+     * @param answerLimit the most bytes of an answer
      * @param random chooses nonces
      */
     public ComputerSession(long byteNanos, int answerLimit, RandomGenerator random, SessionListener<C> listener) {
@@ -90,7 +90,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return state == State.OPEN;
     }
 
-    /** Returns whether something is to come from the board, answers to requests aside. */
+    /** Returns whether the board still has to send something besides answers to requests. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
@@ -140,16 +140,16 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Asks for percepts, and again until {@link #cancelRequest} or the answer is reported. Percepts received before the request has gone
-     * out are no answer to it.
+     * Asks for percepts, again and again, until {@link #cancelRequest} or the report of the answer. Percepts received before the request
+     * has gone out are no answer to it.
      *
-     * @param functors nothing for all, or {@code (dist,light)}
+     * @param functors empty for all, or {@code (dist,light)}
      */
     public void request(String functors, long now) {
         requests.want(functors, now);
     }
 
-    /** Ends asking. */
+    /** Stops asking for percepts. */
     public void cancelRequest() {
         requests.cancel();
     }
@@ -222,8 +222,8 @@ public final class ComputerSession<C extends SessionCommand> {
                 VocabularyPage page = VocabularyPage.read(frame.payload());
                 if (page == null) {
                     listener.unreadable(frame.kind());
-                } else {
-                    vocabulary.accept(page, now);
+                } else if (!vocabulary.accept(page, now)) {
+                    listener.undescribed(page.first(), page.total());
                 }
             }
             case CRITICAL -> {
@@ -353,7 +353,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private boolean requestIsDue(long now) {
         return requests.nanosUntilDue(now) == 0
-                && (window.size() == 0 || window.bytes() + WireFrame.OVERHEAD + 1 <= welcome.credit());
+                && (window.size() == 0 || window.hasRoomFor(WireFrame.OVERHEAD + 1, 0, welcome.credit()));
     }
 
     private WireFrame request(long now) {
@@ -438,7 +438,7 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
-    /** Bytes of the longest text that the board takes for a command, or for a command that changes its rules. */
+    /** The most bytes that the board takes as the text of a command, or of a command that changes its rules. */
     public int longestText(boolean isRule) {
         int payload = welcome.longestPayload();
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
@@ -452,16 +452,16 @@ public final class ComputerSession<C extends SessionCommand> {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if the frame has room for it, and the credit for the frame beside those that are out. Returns whether it did. */
+        /** Adds an item if the frame has room for it, and {@linkplain Window#hasRoomFor the board} for the frame; else returns false. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
             boolean fits = isAlone || longer.length() <= Math.min(MAX_ROW, welcome.longestPayload());
-            int out = window.bytes() + requests.bytes() + WireFrame.OVERHEAD + longer.length();
+            int bytes = WireFrame.OVERHEAD + longer.length();
             for (int i = 0; i < longer.length(); i++) {
-                out += longer.charAt(i) == 0xA4 || longer.charAt(i) == 0xA5 ? 1 : 0;
+                bytes += longer.charAt(i) == 0xA4 || longer.charAt(i) == 0xA5 ? 1 : 0;
             }
-            if (!fits || out > welcome.credit() && !(isAlone && isFirst)) {
+            if (!fits || !(isAlone && isFirst) && !window.hasRoomFor(bytes, requests.bytes(), welcome.credit())) {
                 return false;
             }
             payload = longer;
@@ -524,7 +524,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
     }
 
-    /** Returns whether there is a frame of commands to be written, be it a repetition. */
+    /** Returns whether a frame of commands is to be written, new or repeated. */
     private boolean hasCommands(WaitingCommands<C> waiting) {
         if (window.unsent() < window.size()) {
             return new Row(window.bytes() == 0).add(repetitionOf(window.get(window.unsent())));

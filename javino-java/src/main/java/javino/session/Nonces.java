@@ -6,7 +6,7 @@ import java.util.random.RandomGenerator;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions. Their HELLO needs no escape and holds no {@code f}, since frames of version 1 begin with it. */
+/** Chooses the nonces of sessions. Their HELLO needs no escape and holds no {@code f}, since {@code f} begins a frame of version 1. */
 final class Nonces {
     private static final List<Integer> USABLE = usable();
 
@@ -37,8 +37,7 @@ final class Nonces {
     }
 
     /**
-     * A nonce that differs from those before, as long as there are others, so that a late WELCOME with an earlier one is not taken for the
-     * answer.
+     * A nonce that was not used before, as long as there is one, so that a late WELCOME with an earlier nonce is not taken for the answer.
      */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();

@@ -29,7 +29,7 @@ final class Requests {
     private final PerceptDecoder reader = new PerceptDecoder();
     private final AnswerParts parts = new AnswerParts();
     private long asked; // requests in this session
-    private long answered; // requests up to the last that was asked when an answer came
+    private long answered; // how many of them are answered, or older than an answered one
     private String wanted; // functors; null: nothing is asked
     private boolean isOut; // a request for the wanted functors is out
     private boolean isDamaged;
@@ -53,7 +53,7 @@ final class Requests {
         dueAt = now;
     }
 
-    /** Ends asking: nobody waits for the answer any more. */
+    /** Stops asking: nobody waits for the answer any more. */
     void cancel() {
         wanted = null;
     }
@@ -98,7 +98,7 @@ final class Requests {
         }
         isOut = true;
         isDamaged = false;
-        String functors = wanted.length() < longestPayload ? wanted : ""; // a board may send others, so it may send all
+        String functors = wanted.length() < longestPayload ? wanted : ""; // else all: a board may send more than wanted
         WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
         bytes = frame.toBytes(nonce).length;
         return frame;
@@ -114,7 +114,7 @@ final class Requests {
         lastByteAt = now;
     }
 
-    /** Records that a frame has come that was damaged: it may have been the answer. */
+    /** Records that a damaged frame has come, which may have been the answer. */
     void damaged() {
         isDamaged |= isOut;
     }

@@ -16,7 +16,7 @@ final class RetransmissionTime {
     private long smoothedNanos; // 0: none has been measured
     private int doublings;
 
-    /** Records the time from the last byte of a frame that was sent once to its acknowledgement. */
+    /** Records the time between the last byte of a frame and its acknowledgement. The frame was sent only once. */
     void measured(long nanos) {
         long atLeast1 = Math.max(1, nanos);
         smoothedNanos =

@@ -12,6 +12,6 @@ public interface SessionCommand {
         return null;
     }
 
-    /** Returns whether its time is over, or nobody waits for its outcome any more: then it is not to be carried out later. */
+    /** Returns whether its time is over, or nobody waits for its outcome any more: then the board must not carry it out any more. */
     boolean isOver();
 }

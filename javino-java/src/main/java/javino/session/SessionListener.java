@@ -27,8 +27,14 @@ public interface SessionListener<C> {
     /** An answer of more bytes than the limit was dropped. */
     void dropped();
 
-    /** A frame was dropped that has arrived whole: its payload says nothing that is known here. */
+    /** An intact frame was dropped, since its payload has no known form. */
     void unreadable(FrameKind kind);
+
+    /**
+     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known, so the rest stays
+     * unknown. Called for each such page.
+     */
+    void undescribed(int described, int total);
 
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);

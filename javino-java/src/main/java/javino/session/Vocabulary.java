@@ -65,7 +65,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. A page that has stayed out comes while the line is read for another reason. */
+    /** Returns whether a page may come soon. A late page is read when the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }
@@ -81,9 +81,13 @@ final class Vocabulary {
         return WireFrame.of(FrameKind.DESCRIBE, request, "" + (char) actions.size());
     }
 
-    void accept(VocabularyPage page, long now) {
-        if (!asks() || page.first() != actions.size() || page.actions().isEmpty() && page.total() > actions.size()) {
-            return;
+    /** Takes a page; false: it is the wanted page, but has no action although some are missing. */
+    boolean accept(VocabularyPage page, long now) {
+        if (!asks() || page.first() != actions.size()) {
+            return true;
+        }
+        if (page.actions().isEmpty() && page.total() > actions.size()) {
+            return false;
         }
         for (BoardAction action : page.actions()) {
             if (action.arguments() == 0 || action.arguments() == BoardAction.ANY) {
@@ -99,5 +103,6 @@ final class Vocabulary {
         }
         doublings = 0;
         dueAt = now;
+        return true;
     }
 }

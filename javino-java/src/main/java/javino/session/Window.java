@@ -6,7 +6,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.OptionalLong;
 
-/** The commands that are out, and the frames that carry them. */
+/** The commands that are out, {@value #SIZE} at most, and the frames that carry them. */
 final class Window<C> {
     static final int SIZE = 16;
 
@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. It ends in front of the command at place {@code end} among the commands that are out. */
+    /** A frame on its way. It carries commands up to, but not including, place {@code end} of those that are out. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
@@ -37,7 +37,7 @@ final class Window<C> {
     private int unsent; // place of the first command that is to be sent again
     private OptionalLong roundTrip = OptionalLong.empty();
 
-    /** The number of the oldest command that is out, or of the next one. */
+    /** The number of the oldest command that is out; if none is out, of the next one. */
     int oldest() {
         return oldest;
     }
@@ -65,6 +65,16 @@ final class Window<C> {
             bytes += frame.bytes;
         }
         return bytes;
+    }
+
+    /**
+     * Returns whether a frame of {@code bytes} may go out beside the frames that are on their way, within the board's credit.
+     *
+     * @param requestBytes bytes of the requests that are on their way
+     * @param credit the most bytes that the board can take at once
+     */
+    boolean hasRoomFor(int bytes, int requestBytes, int credit) {
+        return bytes() + requestBytes + bytes <= credit;
     }
 
     void add(C command) {
@@ -110,7 +120,7 @@ final class Window<C> {
         return handled;
     }
 
-    /** The round trip of the newest frame in the last acknowledgement that had been sent once; empty: there is none. */
+    /** The round trip of the newest frame that the last acknowledgement covers and that was sent only once; empty: there is none. */
     OptionalLong roundTrip() {
         return roundTrip;
     }

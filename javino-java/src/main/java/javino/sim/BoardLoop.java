@@ -22,10 +22,11 @@ import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /**
- * Runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the version of the
- * protocol in which it came.
+ * Runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the protocol version
+ * of the message.
  *
- * <p>One loop serves one opening of the port. Its thread, the board's, calls all methods; {@link #say} and {@link #write} are safe on any.
+ * <p>One loop serves one opening of the port. All methods are called on its thread, that of the board; only {@link #say} and {@link #write}
+ * are safe on any thread.
  */
 public final class BoardLoop {
     private static final System.Logger LOG = System.getLogger(BoardLoop.class.getName());
@@ -44,7 +45,8 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // version of the message handled last
-    // total silence: the receiver's clock, by which bytes that waited in a buffer or for this thread are not late
+    // the sum of all silences. It is the receiver's clock, so that bytes which waited in a buffer or for this thread do
+    // not count as late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;
@@ -64,10 +66,10 @@ public final class BoardLoop {
     }
 
     /**
-     * @param line the board's end
+     * @param line the board's end of the line
      * @param reads the version whose messages are found, or both
      * @param capacity the capacity that it reports to computers of version 2
-     * @param clock the line's
+     * @param clock the clock of the line
      */
     public BoardLoop(
             Transport line, BoardProgram program, Protocol reads, BoardSession.Capacity capacity, LineClock clock) {
@@ -100,7 +102,7 @@ public final class BoardLoop {
     /**
      * Handles messages until the line is gone.
      *
-     * @throws javino.PortGoneException when it is
+     * @throws javino.PortGoneException when the line is gone
      * @throws InterruptedException if the thread is interrupted
      */
     public void run() throws PortException, InterruptedException {
@@ -110,9 +112,9 @@ public final class BoardLoop {
     }
 
     /**
-     * Handles the next message, waiting for one at most {@code timeoutMillis}; as {@link #run}.
+     * Handles the next message, waiting for one at most {@code timeoutMillis}; throws as {@link #run} does.
      *
-     * @param timeoutMillis milliseconds, at least 0; while there are rules to watch it waits for a few at most
+     * @param timeoutMillis milliseconds, at least 0; while the board watches rules, it waits only a few milliseconds
      */
     public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);
@@ -231,7 +233,7 @@ public final class BoardLoop {
         return session;
     }
 
-    /** The number of times that the line has been silent while this waited for a byte; safe on any thread. */
+    /** The number of waits for a byte that ended without one; safe on any thread. */
     int silences() {
         return silences;
     }
@@ -239,7 +241,7 @@ public final class BoardLoop {
     /**
      * Returns whether everything that was written to the board has been read and handled; safe on any thread.
      *
-     * @param silencesBefore {@link #silences} at an earlier time: on a line that cannot be seen to be empty, two more have to follow
+     * @param silencesBefore {@link #silences} at an earlier time: two more show that a line is empty if nothing else can show it
      */
     boolean isDrained(int silencesBefore) {
         return line instanceof MemoryLine.End end ? end.isRead(handled) : silences - silencesBefore >= 2;
@@ -264,7 +266,7 @@ public final class BoardLoop {
         }
     }
 
-    /** Sends the messages that a text needs in {@link #version}, but for the last, and returns that one. */
+    /** Splits a text into the messages that it needs in {@link #version}, sends all but the last, and returns the last. */
     String sayBeginning(String text) throws PortException, InterruptedException {
         List<String> messages = version == 1 ? MessageParts.of(text) : List.of(text);
         if (!hasToldLeftOut && messages.stream().mapToInt(String::length).sum() < text.length()) {
@@ -272,7 +274,7 @@ public final class BoardLoop {
             LOG.log(
                     System.Logger.Level.WARNING,
                     "the board at port " + line.name() + " has a percept of more than " + Frame.MAX_PAYLOAD
-                            + " bytes, which version 1 cannot carry; it is left out, as are others without a further warning");
+                            + " bytes, which version 1 cannot carry; it is left out. Further ones are left out without a warning");
         }
         for (String message : messages.subList(0, messages.size() - 1)) {
             say(message);
@@ -280,7 +282,7 @@ public final class BoardLoop {
         return messages.get(messages.size() - 1);
     }
 
-    /** The session's frames, on the thread that causes them. */
+    /** Sends a frame of the session, on the thread that causes it. */
     private void sendFrame(WireFrame frame, int nonce) throws PortException, InterruptedException {
         byte[] bytes = frame.toBytes(nonce);
         put(bytes);

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortException;
 import javino.wire.BoardAction;
@@ -23,10 +24,16 @@ public interface BoardProgram {
     }
 
     /**
-     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place here. At
-     * most 126 count, of names with at most 250 bytes. A computer is told how many others there are, and sends none of the others.
+     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place in this
+     * list. Only the first 126 actions with names of at most 250 bytes count. A computer is told how many others there are, and sends none
+     * of them.
      */
     default List<BoardAction> vocabulary() {
+        return List.of();
+    }
+
+    /** The kinds of percepts that it describes to computers of version 2; empty: it describes none. */
+    default List<PerceptKind> perceptKinds() {
         return List.of();
     }
 
@@ -49,6 +56,6 @@ public interface BoardProgram {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** Is called when the answer to a request has been given to the line, with the bytes of both. */
+    /** Is called with the numbers of bytes when the answer to a request has been given to the line. */
     default void answered(int requestBytes, int answerBytes) {}
 }

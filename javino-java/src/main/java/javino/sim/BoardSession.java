@@ -10,6 +10,7 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
+import javino.wire.PerceptDescription;
 import javino.wire.PerceptWriter;
 import javino.wire.ReflexOutcome;
 import javino.wire.VocabularyPage;
@@ -204,9 +205,9 @@ public final class BoardSession {
     }
 
     /**
-     * Reports the outcome of an action that {@link Outcome#LATER} was returned for. An action of an earlier session is ignored.
+     * Reports the outcome of an action for which {@link Outcome#LATER} was returned. An action of an earlier session is ignored.
      *
-     * @param action the value of {@link #openAction} at that time
+     * @param action the value of {@link #openAction} while the action is open
      */
     public void report(long action, boolean isDone) throws PortException, InterruptedException {
         synchronized (this) {
@@ -224,8 +225,13 @@ public final class BoardSession {
         synchronized (this) {
             known = Math.min(firstByte(ask), writer.numbered());
         }
-        String answer = program.percepts(PerceptsRequest.ALL
-                + ask.payload().substring(Math.min(1, ask.payload().length())));
+        String request = PerceptsRequest.ALL
+                + ask.payload().substring(Math.min(1, ask.payload().length()));
+        if (request.equals(PerceptsRequest.KINDS)) {
+            sendItems(ask.number(), PerceptWriter.itemsWithoutIds(PerceptDescription.texts(program.perceptKinds())));
+            return;
+        }
+        String answer = program.percepts(request);
         if (answer != null) {
             sendPercepts(ask.number(), answer);
         }
@@ -243,6 +249,10 @@ public final class BoardSession {
         synchronized (this) {
             items = writer.items(PerceptTerm.split(percepts), known);
         }
+        sendItems(request, items);
+    }
+
+    private void sendItems(int request, String items) throws PortException, InterruptedException {
         for (AnswerPart part : rules.isEmpty()
                 ? AnswerPart.split(request, items)
                 : AnswerPart.split(request, items, PART_WITH_RULES)) {

@@ -125,18 +125,18 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line. Reads of any other file only as much as shows that it is no recording, since that file may be endless. */
+    /** Reads the first line. Any other file may be endless, so this reads only as much of it as shows that it is no recording. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);
         int count = Math.max(0, text.read(beginning));
-        text.setLineNumber(1); // whatever was read, the first line is judged
-        // an editor's mark
+        text.setLineNumber(1); // errors name the first line, however much was read
+        // without the byte order mark of an editor
         String line =
                 new String(beginning, 0, count).lines().findFirst().orElse("").replaceFirst("^\\uFEFF", "");
         if (line.startsWith(HEADER_WORD) && !line.equals(HEADER)) {
             throw new IllegalArgumentException("a recording of format " + line.substring(HEADER_WORD.length())
-                    + ", of which only 1 can be read here");
+                    + "; only format 1 can be read here");
         }
         if (!HEADER.equals(line)) {
             throw new IllegalArgumentException("the first line of a recording is \"" + HEADER + "\"");

@@ -21,7 +21,7 @@ import javino.Transport;
  * unplugged it is gone for both at once. All methods are safe on any thread.
  */
 public final class MemoryLine {
-    /** Bytes a direction that the line holds unread. */
+    /** The most unread bytes that the line holds in each direction. */
     public static final int CAPACITY = 4096;
 
     private final Lock lock;

@@ -12,8 +12,8 @@ final class MessageParts {
     private MessageParts() {}
 
     /**
-     * The parts of a message that fit into frames of version 1, one at least: it is cut behind percepts, as boards do; a percept that is
-     * too long for a frame is left out.
+     * Cuts a message into parts that fit into frames of version 1, one at least. It cuts behind percepts, as boards do, and leaves out a
+     * percept that is too long for a frame.
      */
     static List<String> of(String message) {
         List<String> parts = PART.matcher(message)

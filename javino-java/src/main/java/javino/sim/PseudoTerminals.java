@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * Two pseudo-terminals joined by the program {@code socat}: bytes written to one are read from the other, as over a null-modem cable. For
- * tests and measurements that want the operating system's real serial devices without a board. Not for Windows.
+ * tests and measurements that need real serial devices of the operating system, but no board. Not for Windows.
  */
 public final class PseudoTerminals implements AutoCloseable {
     private static final long START_LIMIT_MILLIS = 10_000;
@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // an empty directory for temporary files, which nobody misses
+            directory.toFile().deleteOnExit(); // only an empty temporary directory stays until then
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -4,19 +4,17 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.concurrent.TimeUnit;
 
-/**
- * Writes a {@link LineRecording} as it comes about; messages that were written are there even if the program is killed. Safe on any thread.
- */
+/** Writes a {@link LineRecording}, message by message. Written messages stay even if the program is killed. Safe on any thread. */
 public final class RecordingWriter implements AutoCloseable {
     private final Writer out;
     private final long startNanos;
     private long latestMillis;
 
     /**
-     * Begins a recording, which is at 0 ms now.
+     * Begins a recording. Its time 0 ms is now.
      *
      * @param out takes the text; is closed by {@link #close}
-     * @param nowNanos nanoseconds of the clock that {@link #add} goes by
+     * @param nowNanos the present time, by the same clock as for {@link #add}
      */
     public RecordingWriter(Writer out, long nowNanos) throws IOException {
         this.out = out;

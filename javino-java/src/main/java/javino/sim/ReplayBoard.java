@@ -11,9 +11,10 @@ import javino.Transport;
  * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, this one answers each request with that board's last message by then, counted from
- * the first request, and with the last of all when the recording is over. Else it says everything unasked at its time, counted from the
- * opening of the port, and falls silent. It speaks both versions of the protocol, and takes any command.
+ * <p>If the recorded board was asked for its percepts, this one answers each request with the newest message that the recorded board had
+ * sent by that time, counted from the first request; after the end of the recording, with the last message. Else it sends each message
+ * unasked at its time, counted from the opening of the port, and then falls silent. It speaks both versions of the protocol, and takes any
+ * command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -40,7 +41,7 @@ public final class ReplayBoard implements SimulatedBoard {
         this.clock = clock;
     }
 
-    /** A board that goes by the machine's clock. */
+    /** A board that uses the machine's clock. */
     public static ReplayBoard of(LineRecording recording) {
         return of(recording, LineClock.system());
     }
@@ -58,19 +59,19 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * Returns this board, answering the first request with the first message, the second with the second, whatever the time. A request that
-     * the computer repeats, as it does in version 2 if an answer is late, is another one.
+     * Returns a copy of this board that answers the first request with the first message, the second request with the second message, at
+     * whatever time. A repetition of a request, as in version 2 after a late answer, counts as another request.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
     }
 
-    /** Returns this board, beginning anew when the recording is over. */
+    /** Returns a copy of this board that begins anew when the recording is over. */
     public ReplayBoard repeated() {
         return new ReplayBoard(said, asked, inTurn, true, commands, clock);
     }
 
-    /** Returns this board, telling {@code listener} each command that it gets, on its own thread. */
+    /** Returns a copy of this board that tells {@code listener} each command, on the board's thread. */
     public ReplayBoard tellingCommandsTo(Consumer<String> listener) {
         return new ReplayBoard(said, asked, inTurn, repeated, listener, clock);
     }
@@ -80,7 +81,7 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** Milliseconds from the recording's first message to the end of its last, which is taken to last as long as the others on average. */
+    /** The length of a round in ms: from the first message to the end of the last, which counts as long as the others are on average. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));

@@ -13,13 +13,12 @@ import javino.Transport;
 @FunctionalInterface
 public interface SimulatedBoard {
     /**
-     * The board's life from the opening of its port, as a sketch's is from reset, until {@code line} is gone.
+     * Runs the board's program from the opening of its port, as a board runs a sketch from reset, until {@code line} is gone.
      *
      * <p>Runs on a thread of its own, never twice at a time for one plugged board. Bytes take their time at the rate the port was opened
      * with, {@code line.line().baud()}. When the port is closed, calls on {@code line} throw {@link javino.PortGoneException}, as soon as
      * all bytes sent before have been read; let that exception through. The thread is interrupted when the board is unplugged, or opened
-     * again before this method has returned. When it returns, the port is gone for its owner; if it throws another exception the owner is
-     * told so.
+     * again before this method has returned. When it returns, the port is gone for its owner. The owner is told of any other exception.
      *
      * @param line the board's end
      */

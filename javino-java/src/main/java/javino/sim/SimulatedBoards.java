@@ -14,9 +14,9 @@ import javino.Services;
 import javino.Transport;
 
 /**
- * The simulated boards of this program, by name. Boards found as services are plugged in when they are first looked for, once each.
+ * The simulated boards of this program, by name. Boards found as services are plugged in, once each, when a name is first looked for.
  *
- * <p>This is one table for the program, as the devices of a machine are. All methods are safe on any thread.
+ * <p>There is one table for the whole program, as for the devices of a machine. All methods are safe on any thread.
  */
 public final class SimulatedBoards {
     /** The scheme of their ports. */

@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptKind;
 import javino.PortException;
 import javino.Transport;
 
@@ -21,9 +22,17 @@ public interface Sketch extends SimulatedBoard {
     List<String> percepts();
 
     /**
+     * Returns the kinds of its percepts, which tools, checks and the live view read: {@code
+     * PerceptKind.parseLines("dist(front|left, cm 0..400)")}. Unless overridden, it describes none.
+     */
+    default List<PerceptKind> perceptKinds() {
+        return List.of();
+    }
+
+    /**
      * Carries out a command, as {@code ledOn} or {@code speed(3)}.
      *
-     * @return whether it has one of that name; false: a plan's {@code argo.act} fails with {@code error(act_refused)}, in version 2
+     * @return whether the board knows the command; if not, a plan's {@code argo.act} fails with {@code error(act_refused)}, in version 2
      */
     boolean act(String command);
 

@@ -1,8 +1,10 @@
 package javino.sim;
 
+import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import javino.LineClock;
+import javino.PerceptKind;
 import javino.PerceptTerm;
 import javino.PerceptsRequest;
 import javino.PortException;
@@ -20,6 +22,11 @@ final class SketchProgram implements BoardProgram {
 
     void run() throws PortException, InterruptedException {
         loop.run();
+    }
+
+    @Override
+    public List<PerceptKind> perceptKinds() {
+        return sketch.perceptKinds();
     }
 
     @Override

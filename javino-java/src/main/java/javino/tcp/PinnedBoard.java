@@ -16,8 +16,8 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts only the board that shows one certificate, whoever issued it and whatever name is in it; as long as none is known, the first one
- * shown. The messages of its exceptions are for a person.
+ * Trusts only a board that shows the expected certificate, whoever issued it and whatever name is in it. If none is expected, it trusts the
+ * one that the board shows. The messages of its exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private final Optional<X509Certificate> expected;
@@ -54,7 +54,7 @@ final class PinnedBoard extends X509ExtendedTrustManager {
         } catch (CertificateExpiredException e) {
             throw new CertificateException("the board's certificate (" + fingerprint(found) + ") expired on "
                     + day(found.getNotAfter()) + ", and this computer's clock says " + day(now)
-                    + ". Put a new one on the board, and delete " + file + ", or put it there");
+                    + ". Put a new one on the board, and delete " + file + ", or put the new one there");
         } catch (CertificateNotYetValidException e) {
             throw new CertificateException(
                     "the board's certificate (" + fingerprint(found) + ") is valid from " + day(found.getNotBefore())

@@ -13,7 +13,7 @@ import javino.NoSuchPortException;
  */
 record TcpAddress(String host, int number) {
     private static final int MAX_NUMBER = 65_535;
-    // java.net.URI would do but for host names with an underscore, for which it knows neither host nor port
+    // java.net.URI finds neither host nor port if the host's name has an underscore
     private static final Pattern FORM =
             Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 

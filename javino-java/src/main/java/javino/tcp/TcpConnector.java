@@ -22,11 +22,11 @@ final class TcpConnector {
     /** The time limit of the host's lookup, and of connecting to all its addresses together; a local network needs a few milliseconds. */
     static final int LIMIT_MILLIS = 3_000;
 
-    /** Bytes written but not yet taken by the far end: few, so that no command waits behind old ones for long. */
+    /** Room for bytes that the far end has not taken yet: small, so that no command waits long behind old ones. */
     private static final int SEND_BUFFER = 4_096;
-    /** Bytes that have come but not been read: few, so that a board that talks all the time cannot fill it with outdated messages. */
+    /** Room for bytes that have come and are not read yet: small, so that outdated messages of a talkative board do not pile up. */
     private static final int RECEIVE_BUFFER = 32_768;
-    // a far end that vanished without a word is noticed on a line that rests in some seven seconds
+    // with these, some seven seconds on a resting line show that the far end has vanished without a word
     private static final int KEEPALIVE_IDLE_SECONDS = 2;
     private static final int KEEPALIVE_INTERVAL_SECONDS = 1;
     private static final int KEEPALIVE_PROBES = 5;

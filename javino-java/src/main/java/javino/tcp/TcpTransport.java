@@ -12,7 +12,7 @@ import javino.PortGoneException;
 /** A TCP connection to a board on the network, or to a serial server with a board behind it. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
-    /** The time that one read of the socket waits, which no interrupt ends. */
+    /** The longest time that one read of the socket waits, since no interrupt ends it. */
     private static final int MAX_SLICE_MILLIS = 100;
 
     private static final int DRAIN_BYTES = 65_536;
@@ -24,14 +24,14 @@ class TcpTransport extends DriverTransport {
         this(socket, socket.getInputStream(), name, line);
     }
 
-    /** As the other constructor, but reads from {@code in} in place of the socket's own input. */
+    /** Like the other constructor, but reads from {@code in} in place of the socket's own input. */
     TcpTransport(Socket socket, InputStream in, String name, LineSettings line) {
         super(name, line);
         this.socket = socket;
         this.in = in;
     }
 
-    /** Returns whether the input tells all bytes that have arrived as available; else only a read can tell. */
+    /** Returns whether {@link InputStream#available} counts all bytes that have arrived; else only a read can tell. */
     boolean isInputPlain() {
         return true;
     }
@@ -79,7 +79,7 @@ class TcpTransport extends DriverTransport {
 
     @Override
     protected String lossWhenRefused() {
-        return "the connection broke"; // only a default: a better reason is known by then
+        return "the connection broke"; // used only if no better reason is known
     }
 
     String broken(IOException e) {
@@ -94,11 +94,11 @@ class TcpTransport extends DriverTransport {
                 drain(socket, in);
             }
         } catch (IOException e) {
-            LOG.log(System.Logger.Level.DEBUG, "port " + name() + " was lost while it was closed", e);
+            LOG.log(System.Logger.Level.DEBUG, "port " + name() + " was lost while this closed it", e);
         }
     }
 
-    /** A connection that is closed with bytes unread is reset, and the far end may lose the last bytes sent to it. */
+    /** Reads the rest: a connection closed with unread bytes is reset, and then the far end may lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

@@ -46,13 +46,13 @@ final class TlsConnector {
     /**
      * @param port the port's name as it was given, for messages
      * @param folder the folder with the certificates; the certificate of a new board is added
-     * @param limitMillis milliseconds that each answer of the board takes at most while TLS is begun
-     * @throws PortException of the kind that says why there is no connection, or why the other end is not trusted
+     * @param limitMillis the longest time in milliseconds that each answer of the board may take while TLS begins
+     * @throws PortException if there is no connection, or the other end is not trusted; its class and its message say why
      */
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)
             throws PortException {
         try {
-            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // before a board is bothered
+            TlsConnector connector = new TlsConnector(port, address, folder, limitMillis); // needs no board yet
             Socket plain = TcpConnector.connect(port, address);
             try {
                 return connector.secure(plain, line);
@@ -107,7 +107,7 @@ final class TlsConnector {
             }
             in.unread(first);
         } catch (SocketTimeoutException e) {
-            // the board has nothing against the certificate, or the lack of one
+            // the board accepts the certificate, or needs none
         } catch (SSLException e) {
             throw refusal(e);
         }

@@ -98,7 +98,7 @@ record TlsFolder(Path path) {
                 return found.toArray(X509Certificate[]::new);
             }
         } catch (GeneralSecurityException e) {
-            // said below
+            // reported below
         }
         throw new IOException("the file " + file + " holds no certificate; it begins with -----BEGIN CERTIFICATE-----");
     }
@@ -115,7 +115,7 @@ record TlsFolder(Path path) {
                     "the file " + file + " holds no key for the certificate in computer.crt: " + e.getMessage(), e);
         }
         throw new IOException("the file " + file
-                + " holds no key as it is read here, in PKCS #8 and without a password, which begins with"
+                + " holds no key that can be read: a key in PKCS #8 without a password begins with"
                 + " -----BEGIN PRIVATE KEY-----; \"" + KEY_COMMAND + "\" writes it");
     }
 

@@ -11,7 +11,7 @@ import javax.net.ssl.SSLSocket;
 import javino.LineSettings;
 
 final class TlsTransport extends TcpTransport {
-    /** The time limit for telling a far end that does not read that the connection ends. */
+    /** The time limit for telling the far end that the connection ends; the far end may not read. */
     private static final int FAREWELL_MILLIS = 100;
 
     private final SSLSocket socket;
@@ -51,14 +51,14 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // even without time for a farewell: earlier bytes are to arrive
+                drain(plain, plain.getInputStream()); // also after a farewell that failed, so that earlier bytes arrive
             }
         } catch (IOException e) {
             noteHaste(e);
         }
     }
 
-    /** A write that waits holds a lock of the TLS socket, which this needs; closing the socket beneath ends it. */
+    /** This needs a lock of the TLS socket that a waiting write holds; closing the TCP socket beneath ends that write. */
     private void sayFarewell() {
         try {
             BlockingCall.start("close " + name(), () -> {

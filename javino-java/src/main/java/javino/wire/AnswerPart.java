@@ -7,10 +7,10 @@ import java.util.List;
  * The part of an answer that one frame carries, or all of it.
  *
  * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
- * @param payload the frame's
+ * @param payload the payload of the frame
  */
 public record AnswerPart(FrameKind kind, String payload) {
-    /** Parts that an answer has at most. */
+    /** The most parts of an answer. */
     public static final int MAX_PARTS = 255;
 
     private static final int MAX_SIZE = WireFrame.MAX_PAYLOAD - 2; // less the numbers of request and part
@@ -26,7 +26,7 @@ public record AnswerPart(FrameKind kind, String payload) {
      * The frames of an answer in their order.
      *
      * @param request number of the request that it answers; 0: none
-     * @param size bytes of the answer in a frame, at most; more if there were too many parts
+     * @param size the most bytes of the answer in a frame; raised if there would be too many parts
      * @throws IllegalArgumentException if the answer is longer than {@value #MAX_PARTS} frames can carry
      */
     public static List<AnswerPart> split(int request, String items, int size) {

@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 /**
  * A critical rule that a board watches itself.
  *
- * @param functor the percept's, a {@code ~} before it where it is negated
- * @param conditions all of which must be met; none: the percept itself is critical
+ * @param functor the percept's functor, with a {@code ~} in front if the percept is negated
+ * @param conditions conditions that must all be met; none: each percept of the functor is critical
  * @param reflex the text of the command that the board carries out when the rule begins to be met; null: none
  */
 public record BoardRule(String functor, List<Condition> conditions, String reflex) {
@@ -48,7 +48,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
     /**
      * A condition on an argument.
      *
-     * @param place the argument's, 1 to 9
+     * @param place the place of the argument, 1 to 9
      * @param value a number, or the text of another term
      */
     public record Condition(int place, Operator operator, String value) {
@@ -128,7 +128,7 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         return isReadable ? new Condition(place, operator, value) : null;
     }
 
-    /** Returns whether two arguments of that text are compared by value. */
+    /** Returns whether {@code text} is a number; two numbers are compared by value. */
     public static boolean isNumber(String text) {
         return NUMBER.matcher(text).matches();
     }

@@ -9,8 +9,7 @@ public sealed interface CommandItem {
     record Action(int number) implements CommandItem {
         public Action {
             if (number < 0 || number > MAX_ACTION) {
-                throw new IllegalArgumentException(
-                        "an action that has a number has 0 to " + MAX_ACTION + ", not " + number);
+                throw new IllegalArgumentException("the number of an action is 0 to " + MAX_ACTION + ", not " + number);
             }
         }
 
@@ -92,9 +91,9 @@ public sealed interface CommandItem {
         return items;
     }
 
-    /** First byte of an action by number, its number being added. */
+    /** The first byte of an action by number, to which its number is added. */
     char BY_NUMBER = 0x80;
-    /** The byte of no command. */
+    /** The byte of {@link Nothing}. */
     char NOTHING = 0xFE;
     /** The byte in front of the length of a rule. */
     char RULE = 0xFF;

@@ -1,6 +1,6 @@
 package javino.wire;
 
-/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF; in a session the high byte of the latter is changed by its nonce. */
+/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF; in a session its nonce changes the high byte of the initial value. */
 final class Crc16 {
     private static final int START = 0xFFFF;
     private static final int POLYNOMIAL = 0x1021;

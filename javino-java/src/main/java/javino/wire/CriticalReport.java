@@ -15,7 +15,7 @@ public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
         return "" + (char) rule + (char) outcome.ordinal() + percept;
     }
 
-    /** Reads a payload; null: it is cut, or says something unknown of the reflex. */
+    /** Reads a payload; null: it is cut, or the outcome of the reflex is unknown. */
     public static CriticalReport read(String payload) {
         ReflexOutcome[] outcomes = ReflexOutcome.values();
         return payload.length() < HEADER || payload.charAt(1) >= outcomes.length

@@ -21,9 +21,9 @@ public enum FrameKind {
     ACK(0x81),
     /** A whole answer, or percepts sent unasked. */
     PERCEPTS(0x82),
-    /** A part of an answer of several. */
+    /** A part of an answer that needs several, but not the last. */
     PERCEPTS_PART(0x83),
-    /** The last part of an answer of several. */
+    /** The last part of an answer that needs several. */
     PERCEPTS_LAST(0x84),
     /** A rule on the board begins to be met. */
     CRITICAL(0x85),
@@ -48,7 +48,7 @@ public enum FrameKind {
         return code;
     }
 
-    /** Returns whether the board sends it, else the computer. */
+    /** Returns whether the board sends such frames; else the computer does. */
     public boolean isFromBoard() {
         return (code & FROM_BOARD) != 0;
     }

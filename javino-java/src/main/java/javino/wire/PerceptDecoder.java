@@ -9,7 +9,7 @@ public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
 
-    /** The number of shapes that it knows, from 0 without a gap. */
+    /** The number of shapes that it knows: all from shape 0 up to the first gap. */
     public int known() {
         return known;
     }
@@ -23,9 +23,9 @@ public final class PerceptDecoder {
     /**
      * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
      *
-     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands
-     * @param limit bytes that the text has at most
-     * @throws TooLongException if it has more; no more of it is made, and the shapes up to there are kept
+     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands of bytes of text
+     * @param limit the most bytes of the text
+     * @throws TooLongException if the text has more; the shapes read by then are kept
      */
     public Optional<String> read(String items, int limit) {
         try {
@@ -145,7 +145,7 @@ public final class PerceptDecoder {
             return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
         }
 
-        /** The place behind the digits, and behind the half byte that is left over if there is one. */
+        /** The place behind the digits, and behind a half byte that is left over. */
         int end() {
             if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
                 throw new UnreadableException();

@@ -2,17 +2,17 @@ package javino.wire;
 
 /** The bytes that begin the items of an answer. */
 final class PerceptItems {
-    /** Ids that shapes can have. */
+    /** The number of ids of shapes. */
     static final int MAX_IDS = 126;
     /** A text that goes on in the next item. */
     static final char CONTINUED = 0x7E;
     /** A text without an id. */
     static final char NO_ID = 0x7F;
-    /** Added to an id: only digits follow. */
+    /** Added to the id of an item that has only digits behind it. */
     static final char DIGITS = 0x80;
     /** The half byte behind a run of digits. */
     static final int END_OF_RUN = 0xF;
-    /** Bytes of text, or percepts, in one item. */
+    /** The most bytes of text, or percepts, in one item. */
     static final int MAX_LENGTH = 255;
 
     private PerceptItems() {}

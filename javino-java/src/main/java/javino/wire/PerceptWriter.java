@@ -49,6 +49,13 @@ public final class PerceptWriter {
         return items.toString();
     }
 
+    /** The items of texts without ids, as those of a {@linkplain PerceptDescription description}. */
+    public static String itemsWithoutIds(List<String> texts) {
+        StringBuilder items = new StringBuilder();
+        texts.forEach(text -> putText(items, text, PerceptItems.NO_ID));
+        return items.toString();
+    }
+
     /** The id of a shape that is sent for the first time; if none is left, the id that marks a text without an id. */
     private int number(Shape shape, String percept) {
         if (ids.size() >= capacity || percept.length() > PerceptItems.MAX_LENGTH) {
@@ -70,7 +77,7 @@ public final class PerceptWriter {
                 .append(rest);
     }
 
-    /** Percepts with ids that follow each other. */
+    /** A row of percepts that are sent as numbers and whose ids are consecutive. */
     private static final class Row {
         private final StringBuilder items;
         private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte

@@ -6,6 +6,6 @@ public enum ReflexOutcome {
     NONE,
     /** The board has carried it out. */
     CARRIED_OUT,
-    /** The board's program does not know it, or not with these arguments. */
+    /** The board's program does not know it, or takes other arguments. */
     REFUSED
 }

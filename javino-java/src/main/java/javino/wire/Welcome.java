@@ -3,9 +3,9 @@ package javino.wire;
 /**
  * A board's description of itself when a session begins.
  *
- * @param nonce the session's; 0: the board has no session
+ * @param nonce the nonce of the session; 0: the board has no session
  * @param credit bytes of frames that it can hold while its program is busy
- * @param longestPayload bytes of payload that it takes
+ * @param longestPayload the most bytes of payload that it takes
  * @param rules number of critical rules that it holds at most
  * @param revision the revision of version 2 that the board speaks; 0: a revision before {@link #REVISION}
  * @param actionsLost number of actions of its program that found no room

@@ -27,9 +27,9 @@ public final class WireDecoder {
 
     /**
      * @param fromBoard whether the frames are a board's, else a computer's
-     * @param timeoutNanos silence within a frame that ends it
-     * @param nonce that of the session when a frame ends, 0: there is none. Then a board cannot check frames but HELLO, which are found
-     *     with any checksum, and a computer finds no frames but WELCOME
+     * @param timeoutNanos the length of a silence within a frame that ends the frame
+     * @param nonce gives the nonce of the session when a frame ends; 0: there is no session. Then a board checks only HELLO, and finds
+     *     other frames with any checksum; a computer finds only WELCOME
      * @param found is given each frame, on the thread that hands in its last byte
      */
     public WireDecoder(boolean fromBoard, long timeoutNanos, IntSupplier nonce, Consumer<WireFrame> found) {
@@ -37,7 +37,8 @@ public final class WireDecoder {
     }
 
     /**
-     * Like the other constructor; a frame whose payload is longer than {@code longestPayload} ends as damaged with its length.
+     * Like the other constructor; a frame with a payload longer than {@code longestPayload} counts as damaged as soon as its length has
+     * come.
      */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {

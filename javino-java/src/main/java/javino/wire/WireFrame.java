@@ -22,7 +22,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;
-    static final int ESCAPED = 0xA0; // a byte behind ESCAPE stands for the sum
+    static final int ESCAPED = 0xA0; // added to a byte behind ESCAPE
     static final int REFUSED = 0x40;
     static final int BUSY = 0x20;
 

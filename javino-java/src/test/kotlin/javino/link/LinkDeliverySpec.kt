@@ -12,9 +12,11 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
+import javino.PerceptKind
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.async
+import javino.logged
 import javino.sim.VirtualBoard2
 import javino.sim.count
 import javino.virtual.LineEnd
@@ -45,6 +47,9 @@ private class Events : BoardListener {
         all += "began $rules"
     }
 }
+
+/** An answer to the same request, of these [items]. */
+private fun answering(answer: WireFrame, items: String) = WireFrame.of(answer.kind(), 0, answer.payload().take(1) + items)
 
 class LinkDeliverySpec : FunSpec({
     test("an action returns when the board has acted") {
@@ -233,15 +238,51 @@ class LinkDeliverySpec : FunSpec({
         }
     }
 
+    test("a board of version 2 describes its percepts when it is asked to, and the next answer holds percepts") {
+        val kinds = PerceptKind.parseLines("dist(front|left, cm 0..400)\nready")
+        val board = VirtualBoard2(kinds = kinds)
+        VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.AUTO).use { bench ->
+            bench.link.perceptKinds(500).shouldBeEmpty() // the version is not known yet
+            board.received.shouldBeEmpty()
+            bench.link.request(REQUEST, 500).text() shouldBe "1;"
+            bench.link.perceptKinds(500) shouldContainExactly kinds
+            bench.link.request(REQUEST, 500).text() shouldBe "2;"
+            board.handled shouldContainExactly listOf("2:$REQUEST", "2:$REQUEST")
+        }
+    }
+
+    test("a board that describes no percepts, or answers with percepts, or is silent, stays undescribed") {
+        val board = VirtualBoard2()
+        bench(board).use { bench ->
+            bench.link.request(REQUEST, 500)
+            bench.link.perceptKinds(500).shouldBeEmpty()
+            board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) answering(it, "\u007F\u0003on;") else it) }
+            bench.link.perceptKinds(500).shouldBeEmpty()
+            board.silent = true
+            bench.link.perceptKinds(500).shouldBeEmpty()
+        }
+    }
+
+    test("a kind of percepts that cannot be read is left out with a line of log, and the others count") {
+        val board = VirtualBoard2()
+        val items = "\u007F\u0008?dist();\u007F\u0007?ready;"
+        board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) answering(it, items) else it) }
+        bench(board).use { bench ->
+            bench.link.request(REQUEST, 500)
+            val warnings = logged("javino.link.Link") { bench.link.perceptKinds(500).map { "$it" } shouldBe listOf("ready") }
+            warnings.single() shouldContain "a kind of percepts that the board describes is left out: argument 1 of dist()"
+        }
+    }
+
     test("a refusal of a board that has described itself names its actions, the first ten of many") {
         val board = VirtualBoard2(actions = (1..12).map { BoardAction("wave$it", 0) } + BoardAction("bad", 1))
         bench(board).use { bench ->
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldContain
-                "refuses \"bad(1)\": it does not know the action, or not with these arguments"
+                "refuses \"bad(1)\": it does not know the action, or takes other arguments"
             repeat(2) { bench.link.request(REQUEST, 500) }
             bench.link.watch(100)
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1)", 500) }.message shouldEndWith
-                "it has the action, and its program has refused what was asked now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
+                "it has the action, but its program refuses it now; it has wave1, wave2, wave3, wave4, wave5, wave6, " +
                 "wave7, wave8, wave9, wave10 and 3 more"
             shouldThrow<ActionRefusedException> { bench.link.sendAndAwait("bad(1", 500) }.message shouldEndWith
                 "refuses \"bad(1\": a bracket or quote in it is not closed"

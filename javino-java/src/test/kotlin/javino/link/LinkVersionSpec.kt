@@ -27,6 +27,7 @@ import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
 import javino.sim.count
 import javino.virtual.LineEnd
+import javino.wire.BoardAction
 import javino.wire.FrameKind
 import javino.wire.Welcome
 import javino.wire.WireDecoder
@@ -494,6 +495,24 @@ class LinkVersionSpec : FunSpec({
             }
         }
         warnings.single() shouldContain "a frame VOCABULARY that cannot be read here"
+        board.count(FrameKind.DESCRIBE) shouldBeGreaterThan 1
+    }
+
+    test("a page of the vocabulary that is empty although actions follow is told once") {
+        val empty = { page: WireFrame -> WireFrame.of(page.kind(), page.number(), page.payload().take(3)) }
+        val board = VirtualBoard2(actions = listOf(BoardAction("stop", 0))).apply {
+            posting = { listOf(if (it.kind() == FrameKind.VOCABULARY) empty(it) else it) }
+        }
+        val warnings = logged("javino.link.LineReports") {
+            bench(board).use { bench ->
+                repeat(40) {
+                    bench.link.request(REQUEST, 500)
+                    bench.link.watch(100)
+                }
+                bench.link.vocabulary().isEmpty shouldBe true
+            }
+        }
+        warnings.single() shouldContain "the board describes 0 of its 1 actions and no more"
         board.count(FrameKind.DESCRIBE) shouldBeGreaterThan 1
     }
 

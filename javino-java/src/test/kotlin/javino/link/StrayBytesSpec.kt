@@ -21,7 +21,7 @@ class StrayBytesSpec : FunSpec({
         }
 
     test("text in place of a message is shown, with Serial.print as its likely cause") {
-        failure("dist(f,30);\r\n") shouldEndWith "within 50 ms; 13 bytes came since the last message and are none: " +
+        failure("dist(f,30);\r\n") shouldEndWith "within 50 ms; 13 bytes came since the last message and are no message: " +
             "\"dist(f,30);\\r\\n\", which is text without a frame: does the sketch use Serial.print in place of the Javino library?"
     }
 
@@ -55,7 +55,7 @@ class StrayBytesSpec : FunSpec({
                 board.noise(*"x".repeat(60).toByteArray())
                 repeat(10) { link.watch(20) }
                 link.strayBytes() shouldBe StrayBytes(60, "x".repeat(StrayBytes.MAX_FIRST), 9600)
-                link.strayBytes().inWords() shouldContain "60 bytes came since the last message and are none: \"xxx"
+                link.strayBytes().inWords() shouldContain "60 bytes came since the last message and are no message: \"xxx"
                 link.request("getPercepts", 500)
                 link.strayBytes().count() shouldBe 0
             }

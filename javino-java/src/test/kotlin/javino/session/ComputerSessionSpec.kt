@@ -392,6 +392,15 @@ class ComputerSessionSpec : FunSpec({
         texts(probe.next()) shouldContainExactly listOf("speed(1)", "#3", "#2", "#24")
     }
 
+    test("a page of the vocabulary without an action, although there are more, is reported, and leaves the board undescribed") {
+        val board = board(BoardAction("on", 0), BoardAction("n".repeat(251), 0))
+        val probe = opened(board)
+        probe.session.request("", probe.now)
+        probe.exchangeWith(board)
+        probe.undescribed shouldContainExactly listOf(1 to 2)
+        probe.session.vocabulary().isPresent shouldBe false
+    }
+
     test("what a rule on the board reports is passed on") {
         val report = CriticalReport(3, ReflexOutcome.CARRIED_OUT, "dist(front,9);")
         val probe = opened(board())

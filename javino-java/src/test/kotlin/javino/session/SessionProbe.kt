@@ -27,6 +27,7 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
     val otherRevisions = mutableListOf<Int>()
     var dropped = 0
     val unreadable = mutableListOf<FrameKind>()
+    val undescribed = mutableListOf<Pair<Int, Int>>()
     val session = ComputerSession(BYTE_NANOS, answerLimit, SplittableRandom(seed), this)
 
     fun offer(vararg texts: String): List<Order> = texts.map(::Order).also(waiting::addAll)
@@ -60,6 +61,10 @@ internal class SessionProbe(answerLimit: Int = 65_536, seed: Long = 1) : Session
 
     override fun unreadable(kind: FrameKind) {
         unreadable += kind
+    }
+
+    override fun undescribed(described: Int, total: Int) {
+        undescribed += described to total
     }
 
     override fun otherRevision(revision: Int) {

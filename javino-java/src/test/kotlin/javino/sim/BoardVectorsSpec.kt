@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import javino.BoardReceiver
+import javino.PerceptKind
 import javino.PerceptTerm
 import javino.PerceptsRequest
 import javino.Protocol
@@ -38,11 +39,14 @@ private class VectorProgram(
     private val actions: List<BoardAction>,
     private val refused: List<String>,
     private val later: List<String>,
+    private val kinds: List<PerceptKind>,
 ) : BoardProgram {
     val carried = mutableListOf<String>()
     var percepts = emptyList<String>()
 
     override fun vocabulary() = actions
+
+    override fun perceptKinds() = kinds
 
     override fun carryOut(command: String): Outcome {
         val term = PerceptTerm.of(command)
@@ -65,6 +69,7 @@ private class VectorBoard(board: JsonObject) {
         board["actions"].items().map { BoardAction(it.jsonArray[0].text(), it.jsonArray[1].number()) },
         board["refuses"].texts(),
         board["later"].texts(),
+        board["kinds"]?.texts().orEmpty().map(PerceptKind::parse),
     )
     var answers = emptyList<String>()
     private var session = newSession()

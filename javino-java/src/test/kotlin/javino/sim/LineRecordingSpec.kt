@@ -72,7 +72,7 @@ class LineRecordingSpec : FunSpec({
         "{\"ms\":1}\n" to "robot.rec:1: the first line",
         "!start.\n\n+!start <- true.\n" to "robot.rec:1: the first line",
         "javino-recording 2\n\n\n" to "robot.rec:1: a recording of format 2",
-        "javino-recording 2\n" to "robot.rec:1: a recording of format 2, of which only 1 can be read here",
+        "javino-recording 2\n" to "robot.rec:1: a recording of format 2; only format 1 can be read here",
         "javino-recording 1\nhello\n" to "robot.rec:2: a message is written MILLISECONDS, a tab",
         "javino-recording 1\n\nx\tin\ta\n" to "robot.rec:3: \"x\" is not a time in whole milliseconds",
         "javino-recording 1\n-1\tin\ta\n" to "robot.rec:2: \"-1\" is not a time",

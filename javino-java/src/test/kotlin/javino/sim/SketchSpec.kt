@@ -8,6 +8,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.Frame
 import javino.FrameDecoder
+import javino.PerceptKind
 import javino.PortException
 import javino.Protocol
 import javino.Transport
@@ -55,6 +56,16 @@ class SketchSpec : FunSpec({
                 link.request("getPercepts", LIMIT_MS)
             }
             wall.commands shouldContainExactly listOf("stop")
+        }
+    }
+
+    test("it describes its percepts if it overrides perceptKinds") {
+        val kinds = PerceptKind.parseLines("dist(front, cm 0..90)")
+        val described = object : Sketch by Wall({ listOf("dist(front,9)") }) {
+            override fun perceptKinds() = kinds
+        }
+        for ((sketch, expected) in listOf(described to kinds, Wall { listOf("dist(front,9)") } to emptyList())) {
+            plugged(sketch, Protocol.V2) { it.perceptKinds(LIMIT_MS) shouldBe expected }
         }
     }
 

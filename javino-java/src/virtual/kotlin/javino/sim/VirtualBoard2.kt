@@ -2,6 +2,7 @@ package javino.sim
 
 import javino.BoardReceiver
 import javino.Frame
+import javino.PerceptKind
 import javino.Protocol
 import javino.Transport
 import javino.virtual.EventBoard
@@ -10,8 +11,8 @@ import javino.wire.FrameKind
 import javino.wire.WireFrame
 
 /**
- * A simulated board in virtual time: it answers each request in the version it was asked in, carries out commands but those that begin with
- * `bad`, and takes longer over those that begin with `walk`.
+ * A simulated board in virtual time: it answers each request in the version it was asked in, carries out all commands except those that
+ * begin with `bad`, and takes longer over those that begin with `walk`.
  *
  * @param startsAt the time in ms until which bytes that come are lost
  * @param damage damages bytes of the line, in either direction
@@ -21,6 +22,7 @@ internal class VirtualBoard2(
     private val startsAt: Double = 0.0,
     readsVersion1: Boolean = true,
     private val actions: List<BoardAction> = emptyList(),
+    private val kinds: List<PerceptKind> = emptyList(),
     private val damage: (ByteArray) -> ByteArray = { it },
 ) : EventBoard {
     /** Requests and commands in the order in which they were handled, as `2:getPercepts`. */
@@ -29,10 +31,10 @@ internal class VirtualBoard2(
     /** All frames of version 2 that the board has received. */
     val received = mutableListOf<WireFrame>()
 
-    /** Is called with each entry of [handled]; keeps it there unless something else is wanted. */
+    /** Is called with each entry for [handled]; by default it adds the entry there. */
     var onHandled: (String) -> Unit = { handled += it }
 
-    /** Is called with each frame that comes; keeps it in [received] unless something else is wanted. */
+    /** Is called with each frame that comes; by default it adds the frame to [received]. */
     var onReceived: (WireFrame) -> Unit = { received += it }
 
     /** Changes the board's frames before they go on the line: leaves some out, doubles some. */
@@ -121,6 +123,8 @@ internal class VirtualBoard2(
 
     private inner class Program : BoardProgram {
         override fun vocabulary() = actions
+
+        override fun perceptKinds() = kinds
 
         override fun percepts(request: String): String {
             onHandled("2:$request")

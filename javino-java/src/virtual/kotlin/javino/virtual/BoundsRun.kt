@@ -78,7 +78,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         exchanges++
     }
 
-    /** Lets the line fall silent, where a request that was repeated has another answer too, and the board be anywhere in its loop. */
+    /** Waits until the line is silent, also after a second answer to a repeated request, and the board may be anywhere in its loop. */
     private fun rest() {
         link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
         await(now + random.nextLong(2 * course.times.loop))
@@ -201,7 +201,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
 
     override fun close() = line.close()
 
-    /** Does what [alarm] says when its time has come. */
+    /** Runs the action of [alarm] when its time has come. */
     private inner class Alarmed(private val board: EventBoard) : EventBoard {
         override val dueMillis: Double get() = minOf(board.dueMillis, alarm?.let { it.first / 1e6 } ?: Double.POSITIVE_INFINITY)
 
@@ -263,7 +263,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         const val SLICE_MS = 10L
         const val REFLEX = "stop"
 
-        /** Commands that are out at most. */
+        /** The most commands that are out. */
         const val MAX_OUT = 16
         const val NEAR = "near(1);"
         const val FAR = "near(0);"
@@ -271,7 +271,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         /** Events of the line are some ns late. */
         const val ROUNDING = 10_000L
 
-        /** The number of two digits that [news] has in percepts. */
+        /** The number of two digits by which percepts show [news]. */
         fun shown(news: Int) = 10 + news % 90
         val URGENT = SendOptions(true, 0)
         val RULE = BoardRule("near", listOf(BoardRule.Condition(1, BoardRule.Operator.EQUAL, "1")), REFLEX)

@@ -11,8 +11,8 @@ import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 
 /**
- * The outcome of so many exchanges on a faulty line of 115,200 baud to a board of version 2: half of them commands, in rows of four, and
- * half requests for nine percepts, with 500 ms for the answer.
+ * The outcome of [exchanges] exchanges on a faulty line of 115,200 baud to a board of version 2: half of them commands, in rows of four,
+ * and half requests for nine percepts, with 500 ms for the answer.
  */
 internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
     private val carriedOut = ByteArray(exchanges / 2 + 1)

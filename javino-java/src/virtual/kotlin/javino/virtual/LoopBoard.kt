@@ -139,7 +139,7 @@ internal class LoopBoard(
         /** Bytes that the port takes before a write waits. */
         const val BUFFER = 64
 
-        /** A rule's sensors are read no sooner again. */
+        /** The least time between two readings of the sensors of rules. */
         const val LOOK_NANOS = 5_000_000L
 
         private const val NANOS_PER_MS = 1e6

@@ -65,7 +65,7 @@ internal class RandomFaults(
     }
 }
 
-/** Does [fault] to the [turn]th write, counted from 1, and nothing to the others. */
+/** Applies [fault] to the [turn]th write, counted from 1, and nothing to the others. */
 internal class OneFault(private val turn: Int, private val fault: (ByteArray) -> List<Piece>) : LineFaults {
     private var writes = 0
 

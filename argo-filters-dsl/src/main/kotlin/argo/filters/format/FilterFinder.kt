@@ -8,13 +8,13 @@ import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
- * Finds filters by name: among those that [FilterProvider]s on the class path of [classLoader] offer, then for each of
- * [projectDirectories] in its files and in those of `filters/` under it, and last in `filters/` on the class path, in this order.
+ * Finds filters by name: first among those of the [FilterProvider]s on the class path of [classLoader], then in the files of each of
+ * [projectDirectories] and of `filters/` under it, and last in `filters/` on the class path.
  *
  * Safe for use by several threads at once.
  *
- * Files are XML (`.xml`) or JSON (`.json`), and a name may leave that off; then XML comes first. A name may hold folders (`night/dark`). A
- * name that leads out of those places is refused: no absolute paths, no `..`, no backslashes, no links that end elsewhere.
+ * Files are XML (`.xml`) or JSON (`.json`). A name may lack this ending; then an XML file is preferred. A name may hold folders
+ * (`night/dark`). A name that leads out of those places is refused: no absolute paths, no `..`, no backslashes, no links to files outside.
  */
 class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     private val places: List<FilterPlace> =
@@ -31,7 +31,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     /**
      * Returns the filter called [name], read anew at each call.
      *
-     * @throws FilterNotFoundException if there is none, or more than one provider offers it; the message lists the places of the search
+     * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the places of the search
      * and the filters there are
      * @throws FilterException if its text is refused
      * @throws java.io.IOException if its file cannot be read
@@ -43,7 +43,8 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters, sorted; places that cannot be listed add none, and a file in the list may still be refused.
+     * Returns the names of all filters, sorted. Places that cannot be listed add none, and a file in the list may turn out to be no valid
+     * filter.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */

@@ -16,7 +16,7 @@ internal enum class FilterFormat(
     fun isLikely(text: String): Boolean = mark in text
 
     companion object {
-        /** Returns the format of a file of this name, or null if it is not a filter's. */
+        /** Returns the format of a file with this name, or null if no filter file has such a name. */
         fun of(fileName: String): FilterFormat? = entries.find { fileName.endsWith(it.extension) }
 
         /** A filter's name without the extension of a format. */

@@ -7,13 +7,13 @@ internal sealed class FilterNode(val position: Position, val words: String) {
     class Array(position: Position, val items: List<FilterNode>) : FilterNode(position, "an array")
 
     /**
-     * @property isText whether a text may be written so: in JSON only in quotes, in XML always
-     * @property isBare whether a number or truth value may be written so: in JSON only without quotes, in XML always
+     * @property isText whether the scalar can be a text: in JSON if it is in quotes, in XML always
+     * @property isBare whether the scalar can be a number or truth value: in JSON if it has no quotes, in XML always
      */
     class Scalar(position: Position, val content: String, val isText: Boolean, val isBare: Boolean) :
         FilterNode(position, if (isText) "'$content'" else content)
 
-    /** A value that is missing or wrong, which needs no further report. */
+    /** Stands for a missing or wrong value that has been reported already. */
     class Refused(position: Position) : FilterNode(position, "")
 
     /** @property words the member with its value, for messages */

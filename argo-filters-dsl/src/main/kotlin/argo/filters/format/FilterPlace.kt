@@ -20,16 +20,16 @@ import kotlin.io.path.visitFileTree
 
 /** A place where filters may be. `toString` is its name in messages. */
 internal interface FilterPlace {
-    /** The filter called [name], which does not lead out of the place, or null. */
+    /** The filter called [name], or null. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
 
-    /** Returns the names of its filters, for messages; none if it cannot be listed. */
+    /** Returns the names of the place's filters, for messages; none if the place cannot be listed. */
     fun names(): List<String>
 }
 
 /** The filters that services offer. */
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Loads the providers anew at each call, since a loader is not safe for several agents at once. */
+    /** Loads the providers anew at each call, since several agents may not use one loader at the same time. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
@@ -47,11 +47,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** Returns the result of [load]; the message of a failure has all its causes, down to the filter that is refused. */
+    /** Returns the result of [load]. The message of a failure has all its causes, up to the refusal of a filter. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // a class whose values are made at its first use fails with a linkage error
+        // a class that fails in its static values throws a linkage error
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
@@ -102,7 +102,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 
     override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
 
-    /** Regular files only: reading a pipe may never end. */
+    /** Opens only regular files, since a read of a pipe may never end. */
     private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
@@ -122,7 +122,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
         }
     }
 
-    /** Opens [url] without the cache that URLs of jars have, so that no jar stays open. */
+    /** Opens [url] without the cache for URLs of jars, which would keep the jar open. */
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"

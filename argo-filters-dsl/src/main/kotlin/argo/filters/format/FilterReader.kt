@@ -28,7 +28,7 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
     return checkNotNull(filter) { "a document without problems is a filter" }
 }
 
-/** Makes a filter called [name] from a document's tree. Parts that are wrong are left out, and reported to [problems]. */
+/** Makes a filter called [name] from a document's tree. Wrong parts are left out and reported to [problems]. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
 
     /** The filter; null only if [node] is not an object, which is reported. */
@@ -63,7 +63,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return rule?.let { CriticalRule(it, reflex) }
     }
 
-    /** The rule without its rate; deadbands of its arguments go to [deadbands], and are refused if that is null. */
+    /** The rule without its rate. Deadbands of its arguments go to [deadbands]; if that is null, they are refused. */
     private fun rule(node: FilterNode, members: Map<String, Member>, deadbands: MutableMap<Int?, Deadband>?): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, deadbands) }
@@ -77,7 +77,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    /** The condition of [node]; null if there is only a deadband, or the condition is refused. */
+    /** The condition of [node]; null if [node] has only a deadband, or the condition is refused. */
     private fun condition(node: FilterNode, deadbands: MutableMap<Int?, Deadband>?): Condition? {
         val members = members(node, "a condition", ARGUMENT, ANNOTATION, OPERATOR, VALUE, LIMITS, DEADBAND) ?: return null
         if ((ARGUMENT in members) == (ANNOTATION in members)) {
@@ -139,7 +139,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return operator
     }
 
-    /** Returns [value] as Jason's text: a number as it is, a text as a term, an array as a list of values. */
+    /** Returns [value] as Jason writes it: a number as it is, a text as a term, an array as a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
@@ -157,7 +157,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
-    /** Applies [read] to a scalar of the right kind; reports a value of another kind, and one for which [read] returns null. */
+    /** Applies [read] to a scalar of the right kind. Reports values of another kind, and those for which [read] returns null. */
     private fun <T> scalar(member: Member?, isOfKind: (Scalar) -> Boolean, expected: String, read: (String) -> T?): T? {
         if (member == null || member.value is FilterNode.Refused) return null
         val found = (member.value as? Scalar)?.takeIf(isOfKind)?.let { read(it.content) }
@@ -172,7 +172,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return emptyList()
     }
 
-    /** The members of [node] by name; those that are not [known] and those that come twice are reported. Null if it is no object. */
+    /** The members of [node] by name; null if it is no object. Members that are not [known] or come twice are reported. */
     private fun members(node: FilterNode, what: String, vararg known: String): Map<String, Member>? {
         if (node !is FilterNode.Object) {
             report(node.position, "${node.words} where $what is expected, an object with ${known.joinToString(" or ")}")

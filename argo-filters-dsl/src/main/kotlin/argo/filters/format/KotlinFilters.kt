@@ -8,10 +8,10 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Writes filters as Kotlin source. Reading such a filter means compiling it. */
+/** Writes filters as Kotlin source. Only a Kotlin compiler can read such a filter back. */
 object KotlinFilters {
     /**
-     * The filter as a Kotlin file with LF line ends: a property that holds an equal filter of the same name.
+     * The filter as a Kotlin file with LF line ends: a property whose value is an equal filter of the same name.
      *
      * The property has the filter's name, in backquotes where Kotlin asks for them; characters that the name of a Java method or file
      * cannot hold become `_`.

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.FilterException
 import argo.filters.Problem
 
-/** Collects what is wrong with the document called [source], so that all of it is reported at once. */
+/** Collects the problems of the document called [source], so that all are reported at once. */
 internal class Problems(private val source: String) {
     private val found = ArrayList<Problem>()
 
@@ -15,7 +15,7 @@ internal class Problems(private val source: String) {
         found += problem
     }
 
-    /** Returns the result of [read]; null if it throws an [IllegalArgumentException], which is reported followed by the [expectation]. */
+    /** Returns the result of [read]; null if it throws an [IllegalArgumentException], whose message is reported with the [expectation]. */
     fun <T> reporting(at: Position, expectation: String = "", read: () -> T): T? = try {
         read()
     } catch (e: IllegalArgumentException) {

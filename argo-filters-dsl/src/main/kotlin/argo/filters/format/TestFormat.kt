@@ -9,7 +9,7 @@ internal object TestFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
 
-    /** Names of earlier files: equal, bigger, bigger or equal, smaller, smaller or equal. */
+    /** Names that earlier files use: equal, bigger, bigger or equal, smaller, smaller or equal. */
     private val ALIASES = mapOf(
         "E" to Operator.EQ, "B" to Operator.GT, "BE" to Operator.GE, "S" to Operator.LT, "SE" to Operator.LE,
     )
@@ -22,7 +22,7 @@ internal object TestFormat {
     val NAMES: String = OPERATORS.joinToString(", ") +
         ALIASES.entries.joinToString(", ", " (or ", ")") { (alias, operator) -> "$alias for $operator" }
 
-    /** Returns the canonical name of the operator [written] in upper or in lower case, or as an alias; null if there is none. */
+    /** Returns the canonical name of the operator that [written] names, in upper or lower case or by an alias; null: there is none. */
     fun operator(written: String): String? = CANONICAL[written.trim()]
 
     /**

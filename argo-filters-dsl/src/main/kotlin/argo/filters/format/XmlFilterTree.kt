@@ -73,7 +73,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** Reads a limit; one without an operator of its own gets the operator [around] it. */
+    /** Reads a limit; a limit without an operator has that of the element [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -101,13 +101,13 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
     }
 
-    /** Reports [problem] unless the document breaks off in [element], which explains it. */
+    /** Reports [problem], unless the document breaks off in [element], since that is the cause then. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
         if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)
     }
 
-    /** The attributes of [element] by name; those that are not [known] are reported. */
+    /** The attributes of [element] by name; attributes that are not [known] are reported. */
     private fun attributes(element: XmlElement, vararg known: String): Map<String, Member> {
         val members = LinkedHashMap<String, Member>()
         for (attribute in element.attributes) {
@@ -151,7 +151,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         /** The members that attributes of other names become. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
-        /** The second is how files of earlier versions spell it; for other old spellings see [XmlTree]. */
+        /** Files of earlier versions have the second spelling; see [XmlTree] for their other spellings. */
         val ANNOTATION = arrayOf("annotation", "anotation")
     }
 }

@@ -7,7 +7,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.TermTest
 
-/** Writes filters in the canonical form of the XML format: operators spelt out, parts of a rule in the order of the model. */
+/** Writes filters in the canonical form of the XML format: with every operator, and the parts of a rule in the order of the model. */
 internal class XmlFilterWriter {
     private val text = StringBuilder("<?xml version=\"1.0\"?>\n")
     private var depth = 0

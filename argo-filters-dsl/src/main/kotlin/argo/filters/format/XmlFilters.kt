@@ -14,8 +14,8 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names; UTF-8
-     * where there is neither. Not closed.
+     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names, or else in
+     * UTF-8. Not closed.
      * @param source the file or other place it comes from, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text, if there are any
@@ -26,7 +26,7 @@ object XmlFilters {
         return read(decodeStrictly(bytes, encodingOf(bytes, source), source), source, name)
     }
 
-    /** As the other form, from text that has been decoded. */
+    /** Reads a filter from text that has been decoded. Parameters and errors are those of the other form. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { XmlFilterTree(XmlTree(input.removePrefix("\uFEFF"), source), it).filter() }
 
@@ -37,7 +37,7 @@ object XmlFilters {
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
 
-    /** Finds the encoding of a document by its first bytes only; a byte that is not in the encoding is reported with its position later. */
+    /** Finds a document's encoding from its first bytes. Bytes that are not in this encoding are reported with their positions later. */
     private fun encodingOf(bytes: ByteArray, source: String): Charset {
         val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
         val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()

@@ -21,11 +21,11 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
     /** True if its end tag has been read. */
     var isClosed = false
 
-    /** The text directly in the element, blanks around it aside. */
+    /** The text directly in the element, without blanks around it. */
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
-    /** The beginning of that text, or of the element if there is none. */
+    /** The beginning of that text, or of the element if it has no text. */
     val textPosition: Position
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
@@ -36,14 +36,14 @@ internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFact
     setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
     setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
     setProperty(XMLInputFactory.IS_COALESCING, true)
-    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // problems are thrown, too; by default they are also printed
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // else the parser would print problems besides throwing them
 }
 
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports the end of a tag; its beginning is found from there in [document]. A document type declaration is refused before
- * anything that it declares could be used, so no entity is ever expanded or fetched.
+ * The JDK's parser reports where a tag ends; its beginning is searched from there in [document]. A document type declaration is refused
+ * before anything that it declares could be used, so no entity is ever expanded or fetched.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)
@@ -79,7 +79,7 @@ internal class XmlTree(private val document: String, private val source: String)
         return null
     }
 
-    /** The parser counts a character too few in a line that begins after a bare carriage return. */
+    /** Returns where the tag ends. The parser counts one character too few in a line that begins after a bare carriage return. */
     private fun endOf(reader: XMLStreamReader): Int {
         if (reader.location.lineNumber < 1) return document.length
         return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1

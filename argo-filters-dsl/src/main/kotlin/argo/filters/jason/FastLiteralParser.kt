@@ -36,7 +36,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return literal
     }
 
-    /** A word that is an atom and nothing else, or an atom in quotes. Internal actions and functions have a dot in their names. */
+    /** A word that can only be an atom, or an atom in quotes. Names of internal actions and functions have a dot. */
     private fun functor(): String? {
         val start = at
         if (start >= end) return null

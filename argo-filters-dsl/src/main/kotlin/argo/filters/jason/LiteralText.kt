@@ -24,14 +24,13 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 /**
  * Returns the text of [percept] as a board would send it, for filters to decide over. Never throws.
  *
- * It differs from `toString` in strings, whose quotes, line breaks and such are escaped here. Terms nested deeper than filters look are
- * written as a variable.
+ * Unlike `toString`, it escapes quotes, line breaks and such in strings. Terms nested deeper than filters look are written as a variable.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 
 private fun text(term: Term, depth: Int): String = when {
     depth > GroundTermReader.MAX_DEPTH -> NO_VALUE
-    term.isVar -> term.toString() // asked first, since to Jason a variable is a list, a string and a number as well
+    term.isVar -> term.toString() // checked first, since Jason takes a variable for a list, a string and a number as well
     term is StringTerm -> term.string?.let { "${GroundTerm.Text(it)}" } ?: NO_VALUE
     term is NumberTermImpl -> number(term.solve())
     term is ArithExpr && term.arity == 1 -> "(${term.functor}${text(term.getTerm(0), depth + 1)})"

@@ -12,10 +12,10 @@ import jason.asSyntax.Literal
  * Turns a board's messages into percepts: splits a message, filters the texts, reads the kept ones, and limits how many of them the agent
  * believes.
  *
- * Time is the caller's: milliseconds of any clock that never goes back. Not safe for use by several threads at once.
+ * The caller gives the time, in milliseconds of any clock that never goes back. Not safe for use by several threads at once.
  *
- * @param read the literals of a percept's text, none if it is refused
- * @param limit selects, from the kept percepts (first argument) and the critical ones (second), those that the agent is to believe
+ * @param read returns the literals in a percept's text; none if it refuses the text
+ * @param limit selects the percepts that the agent is to believe from the kept ones (first argument) and the critical ones (second)
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
@@ -33,10 +33,10 @@ class MessageSession(
     /** Returns the part of [message] that the agent perceives at [nowMs]. */
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
-    /** As the other form, for a message that has been split into the texts of its percepts. */
+    /** Returns the part that the agent perceives of a message that has been split into the texts of its percepts. */
     fun perceive(texts: List<String>, nowMs: Long): MessagePerception = literals(session.perceive(texts, nowMs))
 
-    /** Returns the last message with the held-back percepts that are due at [nowMs]; null if none is. */
+    /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */
     fun due(nowMs: Long): MessagePerception? = session.due(nowMs)?.let(::literals)
 
     /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs], without doing it. */
@@ -55,10 +55,10 @@ class MessageSession(
 /**
  * The percepts of one message that reach an agent.
  *
- * @property texts the same as texts: received, kept by the filter, and the time at which a percept that it holds back is due
+ * @property texts the same percepts as texts: those received, those that the filter kept, and when the next held-back one is due
  * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
- * @property seen the literals of those percepts that the message holds and the filter let through
- * @property critical the percepts that critical rules meet, once for each such rule
+ * @property seen the literals of the message's own percepts that the filter let through
+ * @property critical the percepts that meet critical rules, once for each such rule
  * @property unreadable the kept texts of which no part could be read
  */
 class MessagePerception internal constructor(

@@ -8,9 +8,9 @@ import jason.asSyntax.parser.TokenMgrError
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * Reads percepts into Jason's literals, just as Jason's own parser does but faster for the literals that boards send: functors, atoms,
- * numbers, strings, nested structures, lists, annotations and negation. Other text is left to Jason's parser. In strings it also knows
- * `\uXXXX`, for characters that Jason's syntax cannot hold. Any thread may use it.
+ * Reads percepts into Jason's literals with the result of Jason's own parser. Literals of the forms that boards send (functors, atoms,
+ * numbers, strings, nested structures, lists, annotations, negation) are read faster; other text is left to Jason's parser. In strings it
+ * also knows `\uXXXX`, for characters that Jason's syntax cannot write. Any thread may use it.
  */
 object PerceptReader {
     private const val SHOWN = 80
@@ -18,7 +18,7 @@ object PerceptReader {
     /**
      * Reads the literal whose text is [percept]; returns a new one at each call.
      *
-     * @throws PerceptSyntaxException if it is none, or is nested too deep for Jason's parser
+     * @throws PerceptSyntaxException if [percept] is no literal, or is nested too deep for Jason's parser
      */
     @JvmStatic
     fun read(percept: String): Literal = FastLiteralParser(percept).parse() ?: parseWithJason(percept)
@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // a ParseException; for expressions that are no formulas, and for large numbers, a RuntimeException
+        throw refusal(percept, e) // a ParseException, or a RuntimeException (for expressions that are no formulas, and for large numbers)
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

@@ -11,7 +11,7 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
         conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
-    /** Returns conditions on one term that no term meets together, in words; null if none are found. */
+    /** Returns, in words, conditions on one term of which no term meets all; null if there are none, or none are found. */
     fun contradiction(): String? {
         val argument = arguments.entries.find { it.value.isEmpty() }
         if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
@@ -30,7 +30,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     private val range =
         tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
 
-    /** The terms one by one, if the tests leave few enough; else null. */
+    /** The list of these terms if the tests allow only a few values; else null. */
     private val values: Set<GroundTerm>? =
         (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
@@ -52,9 +52,9 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     }
 }
 
-/** Numbers between two limits. A limit that is [open][isFromOpen] is not in the range. */
+/** Numbers between two limits. An open limit (see [isFromOpen]) is not in the range itself. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
-    /** The numbers that meet [test], an ordering. */
+    /** The numbers that meet [test], whose operator is an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
 
     private constructor(operator: Operator, limit: Double) : this(
@@ -71,7 +71,7 @@ private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to
 
     fun isEmpty(): Boolean = from > to || from == to && (isFromOpen || isToOpen)
 
-    /** The one number that is in the range; null: there are none or several. */
+    /** The only number in the range; null: there are none or several. */
     fun single(): GroundTerm? = if (from == to && !isEmpty()) GroundTerm.Number(from) else null
 
     fun holds(number: Double): Boolean = (number > from || number == from && !isFromOpen) && (number < to || number == to && !isToOpen)

@@ -16,7 +16,7 @@ import argo.filters.TermTest
 /**
  * A rule in the form in which it is applied.
  *
- * @property critical the critical rule that it belongs to, or null
+ * @property critical the critical rule that it belongs to; null: it belongs to none
  */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
@@ -25,7 +25,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Returns true if the rule is for a percept with its functor, [tail] and [head]; null: no namespace, no negation. */
+    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: neither namespace nor negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -36,7 +36,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail) }
 
-    /** Returns the first condition that the percept does not meet; parameters as of [areMet]. */
+    /** Returns the first condition that the percept does not meet. The parameters are those of [areMet]. */
     fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
         rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
 
@@ -103,14 +103,17 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test; null is a term that is not ground and plain. */
+    /** Returns true if [value] meets the test; null stands for a term that is not ground and plain. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: the term equals one of the values; [number]: its value, NaN if it is no number. */
+    /**
+     * Returns true if a term meets the test. [isEqual]: the term equals one of the test's values; [number]: the term's number, NaN if it is
+     * none.
+     */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual

@@ -23,7 +23,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** The percept is kept back for a while; the agent perceives the percept of its kind that was let through last. */
+        /** The percept waits for a while; meanwhile the agent perceives the percept of its kind that was let through last. */
         HELD_BACK("is held back"),
     }
 
@@ -71,7 +71,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             }
         }
 
-        /** Says in words what [percept] has at the place on which [condition] is. */
+        /** Says in words what [percept] has at the place that [condition] is about. */
         private fun found(percept: PerceptText, condition: Condition): String {
             if (condition is Condition.Annotation) return unmet(condition)
             val (index, test) = condition as Condition.Argument

@@ -7,7 +7,7 @@ import argo.filters.PerceptionFilter.OnSwitch
  * One agent's filters over time: remembers which percepts were let through, held back and frozen.
  *
  * [P] is the form in which percepts come: [FilterSession.ofTexts] takes them as they came off the line,
- * `argo.filters.jason.literalSession()` takes Jason literals. Time is the caller's: milliseconds of any clock that never goes back.
+ * `argo.filters.jason.literalSession()` takes Jason literals. The caller gives the time, in milliseconds of any clock that never goes back.
  * Not safe for use by several threads at once.
  */
 class FilterSession<P : Any> internal constructor(private val textOf: (P) -> String) {
@@ -21,10 +21,11 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         get() = matcher?.filter
 
     /**
-     * Makes [filter] the active one from the next perception on; null: none.
+     * Makes [filter] the active one from the next perception on; null: no filter.
      *
      * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until another
-     * change, or until a percept that differs from them only in numbers is let through. Percepts that rates held back are forgotten.
+     * change. One of them ends earlier when a percept that differs from it only in numbers is let through. Percepts that rates held back
+     * are forgotten.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -42,7 +43,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     /**
      * Returns the agent's perception at [nowMs] if no newer percepts have come and held-back ones are due; null if none is due. It is the
-     * last perception with the due percepts in place of those that were let through before.
+     * last perception, with each due percept in place of the one that was let through before it.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null

@@ -8,8 +8,8 @@ import argo.filters.Rule
 
 /**
  * Finds parts of the filter that have no effect and returns one sentence for each: rules that no percept can match, rules and conditions
- * that others make superfluous, deadbands on missing arguments, and a filter without rules. Rules are counted from 1. Each sentence is true
- * for all percepts; some parts without effect are not found.
+ * that other ones make superfluous, deadbands on missing arguments, and the lack of any rule. Rules are counted from 1. Each sentence is
+ * true for all percepts; but some parts without effect are not found.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -53,7 +53,7 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
-            // each rule remembers the percepts it let through, so a rule of the same rate must match exactly the same percepts
+            // each rule remembers the percepts that it let through, so only a rule that matches exactly the same percepts can replace it
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)

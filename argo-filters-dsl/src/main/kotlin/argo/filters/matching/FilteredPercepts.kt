@@ -7,11 +7,12 @@ import java.util.Collections
  * The percepts of one picture of the world that reach an agent. The lists cannot be changed.
  *
  * @property received the percepts of the picture, as they came
- * @property kept the percepts that the agent perceives: in the order of [received] those that passed and, for each that is held back,
- * the one of its kind that was let through last; frozen percepts follow
- * @property seen the percepts of [kept] that are in [received] and passed: no stand-ins, no frozen percepts
- * @property critical the percepts of [received] that critical rules meet, once for each such rule
- * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: none is
+ * @property kept the percepts that the agent perceives: in the order of [received], each percept that passed and, in place of each that is
+ * held back, the one of its kind that was let through last; then the frozen percepts
+ * @property seen the percepts of [kept] that came and passed: without the replacements of held-back percepts and the frozen ones
+ * @property critical the percepts of [received] that meet critical rules, once for each such rule
+ * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: no percept
+ * is held back
  */
 class FilteredPercepts<P> internal constructor(
     val received: List<P>,
@@ -26,7 +27,7 @@ class FilteredPercepts<P> internal constructor(
 }
 
 /**
- * A percept that a critical rule meets.
+ * A percept that meets a critical rule.
  *
  * @property rule the rule
  * @property percept the percept as it came

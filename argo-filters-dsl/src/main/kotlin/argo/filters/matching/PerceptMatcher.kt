@@ -22,8 +22,8 @@ class PerceptMatcher internal constructor(
     /**
      * Returns true if the filter drops the percept in [percept] from [start] to [end], as it came off the line: `dist(f,123)`.
      *
-     * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates
-     * nothing as long as the percept has no namespace and conditions are on arguments that are plain atoms or numbers.
+     * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing
+     * if the percept has no namespace and all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
@@ -32,7 +32,7 @@ class PerceptMatcher internal constructor(
                 (criticalIndex == null || !isMet(criticalIndex, false, percept, functor, functorEnd, end, tail, head))
         }
 
-    /** Returns true if the percept meets one of the rules of [index]; with [timeless], only rules without a rate count. */
+    /** Returns true if the percept meets a rule of [index]; with [timeless], only rules without a rate count. */
     private fun isMet(
         index: RuleIndex, timeless: Boolean, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
     ): Boolean {
@@ -55,7 +55,7 @@ class PerceptMatcher internal constructor(
         return percept.rulesIn(index).filter(percept::meets).mapNotNull { it.critical }
     }
 
-    /** Returns true if a percept that [met] just these rules, and no critical one, is dropped for good. */
+    /** Returns true if a percept that [met] exactly these rules, none of them critical, is dropped for good. */
     internal fun drops(met: List<CompiledRule>): Boolean = if (drops) met.any { it.rate == null } else met.isEmpty()
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)

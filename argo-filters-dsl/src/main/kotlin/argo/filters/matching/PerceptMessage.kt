@@ -4,8 +4,7 @@ package argo.filters.matching
  * Splits one Javino message into its percepts, in their order: the pieces between each `;` outside strings, quoted atoms and brackets,
  * trimmed, without empty ones.
  *
- * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that it costs itself and not
- * the percepts after it.
+ * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that only this percept is lost, not those after it.
  */
 fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()

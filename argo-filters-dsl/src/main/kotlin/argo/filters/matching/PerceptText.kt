@@ -30,10 +30,10 @@ internal class PerceptText private constructor(
 
     fun predicate(): Predicate = head?.predicate() ?: Predicate(text.substring(functor, functorEnd))
 
-    /** The rules of [index] that are for the percept, whatever their conditions. */
+    /** The rules of [index] that are for percepts of this name and arity, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], which is for percepts of this name and arity. */
+    /** Returns true if the percept meets the conditions of [rule], one of the rules that are for it. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
     /** The first condition of [rule] that the percept does not meet. */
@@ -42,7 +42,10 @@ internal class PerceptText private constructor(
     /** Returns the number at argument [index]; null if the argument is missing or no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
 
-    /** Returns the percept without annotations, with [number] in place of each argument that is a number: rates count percepts by it. */
+    /**
+     * Returns the percept without annotations, with [number] in place of each argument that is a number: rates tell kinds of percepts apart
+     * by this text.
+     */
     fun key(number: String): String = (0 until arity).joinToString(",", "${predicate()}(", ")") {
         when (val value = GroundTerm.ofOrNull(part(it))) {
             null -> part(it)
@@ -61,7 +64,7 @@ internal class PerceptText private constructor(
     override fun toString(): String = text.trim()
 
     companion object {
-        /** Reads the percept in [text]; null if it is none. */
+        /** Reads the percept in [text]; null if [text] is none. */
         fun of(text: String): PerceptText? = scan(text, 0, text.length, null) { functor, functorEnd, tail, head ->
             PerceptText(text, functor, functorEnd, tail, head)
         }

@@ -6,7 +6,7 @@ import argo.filters.Rate
 
 /** A [percept] that was let through at [atMs]; [numbers] are its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** The time since which newer percepts have been held back; null: none have. */
+    /** The time since which newer percepts have been held back; null: none has been. */
     var heldSinceMs: Long? = null
 }
 
@@ -14,10 +14,11 @@ internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<In
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * The memory of a filter's rates: for each rule, and for each percept up to its numbers, the percept that was let through last.
+ * The memory of a filter's rates: for each rule and each kind of percept, the percept that was let through last. Percepts that differ only
+ * in numbers are of one kind.
  *
- * Bounded: if a board sends percepts of more kinds than [CAPACITY], those that came longest ago are forgotten and let through anew;
- * percepts longer than [MAX_LENGTH] characters are not remembered, so never held back.
+ * It is bounded: if a board sends percepts of more kinds than [CAPACITY], it forgets those that came longest ago, which are then let
+ * through anew. It does not remember percepts longer than [MAX_LENGTH] characters, which are therefore never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
@@ -32,8 +33,8 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     }
 
     /**
-     * Returns how the rules that [percept] [met] hold it back at [nowMs], the decisive one first; empty if it is let through or dropped for
-     * good.
+     * Returns how the rules that [percept] [met] hold it back at [nowMs], the decisive rule first; empty if the percept is let through or
+     * dropped for good.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
         if (met.isEmpty() || met.any { it.rate == null }) return emptyList()
@@ -63,7 +64,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
 
-    /** Returns the time [ms] after [startMs], or the last that the clock has. */
+    /** Returns the time [ms] after [startMs], at most the last time that the clock can show. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun isLong(text: PerceptText) = text.length > MAX_LENGTH
@@ -73,14 +74,14 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         arguments.any { hasMoved(last.numbers[it], text.number(it), deadband.width) }
     }
 
-    /** An argument that is no number always counts as moved. */
+    /** Returns true if a number has moved; an argument that is no number counts as one that has. */
     private fun hasMoved(last: Double?, now: Double?, width: Double) = last == null || now == null || Math.abs(now - last) >= width
 
     private fun numbers(text: PerceptText): Map<Int, Double> =
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** Stands for a number of any size in a key; no value is written so. */
+        /** Stands for any number in a key. No term is written like this. */
         const val ANY_NUMBER = "#"
 
         private const val CAPACITY = 4_096

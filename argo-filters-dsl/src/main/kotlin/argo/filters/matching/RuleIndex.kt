@@ -36,7 +36,9 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         }
     }
 
-    /** The high bits of a product with the golden ratio: names that are numbered one after the other spread over the whole table. */
+    /**
+     * Multiplies by the golden ratio and takes the high bits, so that numbered names, such as `s1` and `s2`, spread over the whole table.
+     */
     private fun slot(hash: Int) = (hash * GOLDEN_RATIO) ushr shift
 
     private companion object {

@@ -5,7 +5,7 @@ import argo.filters.Syntax
 /**
  * Finds where the terms of a percept begin and end in its text. No function here builds a term, allocates or throws, whatever the text.
  *
- * Quotes, brackets and comments are respected. Nesting beyond [MAX_DEPTH] is no percept.
+ * Quotes, brackets and comments are respected. Text nested deeper than [MAX_DEPTH] is no percept.
  */
 internal object TermBounds {
     const val NONE = -1
@@ -14,7 +14,9 @@ internal object TermBounds {
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
-    /** Returns the end of the functor at [start] if it is a word, not a reserved one, followed by arguments or by nothing; else [NONE]. */
+    /**
+     * Returns the end of the functor at [start] if that is a word, is not reserved, and has arguments or nothing behind it; else [NONE].
+     */
     fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end || text[start] !in 'a'..'z') return NONE
         val wordEnd = Syntax.wordEnd(text, start, end)

@@ -42,7 +42,7 @@ internal interface BridgeListener {
 /**
  * Reads what a bridge sends, one operation after the other.
  *
- * @param warn takes what cannot be read, and what the bridge complains of, each text once
+ * @param warn takes reports of messages that cannot be read, and the bridge's complaints, each text once
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
     /** Takes in [operation]; false: it is unknown here. */
@@ -50,7 +50,7 @@ internal abstract class OperationListener(private val warn: (String) -> Unit) : 
 
     override fun text(message: String) {
         val operation = operationIn(message)
-            ?: return warn("the bridge sends what is no operation of the rosbridge protocol: \"${message.take(QUOTED)}\"")
+            ?: return warn("the bridge sends a text that is no operation of the rosbridge protocol: \"${message.take(QUOTED)}\"")
         if (hear(operation)) return
         val kind = operation.text("op")
         if (kind != "status") warn("the bridge sends the operation $kind, which is not read")
@@ -81,7 +81,7 @@ internal interface Bridge : AutoCloseable {
 }
 
 /**
- * A WebSocket to a bridge. Messages go out in their order, those that are urgent before the others that wait.
+ * A WebSocket to a bridge. Messages go out in their order, urgent ones before waiting others.
  *
  * @param client stays in use as long as there is a socket
  */
@@ -101,11 +101,11 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         try {
             socket.sendPing(ByteBuffer.allocate(0))
         } catch (_: IllegalStateException) {
-            // a ping under way asks already
+            // a ping is under way already
         }
     }
 
-    /** Closes the connection, in [CLOSING_MS] at most: what has been sent is lost if the bridge has not read it by the end. */
+    /** Closes the connection within [CLOSING_MS]. Sent messages that the bridge has not read by then are lost. */
     override fun close() {
         outbox.close()
         socket.sendClose(WebSocket.NORMAL_CLOSURE, "")
@@ -134,7 +134,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
 
         override fun onBinary(socket: WebSocket, data: ByteBuffer, last: Boolean): CompletionStage<*>? {
-            if (last) listener.dropped("a binary message, though nothing was asked for that is sent so")
+            if (last) listener.dropped("a binary message, though ARGO asks for none")
             socket.request(1)
             return null
         }
@@ -194,7 +194,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
             } catch (failed: ExecutionException) {
                 throw refusal(port, address, failed.cause ?: failed)
             } catch (_: TimeoutException) {
-                throw NoSuchPortException(port, "port $port cannot be opened: what accepts at ${address.authority} does not answer")
+                throw NoSuchPortException(port, "port $port cannot be opened: ${address.authority} accepts, but does not answer")
             } finally {
                 if (!isTaken) opening.thenAccept(WebSocket::abort)
             }
@@ -214,7 +214,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
                 cause is WebSocketHandshakeException ->
                     PortFaultException(port, "${start}$place is no bridge: it answers ${cause.response.statusCode()}", cause)
                 cause is IOException ->
-                    PortFaultException(port, "${start}what listens at $place does not answer as a bridge: ${cause.message}", cause)
+                    PortFaultException(port, "${start}the program at $place does not answer as a bridge: ${cause.message}", cause)
                 else -> PortFaultException(port, "$start$cause", cause)
             }
         }

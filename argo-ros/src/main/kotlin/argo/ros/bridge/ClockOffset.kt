@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit
 /**
  * Measures how much the clock of a robot is ahead of the platform's, from its answers to questions for its time. The quickest of the last
  * [KEPT] answers counts: the robot read its time somewhere in between, so the error is at most half of the time that the answer took. If no
- * clock of usual quality can give an answer after the others, the clock was set, and the others do not count any more. Safe for use by
- * several threads.
+ * clock of usual quality could give an answer after the earlier ones, the robot's clock was set, and the earlier answers count no more.
+ * Safe for use by several threads.
  */
 internal class ClockOffset {
     private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)

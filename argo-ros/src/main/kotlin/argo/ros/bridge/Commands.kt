@@ -38,7 +38,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @param types the types of the messages, as far as they are known
  * @param graph the robot's graph, with the nodes that take the messages
  * @param send sends a message to the bridge
- * @param warn takes what of a command is left out
+ * @param warn takes reports of parts of a command that are left out
  */
 internal class Commands(
     private val port: String,
@@ -55,7 +55,10 @@ internal class Commands(
     private val session = "argo-${UUID.randomUUID()}" // begins each command's id, so that no other client's answer is taken
     private val number = AtomicLong()
 
-    /** Returns the messages to the bridge before the first command: publishers need subscribers by then, and results a subscription. */
+    /**
+     * Returns the messages to the bridge before the first command: a publisher needs subscribers by then, and a result needs a
+     * subscription.
+     */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -152,7 +155,7 @@ internal class Commands(
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
     /** The connection has ended for [reason]. */
-    fun gone(reason: String) = pending.values.toList().forEach { entry ->
+    fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
         )

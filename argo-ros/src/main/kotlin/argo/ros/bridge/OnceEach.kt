@@ -1,6 +1,6 @@
 package argo.ros.bridge
 
-/** Logs each text once and [MAX_TEXTS] texts at most; what a bridge sends may be in them. Safe for use by several threads. */
+/** Logs each text once, and at most [MAX_TEXTS] texts, since a bridge may put anything into them. Safe for use by several threads. */
 internal class OnceEach(private val log: (String) -> Unit) : (String) -> Unit {
     private val told = HashSet<String>()
 
@@ -8,7 +8,7 @@ internal class OnceEach(private val log: (String) -> Unit) : (String) -> Unit {
         val line = text.replace(CONTROL, "?")
         val count = synchronized(told) { if (told.size <= MAX_TEXTS && told.add(line)) told.size else 0 }
         if (count in 1..MAX_TEXTS) log(line)
-        else if (count > MAX_TEXTS) log("there is more to report than $MAX_TEXTS lines, and no more is")
+        else if (count > MAX_TEXTS) log("$MAX_TEXTS lines have been reported; the rest is left out")
     }
 
     private companion object {

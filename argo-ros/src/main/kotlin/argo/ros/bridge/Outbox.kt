@@ -21,7 +21,7 @@ internal class Outgoing(val text: String, val isUrgent: Boolean = false, val fun
     var hasBegun = false
         private set
 
-    private var isWithdrawn = false // as hasBegun, guarded by this message
+    private var isWithdrawn = false // guarded by this message, like hasBegun
 
     /** Marks the message as going out; false: it has been withdrawn. */
     fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }
@@ -30,7 +30,7 @@ internal class Outgoing(val text: String, val isUrgent: Boolean = false, val fun
     fun withdraw(): Boolean = synchronized(this) { (!hasBegun).also { isWithdrawn = it } }
 }
 
-/** Another command has taken the place of one that waited. */
+/** Another command has replaced a waiting one. */
 internal class Replaced : Exception()
 
 /** The connection was closed before a message went out. */

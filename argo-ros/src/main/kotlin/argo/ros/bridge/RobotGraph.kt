@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Asks `rosapi` for the other nodes of the robot's graph, and warns if a topic or a command can have no effect for want of them. Safe for
- * use by several threads.
+ * Asks `rosapi` for the other nodes of the robot's graph, and warns if a topic or a command has no effect without them. Safe for use by
+ * several threads.
  */
 internal class RobotGraph(
     private val mapping: Mapping,

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit
  *
  * @param clockIsThere called with the type of the topic [CLOCK] if there is one; the caller [shows][show] its messages
  * @param warn takes a warning if the time stamps of a topic are of no use
- * @param tell takes a sentence that names the clock that ages go by
+ * @param tell takes a sentence that names the clock by which ages are measured
  */
 internal class RobotTime(
     private val clock: LineClock,
@@ -21,7 +21,7 @@ internal class RobotTime(
     private val offset = ClockOffset()
     private val simulated = SimulatedClock()
 
-    /** True if the robot goes by the topic [CLOCK]. */
+    /** True if the robot takes its time from the topic [CLOCK]. */
     @Volatile
     private var isSimulated = false
 
@@ -68,7 +68,7 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** Decides if the robot goes by the time of [CLOCK]. A robot with a clock of its own is decades apart from a simulator. */
+    /** Decides if the robot takes its time from [CLOCK]. A robot's own clock and a simulator's are decades apart. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true
@@ -79,7 +79,7 @@ internal class RobotTime(
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
-        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot goes by this clock
+        if (isFirst && dueNanos != null) ask() // the answer shows whether the robot uses this clock
     }
 
     /**

@@ -38,7 +38,7 @@ internal class RobotTypes(
 
     private val known = ConcurrentHashMap<Question, MessageType>()
     private val unknown = ConcurrentHashMap<Question, String>()
-    private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, as the next one
+    private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, like the next field
     private var isChecked = false
 
     fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
@@ -88,7 +88,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // the searched paths come behind it
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // the rest lists the searched paths
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -102,7 +102,7 @@ internal class RobotTypes(
             UNLOADED.none { it in reason } ->
                 if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
             mapping.percepts.any { questionFor(it) == question } ->
-                warn("the bridge does not know the type $name, so that nothing comes of it: $reason")
+                warn("the bridge does not know the type $name, so the agent gets no percepts from its messages: $reason")
             else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason

@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicLong
  * @param send sends a message to the bridge
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
-    /** An answer, and when it came by the platform's clock. */
+    /** An answer, and the time of its arrival by the platform's clock. */
     class Answer(val values: JsonObject, val receivedNanos: Long) {
         fun text(name: String): String? = values.text(name)
 
@@ -51,7 +51,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return true
     }
 
-    override fun close() = calls.values.toList().forEach { it.completeExceptionally(NotKnown("")) }
+    override fun close() = calls.values.forEach { it.completeExceptionally(NotKnown("")) }
 
     /** @param reason the bridge's reason; empty: it gives none */
     class NotKnown(reason: String) : Exception(reason) {

@@ -26,7 +26,7 @@ internal class TopicMessages(
 
     private val newest = HashMap<String, Newest>()
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // fields that are bytes, by rule; of rules whose types are known
+    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
@@ -95,11 +95,11 @@ internal class TopicMessages(
         val reasons = told.getOrPut(rule, ::HashSet)
         if (reasons.size >= MAX_TOLD || !reasons.add(why)) return
         val end = if (reasons.size < MAX_TOLD) "" else "; further reasons are not reported"
-        warn("line ${rule.place.line}: a message of ${rule.topic} (${rule.type}) is no ${rule.percept.functor}: $why$end")
+        warn("line ${rule.place.line}: a message of ${rule.topic} (${rule.type}) gives no percept ${rule.percept.functor}: $why$end")
     }
 
     private companion object {
-        /** The most reasons per rule that are told: with numbers of the message in them there may be many. */
+        /** The most reasons that are told for each rule: numbers of messages in them can make many. */
         const val MAX_TOLD = 3
     }
 }

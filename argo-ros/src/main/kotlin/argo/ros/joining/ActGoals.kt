@@ -49,7 +49,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     }
 
     fun end(id: String, outcome: Outcome) = synchronized(this) {
-        val state = if (outcome.error == null) SUCCEEDED else ABORTED // rejected is only a goal that was not active
+        val state = if (outcome.error == null) SUCCEEDED else ABORTED // a goal that was active is never rejected
         val text = if (outcome.error == null) "" else outcome.inWords
         goals.find { it.id == id }?.let {
             it.state = state

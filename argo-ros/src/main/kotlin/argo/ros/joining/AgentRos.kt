@@ -11,7 +11,7 @@ import kotlinx.serialization.json.JsonPrimitive
  * Has [agent]'s boards take part in a graph: their percepts, before its filter, and their actions. Commands from there go the way of
  * `argo.act`.
  *
- * @param warn takes what is not published, each text once
+ * @param warn takes reports of percepts that are not published, each text once
  * @param leave takes the agent off the graph
  */
 internal class AgentRos(

@@ -5,7 +5,7 @@ import argo.ros.mapping.MappingException
 import argo.ros.mapping.findToken
 import javino.NoSuchPortException
 
-/** No bridge is at an address, as [message] says. */
+/** An address names no bridge; [message] says why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
 /**

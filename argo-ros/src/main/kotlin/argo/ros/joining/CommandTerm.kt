@@ -11,7 +11,7 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
-/** A request is refused; [message] is for whoever made it. */
+/** A request is refused; [message] is for its sender. */
 internal class RefusedRequest(message: String) : Exception(message)
 
 /**
@@ -42,7 +42,7 @@ private fun argumentsIn(request: JsonObject): List<JsonElement> {
 private fun termOf(value: JsonElement): String = when (value) {
     is JsonArray -> value.joinToString(",", "[", "]", transform = ::termOf)
     is JsonObject -> throw RefusedRequest("an argument is a number, a text, true, false or an array of these, not $value")
-    JsonNull -> throw RefusedRequest("an argument is missing: it is null, as bridges write what is infinite or no number")
+    JsonNull -> throw RefusedRequest("an argument is null; bridges write so for a number that is infinite or NaN")
     is JsonPrimitive -> when {
         value.isString -> GroundTerm.ofOrNull(value.content)?.toString() ?: "${GroundTerm.Text(value.content)}"
         value.content == "true" || value.content == "false" -> value.content

@@ -24,7 +24,7 @@ import java.util.concurrent.TimeUnit
  * @param listens whether it sends its percepts unasked
  * @param open opens it
  * @param tell takes a line for a person
- * @param warn takes what of the board is not published, each text once
+ * @param warn takes reports of percepts that are not published, each text once
  */
 internal class JoinedBoard(
     override val name: String,
@@ -94,7 +94,7 @@ internal class JoinedBoard(
             } catch (late: PortTimeoutException) {
                 report("timeout", "/$name: ${late.message}")
             }
-            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // missed requests are not made up for
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // skips requests that were missed
             if (!listens && !opened.speaksUnasked) waitUntil(due)
         }
     }

@@ -21,13 +21,11 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Keeps [participant] in the ROS graph behind a bridge: advertises what it has, again whenever the bridge or the graph has come back, and
- * publishes the newest messages of its topics. A thread of its own does so, which nobody else waits for.
- *
- * The messages go out in rounds: the next one waits until the bridge has read the one before, as its answer to a ping shows.
+ * publishes the newest messages of its topics. It does so on a thread of its own, for which nobody waits.
  *
  * @param topics the participant's topics
  * @param tell takes a line about the connection, for a person
- * @param warn takes what the graph is not told, or does not take, each text once
+ * @param warn takes reports of things that the graph is not told, or does not take, each text once
  */
 internal class Membership(
     private val participant: Participant,
@@ -119,12 +117,8 @@ internal class Membership(
             gone("the graph at $place has lost its topics, as after a restart of roscore")
         }
         private val unsent = AtomicInteger()
-        private val advertised = HashSet<String>() // this and the two next fields are used only by the thread
-        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS
-        private var roundNanos = clock.nanos() // the beginning of the last round
-
-        @Volatile
-        private var isRoundUnderWay = false
+        private val rounds = MessageRounds(topics, clock) { checkNanos = clock.nanos() + FIRST_CHECK_NANOS }
+        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS // used only by the thread
 
         @Volatile
         var end: String? = null
@@ -142,35 +136,14 @@ internal class Membership(
             if (offers.renew()) checkNanos = now + FIRST_CHECK_NANOS
             if (checkNanos - now <= 0) {
                 checkNanos = now + CHECK_NANOS
-                presence.check(topics.types.filterKeys(advertised::contains) + offers.topics, offers.services)
+                presence.check(rounds.advertised + offers.topics, offers.services)
             }
-            if (!isRoundUnderWay) sendRound(now)
-            else if (now - roundNanos > ANSWER_NANOS) gone("the bridge at $place has not answered a ping for $ANSWER_S s")
-        }
-
-        private fun sendRound(now: Long) {
-            val round = topics.takeNews().flatMap(::operationsOf)
-            if (round.isEmpty() && now - roundNanos < IDLE_NANOS) return
-            isRoundUnderWay = true
-            roundNanos = now
-            if (round.isEmpty()) return bridge.ping()
-            val messages = round.map { Outgoing(it) }
-            messages.last().left.whenComplete { _, _ -> bridge.ping() } // the ping goes out behind all messages
-            messages.forEach(bridge::queue)
-            bridge.flush()
-        }
-
-        private fun operationsOf(news: Topics.News): List<String> {
-            val isNew = advertised.add(news.name)
-            if (isNew) checkNanos = clock.nanos() + FIRST_CHECK_NANOS
-            val advertisement = operation("advertise", "topic" to news.name, "type" to news.type, "latch" to true)
-            return listOfNotNull(advertisement.takeIf { isNew }) +
-                news.messages.map { operation("publish", "topic" to news.name, "msg" to it, "latch" to true) }
+            if (!rounds.goOn(bridge)) gone("the bridge at $place has not answered a ping for ${MessageRounds.ANSWER_S} s")
         }
 
         private fun send(message: Outgoing) = bridge.send(message)
 
-        /** Sends an answer before the messages that wait; a bridge that asks and does not read is left. */
+        /** Sends an answer before the messages that wait; leaves a bridge that asks and does not read. */
         private fun answer(operation: String) {
             if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
             val message = Outgoing(operation, isUrgent = true)
@@ -183,7 +156,7 @@ internal class Membership(
         override fun isAlive() = Unit
 
         override fun answered() {
-            isRoundUnderWay = false
+            rounds.answered()
             news.release()
         }
 
@@ -222,8 +195,5 @@ internal class Membership(
         val TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(250)
         val FIRST_CHECK_NANOS = TimeUnit.SECONDS.toNanos(3)
         val CHECK_NANOS = TimeUnit.SECONDS.toNanos(5)
-        const val ANSWER_S = 20L
-        val ANSWER_NANOS = TimeUnit.SECONDS.toNanos(ANSWER_S)
-        val IDLE_NANOS = TimeUnit.SECONDS.toNanos(3)
     }
 }

@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger
  * topic and an action for any command. [hear] is for one thread at a time, [renew] for another.
  *
  * @param send sends an operation to the bridge
- * @param warn takes what the graph is not told, each text once
+ * @param warn takes reports of actions that the graph is not told, each text once
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action its name; null: any command, as text */
@@ -59,7 +59,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         if (isRos2) send(operation("advertise_action", "action" to action, "type" to "argo_msgs/action/Act")) else goals.announce()
 
     /** Takes all services back: a bridge of ROS 1 keeps the services of a client that has gone, and their callers would wait for ever. */
-    fun takeAllBack() = offers.keys.toList().forEach(::takeBack)
+    fun takeAllBack() = offers.keys.forEach(::takeBack)
 
     private fun takeBack(name: String) {
         val offer = offers.remove(name) ?: return
@@ -81,7 +81,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         return named.toMap() + (action to Offer(null, emptySet()))
     }
 
-    /** Takes in an operation of the bridge; false: it is none about an offer. */
+    /** Takes in an operation of the bridge; false: it is not about an offer. */
     fun hear(operation: JsonObject): Boolean {
         when (operation.text("op")) {
             "call_service" -> called(operation)

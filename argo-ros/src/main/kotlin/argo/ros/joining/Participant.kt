@@ -45,7 +45,7 @@ internal data class Outcome(val error: String?, val message: String) {
  * Publishes a participant's percepts. For one thread at a time.
  *
  * @param base the name of the participant, and of the board's namespace if it has one: `/uno`
- * @param warn takes what has no topic of its own, each text once
+ * @param warn takes reports of percepts without a topic of their own, each text once
  */
 internal class PerceptPublisher(private val base: String, private val topics: Topics, private val warn: (String) -> Unit) {
     private var plain = emptySet<String>()
@@ -53,7 +53,7 @@ internal class PerceptPublisher(private val base: String, private val topics: To
     /** Publishes the board's message [text]: each percept on its topic, and the whole message on `percepts`. */
     fun publish(text: String) = publish(perceptsOf(text))
 
-    /** As the other [publish], for a message that has been split into its percepts. */
+    /** Like the other [publish], for a message that has been split into its percepts. */
     fun publish(percepts: List<String>) {
         val samples = percepts.mapNotNull { percept -> sampleOf(percept) ?: null.also { leftOut(percept) } }.groupBy { it.topic to it.type }
         val now = samples.keys.filter { it.second == BOOL }.map { it.first }.toSet()

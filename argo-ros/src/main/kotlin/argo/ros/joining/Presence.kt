@@ -6,7 +6,7 @@ import argo.ros.mapping.rosType
 /**
  * Looks in a graph for what was advertised, since a bridge reports no refusal to its clients.
  *
- * @param warn takes what is not in the graph, each text once
+ * @param warn takes reports of things that the graph does not have, each text once
  * @param lost called if the graph had a participant's topics and has none of them any more, as after a restart of `roscore`
  */
 internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
@@ -41,6 +41,6 @@ internal class Presence(private val api: RosApi, private val warn: (String) -> U
 
     private companion object {
         const val PACKAGE = "argo_msgs"
-        const val NO_ROSAPI = "rosapi does not run beside the bridge, so that nobody can tell what of this the graph has"
+        const val NO_ROSAPI = "rosapi does not run beside the bridge, so nobody can tell which of these topics and services the graph has"
     }
 }

@@ -3,7 +3,7 @@ package argo.ros.joining
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read those before. So a slow
+ * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read the earlier ones. So a slow
  * bridge holds up nobody, and gets no old messages. Safe for use by several threads; no function waits.
  *
  * @param warn takes warnings for a person, each text once
@@ -25,7 +25,10 @@ internal class Topics(private val warn: (String) -> Unit) {
     /** The types of all topics, by their names. */
     val types: Map<String, String> get() = synchronized(this) { topics.mapValues { it.value.type } }
 
-    /** Publishes [messages], which hold at one instant. A topic keeps the type of its first message, and there are [MAX_TOPICS] topics. */
+    /**
+     * Publishes [messages], which are true at the same time. A topic keeps the type of its first message, and there are [MAX_TOPICS]
+     * topics.
+     */
     fun publish(name: String, type: String, messages: List<JsonObject>) {
         synchronized(this) {
             val topic = topics[name] ?: Topic(type).takeIf { topics.size < MAX_TOPICS }?.also { topics[name] = it }
@@ -45,7 +48,7 @@ internal class Topics(private val warn: (String) -> Unit) {
         }
     }
 
-    /** Has the newest messages of all topics wait, for a graph that does not have them. */
+    /** Makes the newest messages of all topics wait again, for a graph that does not have them. */
     fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
 
     companion object {

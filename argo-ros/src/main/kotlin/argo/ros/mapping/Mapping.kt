@@ -54,7 +54,7 @@ internal class CommandRule(
     val fields: List<FieldValue>,
     val withinMs: Int,
 ) {
-    /** The way in which a command is carried out, with the time that it may take, in ms, unless its rule has one. */
+    /** The way in which a command is carried out. [defaultMs] is the time in ms that it may take if its rule has none. */
     enum class Kind(val defaultMs: Long) {
         /** The subscribers of the topic act; the command is over when it has left. */
         TOPIC(TimeUnit.SECONDS.toMillis(5)),

@@ -14,7 +14,7 @@ private val TOKEN = Regex("[!-~]+")
 internal const val SUFFIX = ".ros.yaml"
 
 /**
- * Reads the mapping [name], which may hold folders, anew from [directory] or, if there is none, from the class path.
+ * Reads the mapping [name], which may begin with folders, anew from [directory] or, if there is none, from the class path.
  *
  * @throws MappingException if it is refused, or not found
  */

@@ -33,7 +33,7 @@ internal data class FieldType(val name: String, val length: Int) {
 /**
  * A type of messages, as a robot describes it with all types in it. Immutable.
  *
- * @property name the type, as its mapping has it
+ * @property name the type, as the mapping writes it
  */
 internal class MessageType private constructor(
     val name: String,
@@ -71,7 +71,7 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /** Returns the parts of [path] that are bytes, which a message has as text; none if the path leads to no field. */
+    /** Returns the beginning of [path] that leads to bytes, which a message has as text; null: there is none, or no such field. */
     fun bytesIn(path: List<String>): List<String>? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {

@@ -43,7 +43,9 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
         private fun inPose(path: String, field: String) =
             if (field.startsWith("yaw(")) "yaw($path.orientation)" else "$path.$field"
 
-        /** Returns the usual type with the name [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: it is another. */
+        /**
+         * Returns the usual type with the name [type], as in ROS 1 or as in ROS 2 (`sensor_msgs/msg/Range`); null: [type] is no usual type.
+         */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
         /** The names of the usual types, for messages. */

@@ -10,7 +10,7 @@ import kotlinx.serialization.json.doubleOrNull
 import java.math.BigDecimal
 
 internal sealed interface Value {
-    /** A number; neither infinite nor no number. */
+    /** A finite number, never NaN. */
     data class Number(val value: Double) : Value
 
     /** Text in a message, a string to the agent. */
@@ -35,7 +35,7 @@ internal sealed interface Value {
 
         /** Makes the value of a field. A bridge writes NaN and infinite numbers as `null`. */
         fun of(json: JsonElement): Value = when (json) {
-            JsonNull -> None("it is null, as bridges write what is infinite or no number")
+            JsonNull -> None("it is null; bridges write so for a number that is infinite or NaN")
             is JsonPrimitive -> when {
                 json.isString -> Text(json.content)
                 json.content == "true" || json.content == "false" -> Symbol(json.content)

@@ -90,7 +90,7 @@ class MappingReaderSpec : FunSpec({
             val many = (0..1_000).joinToString(",", "[", "]")
             listOf(
                 Triple(pose, """{"pose": {"pose": {"position": {}}}}""", "1 of at: pose.pose has no field positon; it has position"),
-                Triple("/s sensor_msgs/Range -> d(range)", """{"range": null}""", "range: it is null, as bridges write what is infinite"),
+                Triple("/s sensor_msgs/Range -> d(range)", """{"range": null}""", "range: it is null; bridges write so for a number"),
                 Triple("/s sensor_msgs/Range -> d(1/range)", """{"range": 0}""", "a number is infinite, or the result of no calculation"),
                 Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text"),
                 Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "has 1001 items, and a list has 1000 at most"),

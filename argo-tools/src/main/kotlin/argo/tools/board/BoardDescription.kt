@@ -2,6 +2,7 @@ package argo.tools.board
 
 import argo.filters.matching.perceptsOf
 import argo.tools.command.printable
+import javino.PerceptKind
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.link.BoardListener
@@ -16,6 +17,7 @@ import java.util.concurrent.TimeUnit
  * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
  * itself
  * @property percepts the board's answer to one request
+ * @property kinds the kinds of percepts that it describes; empty: it describes none
  * @property lost the number of its sketch's actions that found no room in its memory
  * @property rules the number of critical rules that it holds; null: it is of version 1
  */
@@ -24,6 +26,7 @@ internal class BoardDescription(
     private val actions: List<String>?,
     private val lost: Int,
     private val percepts: List<String>,
+    private val kinds: List<PerceptKind>,
     private val rules: Int?,
 ) {
     fun lines(): List<String> = listOf(
@@ -36,6 +39,11 @@ internal class BoardDescription(
         } + if (lost == 0) "" else "; $lost more found no room (126 at most, fewer in little memory) and are refused, " +
             "see \"javino.act.full()\" and JavinoSized",
         "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
+        "kinds of percepts: " + when {
+            protocol != Protocol.V2 -> "unknown; a board of version 1 does not describe them"
+            kinds.isEmpty() -> "not described"
+            else -> kinds.joinToString("; ")
+        },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
     ).map(::printable)
@@ -46,6 +54,7 @@ internal class BoardDescription(
         "actions" to actions,
         "actionsLost" to lost,
         "percepts" to percepts,
+        "kinds" to kinds.map { "$it" },
         "rules" to rules,
     )
 
@@ -63,7 +72,9 @@ internal class BoardDescription(
             val end = System.nanoTime() + VOCABULARY_NANOS
             while (isDescribing && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
             val actions = link.vocabulary().orElse(null)?.map(::written)
-            return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), welcome.rules.takeIf { isDescribing })
+            val kinds = link.perceptKinds(ANSWER_MS)
+            val rules = welcome.rules.takeIf { isDescribing }
+            return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), kinds, rules)
         }
 
         private fun written(action: BoardAction) = action.name + when (action.arguments) {

@@ -9,6 +9,8 @@ import argo.tools.command.making
 import argo.tools.command.printable
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
+import javino.PerceptKind
+import javino.PerceptTerm
 import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
@@ -31,7 +33,8 @@ import java.util.concurrent.locks.LockSupport
     name = "monitor",
     description = [
         "Shows the percepts of a board as they arrive, and at the end the rate of each. Ctrl-C ends it.",
-        "Percepts that no agent can read are marked with (!), and the reason is printed once.",
+        "Percepts that no agent can read, or that are not as the board describes them, are marked with (!), and the reason is " +
+            "printed once.",
         "Opening a port resets most boards.",
     ],
 )
@@ -88,6 +91,7 @@ internal class MonitorCommand : DataCommand() {
         private val rates = Rates()
         private var seen = emptySet<String>()
         private val explained = HashSet<String>()
+        private var kinds: List<PerceptKind>? = null
         private var unanswered = 0
         private var silence: String? = null
 
@@ -122,7 +126,8 @@ internal class MonitorCommand : DataCommand() {
             try {
                 val text = if (mode == "listen") link.listen(line.timeoutMs).text() else ask()
                 recording?.add(System.nanoTime(), Direction.IN, text)
-                show(text)
+                val described = kinds ?: link.perceptKinds(line.timeoutMs).also { kinds = it }
+                show(text, described)
             } catch (late: PortTimeoutException) {
                 if (mode == "request") show(late) else silence = late.message
             }
@@ -141,22 +146,28 @@ internal class MonitorCommand : DataCommand() {
             }
         }
 
-        private fun show(text: String) {
+        private fun show(text: String, kinds: List<PerceptKind>) {
             val ms = ms()
-            val percepts = perceptsOf(text)
-            rates.count(ms, percepts)
-            val unreadable = percepts.associateWith(::whyUnreadable).filterValues { it != null }
-            if (json) return out.println(jsonOf("ms" to ms, "percepts" to percepts, "unreadable" to unreadable.keys.toList()))
+            val percepts = perceptsOf(text).map { Shown(it, kinds) }
+            rates.count(ms, percepts.map { it.text })
+            if (json) return out.println(json(ms, percepts))
             val rate = rates.now()?.let { "${Rates.decimal(it)}/s" } ?: "-"
             val shown = percepts.joinToString("  ") {
-                if (it in unreadable) paint.bad("${printable(it)} (!)") else if (it in seen) printable(it) else paint.new(printable(it))
+                val words = printable(it.words)
+                if (it.problem != null) paint.bad("$words (!)") else if (it.text in seen) words else paint.new(words)
             }
             out.println("${paint.aside("${time(ms)} ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
-            seen = percepts.toSet()
-            unreadable.filterKeys { explained.size < MAX_EXPLAINED && explained.add(it) }.forEach { (percept, why) ->
-                out.println(paint.doubtful("            no agent believes ${printable(percept)}: ${printable(why.orEmpty())}"))
-            }
+            seen = percepts.map { it.text }.toSet()
+            percepts.mapNotNull { it.problem }.filter { explained.size < MAX_EXPLAINED && explained.add(it) }
+                .forEach { out.println(paint.doubtful("            ${printable(it)}")) }
         }
+
+        private fun json(ms: Long, percepts: List<Shown>) = jsonOf(
+            "ms" to ms,
+            "percepts" to percepts.map { it.text },
+            "unreadable" to percepts.filter { it.whyUnreadable != null }.map { it.text },
+            "deviating" to percepts.filter { it.deviation != null }.map { it.text },
+        )
 
         private fun show(late: PortTimeoutException) {
             unanswered++
@@ -182,6 +193,16 @@ internal class MonitorCommand : DataCommand() {
             "messages" to rates.messages, "unanswered" to unanswered, "protocol" to version, "corruptFrames" to damaged,
             "kinds" to rates.kinds().map { (kind, count, last) -> jsonOf("kind" to kind, "count" to count, "last" to last) },
         )
+    }
+
+    /** The percept [text], and what is to be said of it if the board describes these [kinds]; none: it describes nothing. */
+    private class Shown(val text: String, kinds: List<PerceptKind>) {
+        private val term = PerceptTerm.of(text)
+        val whyUnreadable = whyUnreadable(text)
+        val deviation: String? = if (kinds.isEmpty()) null else PerceptKind.deviationOf(term, kinds).orElse(null)
+        val words: String = PerceptKind.of(term, kinds).map { it.withUnits(term) }.orElse(text)
+        val problem = whyUnreadable?.let { "no agent believes $text: $it" }
+            ?: deviation?.let { "$text is not as the board describes it: $it" }
     }
 
     private companion object {

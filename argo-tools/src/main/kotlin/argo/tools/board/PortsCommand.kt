@@ -37,7 +37,8 @@ internal class PortsCommand : DataCommand() {
     @Option(
         names = ["--describe"],
         description = [
-            "as --probe, and asks each board for its actions; prints them with its percepts and how many critical rules it holds",
+            "as --probe, and asks each board for its actions and the kinds of its percepts, with units and ranges; prints them with its " +
+                "percepts and how many critical rules it holds",
         ],
     )
     private var describe = false

@@ -15,6 +15,7 @@ import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.LineSettings
+import javino.PerceptKind
 import javino.Protocol
 import javino.Transports
 import javino.link.Link
@@ -215,18 +216,57 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
+    test("monitor shows units, and marks percepts that are not as the board describes them") {
+        val kinds = arrayOf("dist(f|b, cm 0..400)", "temp(C -40..125)")
+        board { it.version2().perceives(*kinds).whenAsked("getPercepts").answer("dist(f,401);temp(20);news(1);") }.with { port ->
+            val said = argo("monitor", port, "--count", "3", "--interval", "0", "--protocol", "2").out
+            said shouldContain "dist(f,401 cm) (!)  temp(20 C)  news(1) (!)\n"
+            said.split("dist(f,401) is not as the board describes it: argument 2 is 401, more than 400").size shouldBe 2
+            said shouldContain "news(1) is not as the board describes it: no news/1 is described"
+            val json = argo("monitor", port, "--count", "1", "--json", "--protocol", "2").out.lines().first()
+            val deviating = Json.parseToJsonElement(json).jsonObject.getValue("deviating").jsonArray.map { it.jsonPrimitive.content }
+            deviating shouldBe listOf("dist(f,401)", "news(1)")
+        }
+    }
+
+    test("describe writes the kinds of percepts that a board describes") {
+        val file = tempdir().resolve("percepts")
+        board { it.version2().perceives("dist(f|b, cm 0..400)", "ready").whenAsked("getPercepts").answer("dist(f,3);") }.with { port ->
+            argo("describe", port, "$file", "--protocol", "2") shouldBe
+                Output(0, "$file has 2 kinds of percepts, as it describes them\n", "")
+            file.readText() shouldBe "# Percepts of the board at $port, as it describes them\ndist(f|b, cm 0..400)\nready\n"
+            argo("describe", port, "$file").err shouldContain "$file exists already, and is not overwritten"
+        }
+    }
+
+    test("describe writes the percepts that are observed of a board that describes none") {
+        val file = tempdir().resolve("percepts")
+        board { it.whenAsked("getPercepts").answer("dist(f,3);dist(b,40);Bad(1);") }.with { port ->
+            argo("describe", port, "$file", "--seconds", "1", "--protocol", "1") shouldBe
+                Output(0, "$file has 1 kind of percepts, as observed for 1 second\n", "")
+            file.readText() shouldBe
+                "# Percepts of the board at $port, as observed for 1 second\ndist(f|b, 3..40) # observed\n"
+            PerceptKind.parseLines(file.readText()).single().toString() shouldBe "dist(f|b, 3..40)"
+        }
+    }
+
     test("ports --describe prints what a board of version 2 can do") {
         val actions = arrayOf("ledOn", "speed/1", "say/*")
-        board { it.version2().knows(*actions).holdsRules(4).whenAsked("getPercepts").answer("dist(f,3);light(4);") }.with { port ->
+        val kinds = arrayOf("dist(f|b, cm 0..400)", "light(0..1023)")
+        board {
+            it.version2().knows(*actions).perceives(*kinds).holdsRules(4).whenAsked("getPercepts").answer("dist(f,3);light(4);")
+        }.with { port ->
             argo("ports", port, "--describe").out shouldBe """
                 $port: a Javino board of version 2
                   actions: ledOn, speed/1, say/*
                   percepts: dist(f,3); light(4)
+                  kinds of percepts: dist(f|b, cm 0..400); light(0..1023)
                   critical rules: up to 4 on the board
             """.trimIndent() + "\n"
             val json = Json.parseToJsonElement(argo("ports", port, "--describe", "--json").out).jsonArray.single().jsonObject
             json.getValue("actions").jsonArray.map { it.jsonPrimitive.content } shouldBe actions.toList()
             json.getValue("percepts").jsonArray.map { it.jsonPrimitive.content } shouldBe listOf("dist(f,3)", "light(4)")
+            json.getValue("kinds").jsonArray.map { it.jsonPrimitive.content } shouldBe kinds.toList()
             json.getValue("rules").jsonPrimitive.content shouldBe "4"
         }
     }
@@ -235,6 +275,7 @@ class BoardCommandsSpec : FunSpec({
         board { it.version2().whenAsked("getPercepts").answer("a;") }.with { port ->
             val said = argo("ports", port, "--describe").out
             said shouldContain "actions: unknown; its sketch has no table of actions"
+            said shouldContain "kinds of percepts: not described"
             said shouldContain "critical rules: none on the board; the computer watches them"
         }
         board { it.whenAsked("getPercepts").answer("") }.with { port ->
@@ -242,6 +283,7 @@ class BoardCommandsSpec : FunSpec({
             said shouldContain "a Javino board of version 1"
             said shouldContain "actions: unknown; a board of version 1 does not describe itself"
             said shouldContain "percepts: none now"
+            said shouldContain "kinds of percepts: unknown; a board of version 1 does not describe them"
         }
         val missing = argo("ports", "sim:tools-missing", "--describe")
         missing.status shouldBe 1
@@ -249,7 +291,7 @@ class BoardCommandsSpec : FunSpec({
     }
 
     test("a board's description says how many actions of its sketch found no room") {
-        fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), 0).lines()[1]
+        fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), emptyList(), 0).lines()[1]
         actions(0) shouldBe "actions: ledOn, speed/1"
         actions(51) shouldContain "ledOn, speed/1; 51 more found no room (126 at most, fewer in little memory) and are refused"
     }

@@ -8,7 +8,7 @@ import argo.recording.Sent
 import argo.recording.Step
 
 /**
- * Makes the items of one agent from its cycles, in their order, and links each with its causes as far as the recording has them.
+ * Makes the items of one agent from its cycles, in their order, and links each item with those of its causes that the recording has.
  *
  * @param agent the place of the agent among those of the recording
  * @param zeroNs the beginning of the recording, in ns of the agents' clock

@@ -19,7 +19,7 @@ internal enum class Lane {
     /** The agent's commands, from being issued to their outcome. */
     COMMANDS,
 
-    /** The lines that it printed. */
+    /** The lines that the agent printed. */
     PRINTED,
 }
 

@@ -10,8 +10,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * The timeline of the last minutes of [agent], which runs, from its recording at the moment in which the page is opened or asks anew. Only
- * the newest one is kept, and it costs no work while no page asks.
+ * The timeline of the last minutes of [agent], which runs. It is read from the agent's recording when a page is opened or asks anew. Only
+ * the newest timeline is kept, and it costs no work while no page asks.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
@@ -56,7 +56,10 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers. A longer one would cost the robot's computer time and memory; the recording itself has it. */
+        /**
+         * The time that the timeline covers. A longer timeline would cost the robot's computer time and memory; the recording itself has
+         * more.
+         */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }

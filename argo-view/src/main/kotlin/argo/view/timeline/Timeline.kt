@@ -31,7 +31,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
     private val effects: Map<Int, List<Int>> =
         items.flatMap { item -> item.causes.map { it to item.id } }.groupBy({ it.first }, { it.second })
 
-    /** Returns the lanes from [from] to [until], in seconds; a lane with more than [most] items as that many heaps. */
+    /** Returns the lanes from [from] to [until], in seconds. A lane with more than [most] items has at most [most] heaps instead. */
     fun between(from: Double, until: Double, most: Int): List<LanePart> =
         lanes.entries.sortedBy { (key, _) -> key.first * Lane.entries.size + key.second.ordinal }.map { (key, all) ->
             val first = all.firstFrom(from - longest.getValue(key))
@@ -54,7 +54,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
     }
 
-    /** Returns the id of the command of [agent] with the agent's [number]; null: it is not here. */
+    /** Returns the id of the item for command [number] of [agent]; null: the timeline does not have it. */
     fun command(agent: String, number: Long): Int? {
         val place = agents.indexOf(agent)
         return lanes[place to Lane.COMMANDS]?.find { it.command == number }?.id

@@ -10,7 +10,7 @@ import kotlinx.serialization.Serializable
  * @param name the name of the recording, or of the running agent
  * @param problems the parts of the recording that cannot be read
  * @param why explains why a command was sent
- * @property number the number of the timeline among those of a running agent; 0: it is of a file
+ * @property number the number of the timeline among those of a running agent; 0: it is that of a file
  */
 internal class TimelineRoutes(
     private val timeline: Timeline,
@@ -40,7 +40,7 @@ internal class TimelineRoutes(
         return HttpResponse.json(timeline.between(from, until, most))
     }
 
-    /** Responds with the item `id`, or the item before or after, and that item's links. */
+    /** Responds with the item `id`, or the item before or after it, and with the links of the item in the response. */
     private fun item(parameters: Map<String, String>): HttpResponse {
         val command = parameters["command"]?.toLongOrNull()
         val id = if (command == null) parameters["id"]?.toIntOrNull() else timeline.command(name, command)

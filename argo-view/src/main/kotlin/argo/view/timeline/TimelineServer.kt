@@ -18,7 +18,7 @@ import java.util.concurrent.Executors
  * @param file the recording; its name is the title
  * @param problems the parts of the recording that cannot be read
  * @param port 0 to 65535; 0: any that is free
- * @throws IOException if the port cannot be had
+ * @throws IOException if the port cannot be opened
  */
 internal class TimelineServer(
     timeline: Timeline,

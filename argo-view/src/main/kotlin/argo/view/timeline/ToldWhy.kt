@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicBoolean
 
 /**
  * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others meanwhile: they
- * would hold up threads that respond to pages. Any thread may ask.
+ * would block threads that respond to pages. Any thread may ask.
  *
  * @param reading calls its argument with the file of the agents' recording, or returns null if there is none
  */
@@ -19,8 +19,8 @@ internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val isBusy = AtomicBoolean()
 
     /**
-     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the
-     * answer.
+     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`, once that is
+     * answered.
      */
     fun respond(parameters: Map<String, String>): HttpResponse {
         val agent = parameters["agent"]

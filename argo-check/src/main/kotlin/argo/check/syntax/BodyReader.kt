@@ -1,0 +1,137 @@
+package argo.check.syntax
+
+/** Reads the bodies of plans. */
+internal class BodyReader(private val cursor: Cursor, private val terms: TermReader) {
+    /** Reads statements up to the first token that begins none. */
+    fun body(): Body = cursor.nested({ Body(it, emptyList()) }) {
+        val start = cursor.start
+        body(start, emptyList())
+    }
+
+    /** Reads the statements behind [first], which begin at [start]. */
+    fun body(start: Int, first: List<Statement>): Body {
+        val statements = ArrayList(first)
+        while (isStatementHere()) {
+            val statement = statement()
+            statements += statement
+            if (!cursor.take(";") && statement !is If && statement !is Loop) break
+        }
+        return Body(cursor.since(start), statements)
+    }
+
+    private fun isStatementHere(): Boolean {
+        val token = cursor.current
+        return when (token.kind) {
+            TokenKind.SYMBOL -> token.text in BEGINNINGS
+            TokenKind.KEYWORD -> token.text !in setOf("else", "elif", "div", "mod")
+            TokenKind.UNKNOWN -> false
+            else -> true
+        }
+    }
+
+    private fun statement(): Statement = when (cursor.current.takeIf { it.kind == TokenKind.KEYWORD }?.text) {
+        "if" -> branches()
+        "for", "while" -> loop()
+        else -> parallel("|||") { parallel("|&|", ::formula) }
+    }
+
+    private inline fun parallel(symbol: String, read: () -> Statement): Statement {
+        val first = read()
+        if (!cursor.isAt(symbol)) return first
+        val branches = arrayListOf(first)
+        while (cursor.take(symbol)) branches += read()
+        return Parallel(first.span + branches.last().span, branches)
+    }
+
+    private fun branches(): If {
+        val start = cursor.start
+        val branches = ArrayList<Branch>()
+        do branches += branch() while (cursor.current.isKeyword("elif"))
+        val otherwise = if (cursor.current.isKeyword("else")) {
+            cursor.next()
+            braces()
+        } else {
+            null
+        }
+        return If(cursor.since(start), branches, otherwise)
+    }
+
+    private fun branch(): Branch {
+        val start = cursor.next().span.start
+        val condition = condition()
+        val body = braces()
+        return Branch(cursor.since(start), condition, body)
+    }
+
+    private fun loop(): Loop {
+        val keyword = cursor.next()
+        val condition = condition()
+        val body = braces()
+        return Loop(cursor.since(keyword.span.start), keyword.text, condition, body)
+    }
+
+    private fun condition(): Term {
+        cursor.expect("(")
+        return terms.formula().also { cursor.expect(")", "a closing bracket") }
+    }
+
+    private fun braces(): Body {
+        cursor.expect("{")
+        return body().also { cursor.expect("}", "a statement or a closing brace") }
+    }
+
+    private fun formula(): Statement {
+        val start = cursor.start
+        val operator = operator()
+        if (operator == BodyOperator.ACHIEVE || operator == BodyOperator.ACHIEVE_APART) {
+            val goal = terms.literal()
+            return Formula(cursor.since(start), operator, goal)
+        }
+        if (operator == BodyOperator.DO && cursor.isAt("(") && isBodyInBrackets()) return group()
+        val term = terms.formula()
+        if (operator != BodyOperator.DO && term is Literal && term.isInternal) {
+            cursor.fail("${term.name} is an internal action, and no belief or goal that ${operator.symbol} can stand before", term.span)
+        }
+        return Formula(cursor.since(start), operator, term)
+    }
+
+    private fun operator(): BodyOperator {
+        if (cursor.current.kind != TokenKind.SYMBOL) return BodyOperator.DO
+        val one = OPERATORS[cursor.current.text] ?: return BodyOperator.DO
+        val two = OPERATORS[cursor.next().text + cursor.current.text]
+        if (two != null) cursor.next()
+        return two ?: one
+    }
+
+    private fun group(): Statement = cursor.nested({ Group(it, Body(it, emptyList())) }) {
+        val start = cursor.start
+        cursor.expect("(")
+        val body = body()
+        cursor.expect(")", "a closing bracket")
+        Group(cursor.since(start), body)
+    }
+
+    /** Returns true if the brackets that begin here hold statements rather than a formula. */
+    private fun isBodyInBrackets(): Boolean {
+        var depth = 0
+        var ahead = 0
+        while (true) {
+            val token = cursor.peek(ahead++)
+            when {
+                token.kind == TokenKind.UNKNOWN -> return false
+                token.text in OPENING -> depth++
+                token.text in CLOSING && --depth == 0 -> return false
+                token.kind == TokenKind.SYMBOL && token.text in ONLY_IN_BODIES -> return true
+                token.kind == TokenKind.KEYWORD && token.text in setOf("if", "for", "while") -> return true
+            }
+        }
+    }
+
+    private companion object {
+        val OPERATORS = BodyOperator.entries.filter { it != BodyOperator.DO }.associateBy { it.symbol }
+        val BEGINNINGS = setOf("!", "!!", "?", "+", "-", "(", "[", "{", "~", "::")
+        val ONLY_IN_BODIES = setOf(";", "|&|", "|||", "!", "!!", "?")
+        val OPENING = setOf("(", "[", "{")
+        val CLOSING = setOf(")", "]", "}")
+    }
+}

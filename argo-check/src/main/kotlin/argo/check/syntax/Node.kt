@@ -1,0 +1,118 @@
+package argo.check.syntax
+
+/** A part of a program with its place. A node contains its [children], in the order of the text, and no other node. */
+sealed interface Node {
+    val span: Span
+    val children: List<Node>
+}
+
+/** A term or a formula. */
+sealed interface Term : Node
+
+/** Stands where a term is missing; there is an error at this place. */
+class Missing(override val span: Span) : Term {
+    override val children: List<Node> get() = emptyList()
+}
+
+/**
+ * A name with its place.
+ *
+ * @property text without the quotes of a name in quotes
+ */
+class Name(override val span: Span, val text: String) : Node {
+    override val children: List<Node> get() = emptyList()
+
+    override fun toString(): String = text
+}
+
+/** A term that begins with a name or a variable, and may have a namespace and annotations. */
+sealed interface Named : Term {
+    val namespace: Term?
+    val isNegated: Boolean
+    val name: Name
+    val annotations: ListTerm?
+}
+
+/**
+ * An atom, a structure, a belief, a goal, an action, `true` or `false`.
+ *
+ * @property isInternal true for an internal action: its name has a dot, and no quotes
+ */
+class Literal(
+    override val span: Span,
+    override val namespace: Term?,
+    override val isNegated: Boolean,
+    override val name: Name,
+    val arguments: List<Term>,
+    override val annotations: ListTerm?,
+    val isInternal: Boolean,
+) : Named {
+    override val children: List<Node> get() = listOfNotNull(namespace, name) + arguments + listOfNotNull(annotations)
+
+    val functor: String get() = name.text
+
+    val arity: Int get() = arguments.size
+
+    /** `dist/2` */
+    val indicator: String get() = "$functor/$arity"
+
+    override fun toString(): String = indicator
+}
+
+/** A variable; one whose name begins with `_` is bound for nothing. */
+class Variable(
+    override val span: Span,
+    override val namespace: Term?,
+    override val isNegated: Boolean,
+    override val name: Name,
+    override val annotations: ListTerm?,
+) : Named {
+    override val children: List<Node> get() = listOfNotNull(namespace, name, annotations)
+
+    override fun toString(): String = name.text
+}
+
+/** @property text as written, without a sign */
+class NumberTerm(override val span: Span, val text: String) : Term {
+    override val children: List<Node> get() = emptyList()
+
+    val value: Double get() = text.toDouble()
+
+    override fun toString(): String = text
+}
+
+/** @property text without the quotes, with its escapes as written */
+class StringTerm(override val span: Span, val text: String) : Term {
+    override val children: List<Node> get() = emptyList()
+
+    override fun toString(): String = "\"$text\""
+}
+
+/** @property tail the term behind `|` */
+class ListTerm(override val span: Span, val items: List<Term>, val tail: Term?) : Term {
+    override val children: List<Node> get() = items + listOfNotNull(tail)
+}
+
+/** Operands between [operators] of one rank, as `A + B - C` or `a & b`; there is one operand more. */
+class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
+    override val span: Span get() = operands.first().span + operands.last().span
+    override val children: List<Node> get() = operands
+
+    fun isOf(symbol: String): Boolean = operators.all { it.text == symbol }
+}
+
+/** An operand behind `not`, `+` or `-`. */
+class Prefixed(val operator: Token, val operand: Term) : Term {
+    override val span: Span get() = operator.span + operand.span
+    override val children: List<Node> get() = listOf(operand)
+}
+
+/** A term or a formula in round brackets. */
+class Bracketed(override val span: Span, val term: Term) : Term {
+    override val children: List<Node> get() = listOf(term)
+}
+
+/** A term in braces. Its [content] is a [Body], a [Plan], a [Trigger] or a [Belief] that is a rule. */
+class Block(override val span: Span, val content: Node) : Term {
+    override val children: List<Node> get() = listOf(content)
+}

@@ -1,0 +1,61 @@
+package argo.check.syntax
+
+/**
+ * A place in a text.
+ *
+ * @property line counted from 1
+ * @property column counted from 1, in UTF-16 units
+ */
+data class Position(val line: Int, val column: Int) : Comparable<Position> {
+    override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
+
+    override fun toString(): String = "$line:$column"
+}
+
+/** The part of a text from offset [start], up to offset [end], which it does not contain; both in UTF-16 units from 0. */
+data class Span(val start: Int, val end: Int) {
+    val length: Int get() = end - start
+
+    /** Returns true if a cursor at [offset] is within this or at one of its ends. */
+    fun touches(offset: Int): Boolean = offset in start..end
+
+    /** Returns the shortest span that contains this and [other]. */
+    operator fun plus(other: Span): Span = Span(minOf(start, other.start), maxOf(end, other.end))
+}
+
+/** The lines of [text], which end with `\n`, `\r\n` or `\r`. */
+class Lines(private val text: String) {
+    private val starts: List<Int> = buildList {
+        add(0)
+        text.forEachIndexed { at, character ->
+            if (character == '\n' || character == '\r' && text.getOrNull(at + 1) != '\n') add(at + 1)
+        }
+    }
+
+    /** The end of the text. */
+    internal val end: Span get() = Span(text.length, text.length)
+
+    /** The number of lines; an empty text has one. */
+    val count: Int get() = starts.size
+
+    /** Returns the position of [offset]; an offset beyond the text stands for its end. */
+    fun position(offset: Int): Position {
+        val at = offset.coerceIn(0, text.length)
+        val line = starts.binarySearch(at).let { if (it >= 0) it else -it - 2 }
+        return Position(line + 1, at - starts[line] + 1)
+    }
+
+    /** Returns the offset of [position]; a position beyond its line or the text stands for the end of that. */
+    fun offset(position: Position): Int {
+        if (position.line < 1) return 0
+        if (position.line > count) return text.length
+        val end = starts.getOrNull(position.line)?.let { it - 1 } ?: text.length
+        return (starts[position.line - 1] + position.column - 1).coerceIn(starts[position.line - 1], end)
+    }
+
+    /** Returns the text of a [line], counted from 1, without its end; empty for a line that there is not. */
+    fun text(line: Int): String {
+        val start = starts.getOrNull(line - 1) ?: return ""
+        return text.substring(start, starts.getOrNull(line) ?: text.length).trimEnd('\n', '\r')
+    }
+}

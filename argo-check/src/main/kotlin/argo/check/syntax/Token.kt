@@ -1,0 +1,26 @@
+package argo.check.syntax
+
+/** The kinds of tokens. Jason skips comments; it refuses a text with an unknown one. */
+enum class TokenKind { ATOM, VARIABLE, NUMBER, STRING, KEYWORD, SYMBOL, COMMENT, UNKNOWN }
+
+/**
+ * A piece of AgentSpeak.
+ *
+ * @property text as written: a string with its quotes, a comment with its slashes
+ */
+class Token(val kind: TokenKind, val text: String, val span: Span) {
+    fun isSymbol(symbol: String): Boolean = kind == TokenKind.SYMBOL && text == symbol
+
+    fun isKeyword(word: String): Boolean = kind == TokenKind.KEYWORD && text == word
+
+    override fun toString(): String = text
+}
+
+/**
+ * A reason why Jason refuses a text.
+ *
+ * @property message what is wrong, and what Jason expects
+ */
+class SyntaxError(val span: Span, val message: String) {
+    override fun toString(): String = message
+}

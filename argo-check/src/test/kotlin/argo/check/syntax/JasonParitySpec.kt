@@ -1,0 +1,85 @@
+package argo.check.syntax
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.list
+import io.kotest.property.checkAll
+import jason.asSemantics.Agent
+import jason.asSyntax.parser.as2j
+import java.io.StringReader
+import java.nio.file.FileSystems
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.logging.LogManager
+import kotlin.io.path.readText
+
+class JasonParitySpec : FunSpec({
+    beforeSpec { LogManager.getLogManager().reset() } // warnings of Jason's parser
+
+    fun refusal(text: String): String? = try {
+        as2j(StringReader(text)).agent(Agent().apply { initAg() })
+        null
+    } catch (refused: Throwable) { // a TokenMgrError is no exception
+        "$refused"
+    }
+
+    fun programsBelow(folder: Path): Map<String, String> = Files.walk(folder).use { files ->
+        files.filter { "$it".endsWith(".asl") && !it.contains(Path.of("target")) }.toList().associate { "$it" to it.readText(Charsets.UTF_8) }
+    }
+
+    fun mustReadWhatJasonReads(programs: Map<String, String>) {
+        programs.size shouldBeGreaterThan 5
+        programs.forEach { (name, text) ->
+            val errors = programOf(text).errors
+            if (errors.isNotEmpty()) withClue("$name: $errors") { (refusal(text) == null) shouldBe false }
+        }
+    }
+
+    test("every program of this project is read") {
+        val programs = programsBelow(Path.of(".."))
+        mustReadWhatJasonReads(programs)
+    }
+
+    test("every program in Jason's jar is read") {
+        val jar = Path.of(Agent::class.java.protectionDomain.codeSource.location.toURI())
+        FileSystems.newFileSystem(jar).use { mustReadWhatJasonReads(programsBelow(it.getPath("/"))) }
+    }
+
+    test("every program of a corpus that Jason reads is read").config(enabled = CORPUS != null) {
+        mustReadWhatJasonReads(programsBelow(Path.of(CORPUS!!)))
+    }
+
+    test("made programs that Jason reads are read") {
+        val part = Arb.element(
+            "+!g(X)", "-b", "^!g", " : ", " <- ", "a", "X", "_", ".", "p(X,1)", ".print(X)", "[a|T]", "[1,b]", "(", ")", " & ", " | ", "not ", ";",
+            " |&| ", "|||", "?q", "!g", "!!g", "+b", "-+b(1)", "++b", "--b", "+<b", "{ +!g <- b }", "{ a; b }", "{ +a }", "{", "}", "if (a) ", "{ b }",
+            " else ", " elif (c) ", "for (a) ", "while (X < 3) ", "X = 3 + 2 * Y", "=..", "\"s\"", "ns::", "~", "[source(A)]", "@l", ":-", "**", " div ", "-",
+            ".\n", "true", "begin", "'q r'", ".5", "1.5e3", "_1", "<: ", ",", "{ end }", "{ begin namespace(x) }", "X > Y", "\\==", "/* c */",
+        )
+        var accepted = 0
+        checkAll(20_000, Arb.list(part, 1..7)) { parts ->
+            val text = parts.joinToString("") + "."
+            val errors = programOf(text).errors
+            if (errors.isNotEmpty()) withClue("$text: $errors") { (refusal(text) == null) shouldBe false } else accepted++
+        }
+        accepted shouldBeGreaterThan 100
+    }
+
+    test("what Jason refuses for its form is mostly refused") {
+        listOf("a(.", "+!a <- .", "a b.", "+!a <- b; ; c.", "[a].", "+!a : .", "a :- .", "+ <- b.", "+!a <- (b.", "!X", "a()", "+!a <- x[.").forEach { text ->
+            withClue(text) {
+                (refusal(text) == null) shouldBe false
+                programOf(text).errors.isEmpty() shouldBe false
+            }
+        }
+        programOf("a. b(1).").errors.shouldBeEmpty()
+    }
+})
+
+/** A folder with programs of others; there is none unless `-DargLine=-Dargo.corpus=…` names it. */
+private val CORPUS: String? = System.getProperty("argo.corpus")

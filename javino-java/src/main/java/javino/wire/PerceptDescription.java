@@ -1,0 +1,42 @@
+package javino.wire;
+
+import java.util.ArrayList;
+import java.util.List;
+import javino.PerceptKind;
+import javino.PerceptTerm;
+
+/**
+ * A board's answer to the question for the kinds of its percepts: {@code ?dist(front|left, cm 0..400);?ready;}.
+ *
+ * @param kinds the kinds, in the board's order
+ * @param problems the reasons why other texts that describe a kind cannot be read
+ */
+public record PerceptDescription(List<PerceptKind> kinds, List<String> problems) {
+    private static final String MARK = "?";
+
+    public PerceptDescription {
+        kinds = List.copyOf(kinds);
+        problems = List.copyOf(problems);
+    }
+
+    /** The texts that describe {@code kinds}, each with its {@code ;}. */
+    public static List<String> texts(List<PerceptKind> kinds) {
+        return kinds.stream().map(kind -> MARK + kind + ";").toList();
+    }
+
+    /** Reads an answer. Percepts in it, of a board that has not understood the question, describe nothing. */
+    public static PerceptDescription read(String answer) {
+        List<PerceptKind> kinds = new ArrayList<>();
+        List<String> problems = new ArrayList<>();
+        for (String text : PerceptTerm.split(answer)) {
+            if (text.startsWith(MARK)) {
+                try {
+                    kinds.add(PerceptKind.parse(text.substring(MARK.length())));
+                } catch (IllegalArgumentException e) {
+                    problems.add(e.getMessage());
+                }
+            }
+        }
+        return new PerceptDescription(kinds, problems);
+    }
+}
