@@ -34,6 +34,7 @@ internal class McapContents {
 
     fun problem(text: String) {
         if (problems.size < MAX_PROBLEMS) problems += text
+        else if (problems.size == MAX_PROBLEMS) problems += "there are others, which are not listed"
     }
 
     private companion object {

@@ -10,6 +10,7 @@ import io.kotest.matchers.comparables.shouldBeGreaterThan
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldEndWith
 import javino.sim.LineRecording
 import javino.sim.MemoryLine
@@ -255,6 +256,17 @@ class AgentSpec : FunSpec({
             robot.log.single { "WARNING" in it } shouldContain "no agent bob runs in this test, so messages to it are only kept in said, " +
                 "as this one: tell(bob,hello(1,x))"
             shouldThrow<IllegalArgumentException> { robot.hears("boss", "shout", "x") }.message shouldContain "achieve"
+        }
+    }
+
+    test("what fails tells of how many lines of the log it has the newest, and that it describes few percepts of many") {
+        agentOf("!start.\n+!start <- argo.port(ttyACM0); argo.percepts(open); for (.range(I,1,30)) { .print(line(I)) }.").use { robot ->
+            robot.perceivesRaw((1..30).joinToString("") { "p$it(X);" })
+            val message = shouldThrow<AssertionError> { robot.shouldSend("stop") }.message.orEmpty()
+            message shouldContain Regex("log, the newest 20 lines and the errors of \\d+: ")
+            message shouldContain "p24(X) is left out"
+            message shouldNotContain "p25(X) is left out"
+            message shouldContain "what becomes of the others is not described"
         }
     }
 
