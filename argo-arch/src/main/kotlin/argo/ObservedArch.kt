@@ -51,6 +51,7 @@ internal class ObservedArch(
         }
     }
 
+    override fun perceptKinds(portName: String) = arch.boards.perceptKinds(portName)
     override fun filterNames() = filterNames(arch.ts.ag)
     override fun filter(name: String) = filterOf(arch.ts.ag, name)
     override fun explain(percept: String) = arch.perception.explain(percept)

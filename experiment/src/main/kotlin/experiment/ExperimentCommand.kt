@@ -1,6 +1,6 @@
 package experiment
 
-import argo.tools.command.refuse
+import argo.tools.command.ToolCommand
 import argo.tools.command.requireWithin
 import experiment.report.Provenance
 import experiment.report.writeReport
@@ -9,9 +9,7 @@ import javino.PortException
 import javino.link.Link
 import javino.link.LinkSettings
 import picocli.CommandLine.Command
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.Spec
 import samples.project.Logs
 import samples.project.Progress
 import sun.misc.Signal
@@ -21,7 +19,6 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
 import java.time.Instant
-import java.util.concurrent.Callable
 import kotlin.random.Random
 
 @Command(
@@ -35,10 +32,7 @@ import kotlin.random.Random
     exitCodeList = ["0:all runs are made", "1:some have failed", "2:wrong arguments", "130:interrupted; the same command continues"],
     sortOptions = false,
 )
-internal class ExperimentCommand : Callable<Int> {
-    @Spec
-    private lateinit var spec: CommandSpec
-
+internal class ExperimentCommand : ToolCommand() {
     @Option(names = ["--quick"], description = ["24 runs for each condition in place of 81: 2 limits, 2 intervals, 2 replications"])
     private var quick = false
 
@@ -79,7 +73,7 @@ internal class ExperimentCommand : Callable<Int> {
         names = ["--out"], paramLabel = "DIR", defaultValue = "experiment-results",
         description = ["where records and report go (default: \${DEFAULT-VALUE})"],
     )
-    private lateinit var out: Path
+    private lateinit var directory: Path
 
     @Option(
         names = ["--port"], paramLabel = "device",
@@ -87,13 +81,10 @@ internal class ExperimentCommand : Callable<Int> {
     )
     private var port: String? = null
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
     override fun call(): Int {
         val conditions = conditions()
         port?.let(::tryRobot)
-        return Archive(out).use { make(it, conditions) }
+        return Archive(directory).use { make(it, conditions) }
     }
 
     /** Asks the robot on [port] for its percepts, before a person moves it: a wrong port or robot is refused at once. */
@@ -101,10 +92,10 @@ internal class ExperimentCommand : Callable<Int> {
         val answer = try {
             Link.open(port, LinkSettings.defaults(), "the experiment").use(::firstSight)
         } catch (silent: PortException) {
-            spec.refuse("--port: ${silent.message}")
+            misuse("--port: ${silent.message}")
         }
         if (FRONT !in answer) {
-            spec.refuse("--port: the agent stops by the front distance, and the robot on $port shows no $FRONT…); it answers: $answer")
+            misuse("--port: the agent stops by the front distance, and the robot on $port shows no $FRONT…); it answers: $answer")
         }
         println("the robot on $port answers: $answer")
     }
@@ -124,9 +115,9 @@ internal class ExperimentCommand : Callable<Int> {
         val settings = try {
             settings(archive).also(archive::open)
         } catch (refused: ContinuationException) {
-            spec.refuse(refused.message.orEmpty())
+            misuse(refused.message.orEmpty())
         } catch (unwritable: IOException) {
-            spec.refuse("--out $out cannot be written to: $unwritable")
+            misuse("--out $directory cannot be written to: $unwritable")
         }
         val workers = if (port == null) jobs ?: (2 * Runtime.getRuntime().availableProcessors()) else 1
         println(
@@ -139,8 +130,8 @@ internal class ExperimentCommand : Callable<Int> {
         return try {
             make(archive, settings, conditions, workers)
         } catch (unwritable: IOException) {
-            spec.commandLine().err.println(
-                "experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $out continues",
+            err.println(
+                "experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $directory continues",
             )
             1
         }
@@ -162,13 +153,13 @@ internal class ExperimentCommand : Callable<Int> {
 
     private fun conditions(): List<Condition> {
         jobs?.let { spec.requireWithin("--jobs", it, 1..MAX_JOBS) }
-        slowdown?.let { if (!(it in 1.0..MAX_SLOWDOWN)) spec.refuse("--slowdown is from 1 to ${MAX_SLOWDOWN.toInt()}, not $it") }
-        if (port?.isBlank() == true) spec.refuse("--port names no port")
-        if (port != null && (jobs ?: 1) > 1) spec.refuse("--jobs is for simulated robots, and --port asks for a real one")
-        if (port != null && slowdown != null) spec.refuse("--slowdown is for simulated robots, and --port asks for a real one")
-        if (port != null && scaling) spec.refuse("--scaling is for simulated robots, and --port asks for a real one")
+        slowdown?.let { if (!(it in 1.0..MAX_SLOWDOWN)) misuse("--slowdown is from 1 to ${MAX_SLOWDOWN.toInt()}, not $it") }
+        if (port?.isBlank() == true) misuse("--port names no port")
+        if (port != null && (jobs ?: 1) > 1) misuse("--jobs is for simulated robots, and --port asks for a real one")
+        if (port != null && slowdown != null) misuse("--slowdown is for simulated robots, and --port asks for a real one")
+        if (port != null && scaling) misuse("--scaling is for simulated robots, and --port asks for a real one")
         if (condition == "all") return Condition.entries
-        return listOf(Condition.entries.find { it.letter == condition } ?: spec.refuse("--condition is a, b, c, d or all, not $condition"))
+        return listOf(Condition.entries.find { it.letter == condition } ?: misuse("--condition is a, b, c, d or all, not $condition"))
     }
 
     /** Returns the settings of the experiment to continue, changed by the options. */

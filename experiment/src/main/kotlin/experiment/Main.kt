@@ -9,6 +9,10 @@ import kotlin.system.exitProcess
  * the user has typed before `experiment`.
  */
 fun main(args: Array<String>) {
+    exitProcess(program().execute(*args))
+}
+
+internal fun program(): CommandLine {
     val name = "${System.getProperty("argo.command") ?: "./argo"} experiment"
-    exitProcess(CommandLine(ExperimentCommand()).setCommandName(name).refusingInWords("command").execute(*args))
+    return CommandLine(ExperimentCommand()).setCommandName(name).refusingInWords("command")
 }

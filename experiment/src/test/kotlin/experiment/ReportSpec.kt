@@ -47,6 +47,12 @@ private val MADE = Provenance("0.1.0, commit abc", Instant.parse("2026-11-22T10:
 
 class ReportSpec : FunSpec({
     val settings = SETTINGS.copy(plan = Plan.FULL)
+    val reports = mutableMapOf<List<Condition>, String>()
+
+    /** Returns the report of [conditions] with the published pattern, which is written once. */
+    fun report(vararg conditions: Condition): String = reports.getOrPut(conditions.toList()) {
+        writeReport(tempdir().toPath(), settings, made(*conditions), MADE).readText()
+    }
 
     test("the page is whole: it asks nothing of the network and shows each figure in light and dark") {
         val directory = tempdir().toPath()
@@ -61,7 +67,7 @@ class ReportSpec : FunSpec({
     }
 
     test("the report says by what and when it was made, and numbers its figures and tables") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        val page = report(Condition.PUBLISHED, Condition.DEFAULTS)
         page shouldContain "Made with ARGO 0.1.0, commit abc on 2026-11-22T10:15:00Z."
         Regex("<caption>Table (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..13).toList()
         Regex("<figcaption>Figure (\\d+)\\.").findAll(page).map { it.groupValues[1].toInt() }.toList() shouldBe (1..3).toList()
@@ -69,7 +75,7 @@ class ReportSpec : FunSpec({
     }
 
     test("shares of runs and medians have their intervals, and few runs have none") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.DEFAULTS), MADE).readText()
+        val page = report(Condition.DEFAULTS)
         page shouldContain "<td class=\"n\">40</td><td class=\"n\">9 of 9 (70 to 100)</td>"
         page shouldContain "<td class=\"n\">420</td><td class=\"n\">410 to 430</td><td class=\"n\">410</td>"
         val few = made(Condition.DEFAULTS).take(5)
@@ -77,7 +83,7 @@ class ReportSpec : FunSpec({
     }
 
     test("the share of runs that stop is told for each limit and filter, not for limits that differ together") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED), MADE).readText()
+        val page = report(Condition.PUBLISHED)
         val heading = "<th scope=\"row\">(a) as published</th>"
         page shouldContain "$heading<td class=\"n\">40</td><td class=\"n\">0 of 9 (0 to 30)</td><td class=\"n\">2 of 9 (6 to 55)</td>" +
             "<td class=\"n\">6 of 9 (35 to 88)</td>"
@@ -98,7 +104,7 @@ class ReportSpec : FunSpec({
         fun table(caption: String, of: String = page) = of.substringAfter(caption).substringBefore("</table>")
         table("Time from crossing the limit of the runs that stopped") shouldContain "<td class=\"n\">500.0<"
         table("Time from perceiving the wall of the runs that stopped") shouldContain "<td class=\"n\">300.0<"
-        val all = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED), MADE).readText()
+        val all = report(Condition.PUBLISHED)
         Response.entries.filter { "published</th>" in table("Allocation of variation of the ${it.title}", all) } shouldBe
             listOf(Response.PERCEIVED_TIME, Response.LEAST_PERCEIVED_TIME)
         page shouldContain "which add up to 100.06 %"
@@ -106,13 +112,13 @@ class ReportSpec : FunSpec({
     }
 
     test("a table has no condition whose shares would be those of a table before") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        val page = report(Condition.PUBLISHED, Condition.DEFAULTS)
         fun heads(response: Response) = page.substringAfter("Allocation of variation of the ${response.title}").substringBefore("</thead>")
         heads(Response.PERCEIVED_TIME) shouldContain "(b)"
         heads(Response.LEAST_PERCEIVED_TIME) shouldContain "(a)"
         heads(Response.LEAST_PERCEIVED_TIME) shouldNotContain "(b)"
         page shouldContain "Conditions without such a robot are left out"
-        writeReport(tempdir().toPath(), settings, made(Condition.DEFAULTS), MADE).readText() shouldNotContain "least time from perceiving"
+        report(Condition.DEFAULTS) shouldNotContain "least time from perceiving"
     }
 
     test("the time of a request and its answer is that of each condition without a filter") {
@@ -164,7 +170,7 @@ class ReportSpec : FunSpec({
     }
 
     test("each table of shares is followed by the intervals of them") {
-        val page = writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED, Condition.DEFAULTS), MADE).readText()
+        val page = report(Condition.PUBLISHED, Condition.DEFAULTS)
         Regex("95 % intervals of the shares".replace(" %", "\u00a0%")).findAll(page).count() shouldBe 4
     }
 
@@ -186,7 +192,7 @@ class ReportSpec : FunSpec({
         val page = writeReport(tempdir().toPath(), SETTINGS.copy(plan = Plan.QUICK), runs, MADE).readText()
         page shouldContain "It leaves out the limit of 40 cm, the interval of 35 ms, 1 of 3 replications."
         page shouldContain "<span class=\"not-tested\">not tested</span>"
-        writeReport(tempdir().toPath(), settings, made(Condition.PUBLISHED), MADE).readText() shouldNotContain "It leaves out"
+        report(Condition.PUBLISHED) shouldNotContain "It leaves out"
     }
 
     test("each figure is there as SVG and as PNG") {
@@ -199,7 +205,7 @@ class ReportSpec : FunSpec({
     }
 
     test("all conditions are in one report, each with its figures and its promise") {
-        val page = writeReport(tempdir().toPath(), settings, made(*Condition.entries.toTypedArray()), MADE).readText()
+        val page = report(*Condition.entries.toTypedArray())
         Condition.entries.forEach { page shouldContain "<th scope=\"row\">(${it.letter}) ${it.title}</th>" }
         page shouldContain "<th scope=\"col\" class=\"n\">(d)</th>"
         page shouldContain "(d) version 2, reflex on the board: every run stops"

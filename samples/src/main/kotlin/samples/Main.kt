@@ -1,17 +1,16 @@
 package samples
 
+import argo.tools.command.ToolCommand
 import argo.tools.command.refuseWithout
 import argo.tools.command.refusingInWords
 import picocli.CommandLine
 import picocli.CommandLine.Command
-import picocli.CommandLine.Option
 import samples.collision.CollisionCommand
 import samples.fleet.FleetCommand
 import samples.lamp.BlinkCommand
 import samples.project.MasRun
 import samples.project.SampleProject
 import samples.turtle.TurtleCommand
-import java.util.concurrent.Callable
 import kotlin.system.exitProcess
 
 /**
@@ -59,20 +58,11 @@ private fun CommandLine.addProject(name: String, vararg description: String): Co
 
 /** A sample without options: the Jason project [name], until its agents end it. */
 @Command
-private class ProjectCommand(private val name: String) : Callable<Int> {
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
+private class ProjectCommand(private val name: String) : ToolCommand() {
     override fun call(): Int = MasRun(SampleProject(name)).toItsEnd()
 }
 
 @Command(name = "samples", description = ["Jason agents that drive boards through ARGO."])
-private class Samples : Runnable {
-    @CommandLine.Spec
-    private lateinit var spec: CommandLine.Model.CommandSpec
-
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
-    override fun run(): Unit = spec.refuseWithout("sample")
+private class Samples : ToolCommand() {
+    override fun call(): Int = spec.refuseWithout("sample")
 }

@@ -4,8 +4,25 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
+import java.io.PrintWriter
+import java.io.StringWriter
 
 class CommandLineSpec : FunSpec({
+    /** Returns the exit status and the output of the samples with [arguments], without a process of its own for them. */
+    fun run(vararg arguments: String): Pair<Int, String> {
+        val printed = StringWriter()
+        val (commands, rest) = program(arrayOf(*arguments))
+        val status = PrintWriter(printed, true).let { commands.setOut(it).setErr(it).execute(*rest) }
+        return status to "$printed"
+    }
+
+    test("the program ends with the status of what it runs") {
+        val (status, printed) = Program.run("collision", "--limit", "far")
+        status shouldBe 2
+        printed shouldStartWith "Invalid value for option '--limit': far is not a whole number"
+        Program.run("blink", "--help").first shouldBe 0
+    }
+
     context("wrong arguments are refused with a reason and exit status 2") {
         listOf(
             "collision --limit 500" to "--limit is from 1 to 199 cm, since the robot starts 200 cm from the wall, not 500",
@@ -31,7 +48,7 @@ class CommandLineSpec : FunSpec({
             "" to "name a sample: collision, blink, delegation, two-boards",
         ).forEach { (line, reason) ->
             test("samples $line") {
-                val (status, printed) = Program.run(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
+                val (status, printed) = run(*line.split(' ').filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 2
                 printed shouldContain reason
                 printed shouldContain "--help lists the options"
@@ -42,13 +59,13 @@ class CommandLineSpec : FunSpec({
     context("help is shown for") {
         listOf("", "collision", "blink", "delegation", "two-boards", "three-boards").forEach { command ->
             test("samples $command".trim()) {
-                val (status, printed) = Program.run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
+                val (status, printed) = run(*listOf(command, "--help").filter { it.isNotEmpty() }.toTypedArray())
                 status shouldBe 0
                 printed shouldStartWith "Usage: ./argo sample $command".trim()
             }
         }
         test("the demo") {
-            val (status, printed) = Program.run("demo", "--help")
+            val (status, printed) = run("demo", "--help")
             status shouldBe 0
             printed shouldStartWith "Usage: ./argo demo"
         }

@@ -26,6 +26,7 @@ import argo.platform.nowMs
 import argo.sensing.SensingPolicy
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
+import javino.PerceptKind
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.CopyOnWriteArrayList
 import java.util.concurrent.atomic.AtomicReference
@@ -139,6 +140,10 @@ internal class AgentBoards(
     /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
     fun answers(port: Any): Boolean =
         port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && inUseOn(port)?.let { port.terms.any(it::isStale) } != true
+
+    /** Returns the kinds of percepts that the board on the port opened as [portName] describes, see [DescribedPercepts.get]. */
+    fun perceptKinds(portName: String): List<PerceptKind> =
+        lines.entries.find { it.key.link.port == portName }?.value?.described?.get().orEmpty()
 
     /** Returns true if the board on [port] watches [rule] itself. */
     fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean = lines[port]?.rules?.isWatching(rule) == true

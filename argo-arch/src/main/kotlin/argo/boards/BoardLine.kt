@@ -24,6 +24,9 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
     val sensing = Sensing(port, agent.owner, this, agent.platform)
 
+    /** The kinds of percepts that the board describes. */
+    val described = DescribedPercepts(port)
+
     private val warning = agent.rateLimitedWarning() // by the rule whose reports are left out
 
     /** The critical rules that the board watches. */
@@ -50,6 +53,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     override fun received(port: OpenPort, message: BoardMessage, askedNanos: Long) {
         agent.boardOn(port)?.received(port, message, askedNanos, nextStart(askedNanos))
+        described.askIfWanted()
     }
 
     override fun unanswered(port: OpenPort, trouble: PortTimeoutException) {
@@ -61,7 +65,10 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     override fun lost(port: OpenPort, trouble: PortException) = agent.ports.lost(port, trouble)
 
-    override fun sessionBegan(room: Int) = rules.began(room)
+    override fun sessionBegan(room: Int) {
+        described.renew()
+        rules.began(room)
+    }
 
     override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) {
         val critical = rules.ruleOf(rule)

@@ -1,6 +1,7 @@
 package argo.links
 
 import argo.filters.PerceptionFilter
+import javino.PerceptKind
 import javino.PortException
 import javino.PortGoneException
 import javino.PortTimeoutException
@@ -15,8 +16,8 @@ import java.util.concurrent.CompletableFuture
  * a [BoardLinkProvider].
  *
  * Safe for use by several threads. Once the far end has gone, or the link is closed, every call but [close] and [wants] fails with
- * [PortGoneException], waiting calls promptly. Only [listen], [request], [check], [watch], [writeCommandsUntilClosed] and [sendAndAwait]
- * may wait.
+ * [PortGoneException], waiting calls promptly. Only [listen], [request], [perceptKinds], [check], [watch], [writeCommandsUntilClosed] and
+ * [sendAndAwait] may wait.
  */
 interface BoardLink : AutoCloseable {
     /** The port's name, as given. */
@@ -75,6 +76,10 @@ interface BoardLink : AutoCloseable {
     /** Lets reports through, see [onBoardEvents], for [timeoutMs] ms at most. */
     @Throws(PortException::class)
     fun watch(timeoutMs: Int) = check()
+
+    /** Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most; none: it describes none. */
+    @Throws(PortException::class)
+    fun perceptKinds(timeoutMs: Int): List<PerceptKind> = emptyList()
 
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand

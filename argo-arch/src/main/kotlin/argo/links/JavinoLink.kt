@@ -1,5 +1,6 @@
 package argo.links
 
+import javino.PerceptKind
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.link.BoardListener
@@ -27,6 +28,8 @@ class JavinoLink(private val link: Link) : BoardLink {
 
     override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =
         (if (isPaced) link.request(text, timeoutMs, intervalMs) else link.request(text(), timeoutMs)).toMessage()
+
+    override fun perceptKinds(timeoutMs: Int): List<PerceptKind> = link.perceptKinds(timeoutMs)
 
     override fun check() = link.check()
 

@@ -5,6 +5,7 @@ import argo.filters.PerceptionFilter
 import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
+import javino.PerceptKind
 import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
@@ -48,6 +49,14 @@ interface ObservedAgent {
 
     /** Returns the ports that it has asked for. */
     fun ports(): List<ObservedPort>
+
+    /**
+     * Returns the kinds of percepts that the board on a port describes. From the first call on the board is asked for them, once in each
+     * session and between two requests; none: it describes none, or they are not known yet.
+     *
+     * @param portName the name with which the port was opened, as [PerceivedMessage.portName]
+     */
+    fun perceptKinds(portName: String): List<PerceptKind>
 
     /**
      * Returns the names of the filters to which it could change.

@@ -40,7 +40,7 @@ open class RuleConditions internal constructor() {
      * @throws IllegalArgumentException if the rule already has another number
      */
     fun arity(count: Int) {
-        require(arity == null || arity == count) { "a rule has one arity, and $arity is it; expected another rule for $count arguments" }
+        require(arity == null || arity == count) { "the rule has the arity $arity already; write another rule for $count arguments" }
         arity = count
     }
 
@@ -50,7 +50,7 @@ open class RuleConditions internal constructor() {
      * @throws IllegalArgumentException if the rule already has another interval
      */
     fun everyMs(ms: Long) {
-        require(everyMs == null || everyMs == ms) { "a rule has one interval, and $everyMs ms is it; expected another rule for $ms ms" }
+        require(everyMs == null || everyMs == ms) { "the rule has the interval $everyMs ms already; write another rule for $ms ms" }
         everyMs = ms
     }
 
@@ -85,7 +85,7 @@ open class RuleConditions internal constructor() {
     /** @throws IllegalArgumentException if an argument or annotation was named without a test: the author meant a condition */
     internal fun rule(predicate: Predicate): Rule {
         require(unsaid.isEmpty()) {
-            "nothing is said of ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
+            "there is no condition on ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
         }
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands)
         return Rule(predicate, conditions.toList(), arity, rate)
@@ -109,7 +109,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
      */
     fun reflex(command: String) {
-        require(reflex == null) { "a critical rule has one reflex, and '$reflex' is it; expected another rule for '$command'" }
+        require(reflex == null) { "the rule has the reflex '$reflex' already; write another rule for '$command'" }
         CriticalRule.requireSendable(command)
         reflex = command
     }

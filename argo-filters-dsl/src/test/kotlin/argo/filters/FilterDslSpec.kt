@@ -155,17 +155,17 @@ class FilterDslSpec : StringSpec({
             "filter keeping cannot be included"
     }
 
-    "an argument or annotation of which nothing is said is refused" {
+    "an argument or annotation without a condition is refused" {
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(1) } } }.message shouldContain
-            "nothing is said of argument(1) in a rule on d"
+            "there is no condition on argument(1) in a rule on d"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { annotation("q") } } }.message shouldContain
             "annotation(\"q\")"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { side } } }.message shouldContain
-            "nothing is said of side in a rule on distance"
+            "there is no condition on side in a rule on distance"
         shouldThrow<IllegalArgumentException> { keepFilter("x") { keep(Distance) { cm gt 3; cm; side } } }.message shouldContain
-            "nothing is said of cm and side in"
+            "there is no condition on cm and side in"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { critical(Distance) { cm; reflex("stop") } } }.message shouldContain
-            "nothing is said of cm"
+            "there is no condition on cm"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { annotation("q") } } }.message shouldContain
             "annotation(\"q\")"
     }
@@ -220,9 +220,9 @@ class FilterDslSpec : StringSpec({
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain
             "is no value"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(-1) } } }
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "one arity"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "the arity 1 already"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain
-            "one interval"
+            "the interval 10 ms already"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain
             "two deadbands"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { everyMs(0) } } }

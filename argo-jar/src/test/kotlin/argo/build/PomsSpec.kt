@@ -1,5 +1,6 @@
 package argo.build
 
+import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.assertions.withClue
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
@@ -8,9 +9,7 @@ import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
-import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Path
-import javax.tools.ToolProvider
 import kotlin.io.path.copyTo
 import kotlin.io.path.createDirectories
 import kotlin.io.path.readText
@@ -20,18 +19,13 @@ import kotlin.io.path.writeText
 class PomsSpec : FunSpec({
     val root = Path.of("..")
 
-    val compiled by lazy {
-        val program = root.resolve("buildSrc/src/main/java/argo/build/Poms.java")
-        tempdir().toPath().also { ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", "$it", "$program") shouldBe 0 }
-    }
+    fun poms(tree: Path, given: Map<String, String> = emptyMap()) = Poms(tree.toFile(), given)
 
-    /** What is read of the POMs under [tree], a line for each module, or why they are refused. */
-    fun read(tree: Path, vararg given: String): List<String> {
-        val java = "${System.getProperty("java.home")}/bin/java"
-        val process = ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", "$compiled", "argo.build.Poms", "$tree", *given)
-            .redirectErrorStream(true).start()
-        return process.inputStream.bufferedReader().readLines()
-    }
+    /** Returns what is read of the modules of [tree], a line for each. */
+    fun read(tree: Path, given: Map<String, String> = emptyMap()): String =
+        poms(tree, given).let { poms -> poms.modules().joinToString("\n") { "${poms.module(it)}" } }
+
+    fun refusal(tree: Path): String = shouldThrow<IllegalStateException> { read(tree) }.message.orEmpty()
 
     fun tree(vararg module: String): Path = tempdir().toPath().apply {
         resolve("pom.xml").writeText(PARENT)
@@ -40,13 +34,18 @@ class PomsSpec : FunSpec({
         }
     }
 
-    fun dependency(text: String) = read(tree("<dependencies><dependency>$text</dependency></dependencies>", "")).joinToString("\n")
+    fun withDependency(text: String) = tree("<dependencies><dependency>$text</dependency></dependencies>", "")
+
+    fun dependency(text: String) = read(withDependency(text))
 
     test("all modules of this repository are read, in the order of Maven, and their group and version") {
         val pom = root.resolve("pom.xml").readText()
         val modules = Regex("<module>(.+)</module>").findAll(pom).map { it.groupValues[1] }.toList()
         modules shouldContainAll listOf("javino-java", "argo-arch", "argo-jar", "samples")
-        val read = read(root)
+        val java = "${System.getProperty("java.home")}/bin/java"
+        val process = ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "../buildSrc/src/main/java/argo/build/Poms.java", "$root")
+            .redirectErrorStream(true).start()
+        val read = process.inputStream.bufferedReader().readLines()
         read.first() shouldBe "argo ${Regex("<version>(.+)</version>").find(pom)!!.groupValues[1]}"
         read.drop(1).map { it.substringAfter("[name=").substringBefore(",") } shouldBe modules
     }
@@ -82,14 +81,15 @@ class PomsSpec : FunSpec({
 
     test("a given property replaces the one of the POM") {
         val tree = tree("", "<dependencies><dependency><groupId>g</groupId><artifactId>managed</artifactId></dependency></dependencies>")
-        read(tree, "managed.version=7").joinToString() shouldContain "name=managed, version=7"
+        read(tree, mapOf("managed.version" to "7")) shouldContain "name=managed, version=7"
     }
 
     test("the group of the libraries is one property for Gradle") {
-        val read = read(root, "argo.group=org.example.robots")
-        read.first() shouldStartWith "org.example.robots "
-        read.joinToString("\n") shouldNotContain "group=argo,"
-        read.joinToString("\n") shouldContain "group=org.example.robots, name=argo-arch, version"
+        val given = mapOf("argo.group" to "org.example.robots")
+        poms(root, given).group() shouldBe "org.example.robots"
+        val read = read(root, given)
+        read shouldNotContain "group=argo,"
+        read shouldContain "group=org.example.robots, name=argo-arch, version"
     }
 
     test("the group of the libraries is one property for Maven, and the POMs that others get have neither it nor a parent")
@@ -117,7 +117,7 @@ class PomsSpec : FunSpec({
             "<resource><directory>rules</directory><targetPath>filters</targetPath></resource></resources><plugins><plugin><executions>" +
             execution("compile", "src/main/kotlin", "src/more/kotlin") + execution("test-compile", "src/test/kotlin", "../m1/src/shared") +
             "</executions></plugin></plugins></build>"
-        val read = read(tree(build, "")).joinToString("\n")
+        val read = read(tree(build, ""))
         read shouldContain "sources=[src/more/kotlin], testSources=[../m1/src/shared], " +
             "resources=[Resource[folder=demo, target=demo], Resource[folder=rules, target=filters]]"
     }
@@ -129,17 +129,15 @@ class PomsSpec : FunSpec({
         "<groupId>g</groupId><artifactId>a</artifactId><version>\${none}</version>" to "there is no property none",
     ).forEach { (text, reason) ->
         test("it is not left out in silence, but refused with its file: $reason") {
-            val said = dependency(text)
+            val said = refusal(withDependency(text))
             said shouldContain reason
             said shouldContain "m0/pom.xml"
-            said shouldNotContain "Module["
         }
     }
 
     test("a folder of sources that only Java's compiler has in Maven is refused") {
-        val said = read(tree("<build><sourceDirectory>src/odd/java</sourceDirectory></build>", "")).joinToString("\n")
-        said shouldContain "<sourceDirectory>src/odd/java beside the sourceDirs of Kotlin in"
-        said shouldNotContain "Module["
+        refusal(tree("<build><sourceDirectory>src/odd/java</sourceDirectory></build>", "")) shouldContain
+            "<sourceDirectory>src/odd/java beside the sourceDirs of Kotlin in"
     }
 
     test("the settings of this build find the modules and Kotlin's version where the POM has them") {
@@ -147,7 +145,7 @@ class PomsSpec : FunSpec({
         val patterns = Regex("Regex\\(\"(.+?)\"\\)").findAll(settings).map { it.groupValues[1] }.toList()
         val pom = root.resolve("pom.xml").readText()
         patterns.associateWith { pattern -> Regex(pattern).findAll(pom).count() } shouldBe
-            mapOf("<kotlin.version>(.+)</kotlin.version>" to 1, "<module>(.+)</module>" to read(root).size - 1)
+            mapOf("<kotlin.version>(.+)</kotlin.version>" to 1, "<module>(.+)</module>" to poms(root).modules().size)
     }
 
     test("a new project's Gradle build fetches its plugins from where this one does") {

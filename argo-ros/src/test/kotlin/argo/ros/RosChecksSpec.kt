@@ -130,7 +130,7 @@ class RosChecksSpec : FunSpec({
             "id(1e19)" to "data of std_msgs/Int64 is a int64: 10000000000000000000 is not within -9223372036854775808 to",
             "part(1e39)" to "data of std_msgs/Float32 is a float32: 1.0E39 is beyond its range",
             "move(1)" to "linear of geometry_msgs/Twist is a geometry_msgs/Vector3: 1 is no message; give its fields a value, x, y",
-            "arm([1,2])" to "joints of my_msgs/Arm is a float64[3]: a list of 2 items is none of 3",
+            "arm([1,2])" to "joints of my_msgs/Arm is a float64[3]: the list has 2 items",
             "arm([1,2,b])" to "joints of my_msgs/Arm is a float64[3]: \"b\" is no number",
             "arm(1)" to "joints of my_msgs/Arm is a float64[3]: 1 is no list",
             "names([[a]])" to "names of my_msgs/Arm is a string[]: it takes no list",

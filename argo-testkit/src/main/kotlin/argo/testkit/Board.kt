@@ -184,6 +184,12 @@ class Board internal constructor(private val time: VirtualTime) {
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
     /**
+     * It describes its percepts to agents that speak version 2, by these [kinds]: `dist(front|left, cm 0..400)`. Live views show that; an
+     * agent believes a percept whatever its description says.
+     */
+    fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
+
+    /**
      * It has room for [count] critical rules, which it watches itself: it compares them every 5 ms with the percepts that its sensors
      * [show][shows], and carries out their reflexes, which count as [commands] that arrived. In version 2; to be called before the port is
      * opened.

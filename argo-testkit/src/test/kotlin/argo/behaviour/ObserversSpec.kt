@@ -3,6 +3,7 @@ package argo.behaviour
 import argo.observing.ObservedPort
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainInOrder
 import io.kotest.matchers.ints.shouldBeGreaterThan
@@ -84,6 +85,24 @@ class ObserversSpec : FunSpec({
             agent.perceive(false) {}
             bob.after(1.seconds)
             agent.isPerceiving shouldBe false
+        }
+    }
+
+    test("an observer learns the kinds of percepts that a board describes, once it has asked for them") {
+        project.agent("""
+            !start.
+            +!start <- argo.port(ttyACM0); argo.limit(50); argo.percepts(open).
+        """) {
+            options("argo_diary" to "kinds")
+            board("ttyACM0").version2().describes("dist(f|b, cm 0..400)", "ready")
+        }.use { bob ->
+            bob.perceives("dist(f,38)").after(1.seconds)
+            val agent = DiaryProvider.opened.getValue("kinds").agent
+            agent.perceptKinds("ttyACM0").shouldBeEmpty()
+            bob.after(1.seconds)
+            agent.perceptKinds("ttyACM0").map { "$it" } shouldBe listOf("dist(f|b, cm 0..400)", "ready")
+            agent.perceptKinds("ttyACM1").shouldBeEmpty()
+            bob.perceives("dist(b,500)").shouldBelieve("dist(b,500)")
         }
     }
 

@@ -21,9 +21,7 @@ import argo.tools.samples.SampleCommand
 import argo.tools.why.WhyCommand
 import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.Spec
 
 /** The parent of all commands. */
 @Command(
@@ -38,17 +36,11 @@ import picocli.CommandLine.Spec
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],
 )
-internal class Tools : Runnable {
-    @Spec
-    private lateinit var spec: CommandSpec
-
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
+internal class Tools : ToolCommand() {
     @Option(names = ["-V", "--version"], versionHelp = true, description = ["prints the version"])
     private var version = false
 
-    override fun run(): Unit = spec.refuseWithout("command")
+    override fun call(): Int = spec.refuseWithout("command")
 }
 
 internal class JarVersion : IVersionProvider {

@@ -1,6 +1,7 @@
 package argo.view
 
 import argo.observing.PerceivedMessage
+import javino.PerceptKind
 import java.util.concurrent.TimeUnit
 
 /**
@@ -58,15 +59,22 @@ internal class PerceptRows {
     /**
      * Returns all rows at [now], in the order of the sensors' first percepts, and the number of those left out.
      *
+     * @param kindsOf the kinds of percepts that the board on a port describes
      * @param isSilent whether nothing comes from the board on a port
      */
-    fun state(now: Long, isSilent: (String) -> Boolean): Pair<List<PerceptState>, Int> {
+    fun state(
+        now: Long, kindsOf: (String) -> List<PerceptKind> = { emptyList() }, isSilent: (String) -> Boolean,
+    ): Pair<List<PerceptState>, Int> {
         val silent = rows.values.map { it.port }.distinct().filter(isSilent)
         fun isForgotten(port: String, nanos: Long) = (if (port in silent) newest.getValue(port) else now) - nanos > FORGOTTEN_NANOS
         rows.values.removeIf { isForgotten(it.port, it.seenNanos) }
         sizes.keys.removeIf { isForgotten(it, newest.getValue(it)) }
+        val kinds = rows.values.map { it.port }.distinct().associateWith(kindsOf)
         val shown = rows.map { (key, row) ->
-            PerceptState(key, row.board, row.text, row.fate, row.port in silent, ms(now - row.seenNanos), ms(now - row.sinceNanos))
+            val described = kinds.getValue(row.port).takeIf { it.isNotEmpty() }?.let { DescribedPercept.of(row.text, it) }
+            PerceptState(
+                key, row.board, row.text, row.fate, row.port in silent, ms(now - row.seenNanos), ms(now - row.sinceNanos), described,
+            )
         }
         return shown to sizes.values.sum() - rows.values.count { it.seenNanos == newest[it.port] }
     }
@@ -90,7 +98,6 @@ internal class PerceptRows {
         private const val MAX_ROWS = 200
         private const val MAX_COURSES = 60
         private const val MAX_NUMBERS = 4
-        private val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")
 
         private fun shape(percept: String) = percept.replace(NUMBER, "#")
     }

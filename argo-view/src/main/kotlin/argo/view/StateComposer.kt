@@ -133,7 +133,7 @@ internal class StateComposer(
 
     private fun sensors(ports: List<ObservedPort>, last: PerceptionTime?, now: Long): SensorState {
         val byName = ports.associateBy { it.name.removeSurrounding("\"") } // a name is a literal
-        val (percepts, more) = rows.state(now) { name -> isSilent(byName[name] ?: ports.find { it.isInUse }) }
+        val (percepts, more) = rows.state(now, agent::perceptKinds) { name -> isSilent(byName[name] ?: ports.find { it.isInUse }) }
         return SensorState(
             frameAgeMs = rows.newestNanos?.let { ms(now - it) },
             handedOverAgeMs = last?.let { ms(now - it.nanos) },

@@ -116,6 +116,7 @@ internal data class SensorState(
  * @property silent whether nothing comes from its board
  * @property ageMs the time since it came last
  * @property sameMs the time for which it has been the same
+ * @property described what its board says of such percepts; null: the board describes none
  */
 @Serializable
 internal data class PerceptState(
@@ -126,6 +127,7 @@ internal data class PerceptState(
     val silent: Boolean,
     val ageMs: Long,
     val sameMs: Long,
+    val described: DescribedPercept?,
 )
 
 /**

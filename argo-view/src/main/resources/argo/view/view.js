@@ -214,10 +214,13 @@ function showSensors(shown, since) {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
     const why = explained.get(percept.key)?.why;
     const isOld = shown.perceiving && percept.silent;
-    line.className = `sensor ${percept.fate === 'kept' && !isOld ? '' : 'off'}`;
-    showCourse(line.children[4], (frozen ? frozen.courses : courses)[percept.key]);
+    const { described } = percept;
+    const said = described ? described.text : percept.text;
+    line.className = `sensor ${percept.fate === 'kept' && !isOld ? '' : 'off'} ${described?.deviation ? 'odd' : ''}`;
+    showCourse(line.children[4], (frozen ? frozen.courses : courses)[percept.key], described?.ranges);
     line.children[0].dataset.percept = percept.text;
-    fill(line, percept.board ? `${percept.board}::${percept.text}` : percept.text, words, isOld ? '' : kind, age(percept.ageMs + since), why);
+    fill(line, percept.board ? `${percept.board}::${said}` : said, words, isOld ? '' : kind, age(percept.ageMs + since),
+      joined(described?.deviation && `not as the board describes it: ${described.deviation}`, why));
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
   }, shown.perceiving ? 'No message has come from the board yet.' : 'Nothing is perceived.');

@@ -38,8 +38,11 @@ class PageSpec : FunSpec({
     val browser: EnabledOrReasonIf = { Chromium.available }
     val chromium by autoClose(lazy { Chromium() })
 
-    suspend fun shown(answer: String, test: suspend Page.(ViewedMas, FakeBoard) -> Unit) = FakeBoard.plugIn("robot").use { board ->
+    suspend fun shown(
+        answer: String, kinds: List<String> = emptyList(), test: suspend Page.(ViewedMas, FakeBoard) -> Unit,
+    ) = FakeBoard.plugIn("robot").use { board ->
         board.lenient().whenAsked("getPercepts").answer(answer)
+        if (kinds.isNotEmpty()) board.version2().perceives(*kinds.toTypedArray())
         ViewedMas().use { mas ->
             mas.file("front.xml", FRONT)
             mas.agent("bob", AGENT)
@@ -100,6 +103,33 @@ class PageSpec : FunSpec({
                 }
             }
         }
+
+    test("units and ranges that the board describes are shown, and a percept that is not as described is marked").config(
+        tags = thorough, enabledOrReasonIf = browser,
+    ) {
+        val kinds = listOf("dist(f|b, cm 0..400)", "light(% 0..100)", "temp(C -40..)")
+        shown("dist(f,38);light(104);temp(20);on(1);", kinds) { _, board ->
+            await { texts("#sensors .text") == listOf("dist(f,38 cm)", "light(104 %)", "temp(20 C)", "on(1)") }
+            texts("#sensors .detail") shouldBe listOf(
+                "", "not as the board describes it: argument 1 is 104, more than 100",
+                "", "not as the board describes it: no on/1 is described",
+            )
+            texts("#sensors .odd .text") shouldBe listOf("light(104 %)", "on(1)")
+            await { texts("#sensors .course small") == listOf("0 … 400 cm", "0 … 100 %", "-40 … C") }
+            run<Long>("return document.querySelectorAll('#sensors .limit').length") shouldBe 5
+            run<Long>("return document.querySelectorAll('#sensors .beyond').length") shouldBe 1
+            board.whenAsked("getPercepts").answer("dist(f,39);light(90);temp(21);on(1);")
+            await { texts("#sensors .odd .text") == listOf("on(1)") }
+            press("dist(f,39 cm)")
+            await { texts("#sensors .detail")[0].startsWith("dist(f,39) is kept") }
+            picture("described-light")
+            prefer("prefers-color-scheme" to "dark")
+            picture("described-dark")
+            size(360, 2400)
+            run<Long>("return document.documentElement.scrollWidth") shouldBeLessThanOrEqualTo 360
+            picture("described-phone")
+        }
+    }
 
     test("on a phone nothing has to be scrolled sideways").config(tags = thorough, enabledOrReasonIf = browser) {
         shown("dist(f,38);" + "x".repeat(180) + "(1);dist(b,90);") { _, _ ->

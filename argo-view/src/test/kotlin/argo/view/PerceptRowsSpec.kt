@@ -7,6 +7,7 @@ import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.comparables.shouldBeLessThan
 import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
+import javino.PerceptKind
 
 private const val MS = 1_000_000L
 
@@ -81,6 +82,22 @@ class PerceptRowsSpec : FunSpec({
         rows.add(frame(listOf("lamp(on)", "pos(3,4e1)"), atMs = 1000), isAlone = true)
         rows.courses(1000 * MS).values.single().map { it.filterNotNull() } shouldBe listOf(listOf(1.0, 3.0), listOf(-2.5, 40.0))
         rows.courses(1000 * MS).keys.single() shouldBe rows.state(1000 * MS) { false }.first.first().key
+    }
+
+    test("a board that describes its percepts gives units and ranges to their numbers, and a reason to those that are not as described") {
+        val rows = PerceptRows()
+        val kinds = PerceptKind.parseLines("dist(f|b, cm 0..400)\npos(m .., _, deg -180..180)\nready")
+        rows.add(frame(listOf("dist(f,401)", "pos(1.5,[2,3],7)[at(9)]", "ready", "news(1)")), isAlone = true)
+        val described = rows.state(0, { kinds }) { false }.first.map { checkNotNull(it.described) }
+        described.map { it.text } shouldBe listOf("dist(f,401 cm)", "pos(1.5 m,[2,3],7 deg)", "ready", "news(1)")
+        described.map { it.deviation } shouldBe listOf("argument 2 is 401, more than 400", null, null, "no news/1 is described")
+        described.map { it.ranges } shouldBe listOf(
+            listOf(NumberRange("cm", 0.0, 400.0)),
+            listOf(NumberRange("m", null, null), null, null, NumberRange("deg", -180.0, 180.0)),
+            emptyList(),
+            emptyList(),
+        )
+        rows.state(0) { false }.first.map { it.described }.toSet() shouldBe setOf(null)
     }
 
     test("however much a board says, few rows are kept") {

@@ -12,6 +12,7 @@ import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
+import javino.PerceptKind
 import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.net.InetSocketAddress
@@ -82,6 +83,7 @@ internal object Nobody : ObservedAgent {
     override fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit) = done(null)
     override fun nanos() = System.nanoTime()
     override fun ports() = emptyList<ObservedPort>()
+    override fun perceptKinds(portName: String) = emptyList<PerceptKind>()
     override fun filterNames() = emptyList<String>()
     override fun filter(name: String): PerceptionFilter = throw UnsupportedOperationException()
     override fun explain(percept: String) = percept

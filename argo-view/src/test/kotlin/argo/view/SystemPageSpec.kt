@@ -59,6 +59,7 @@ class SystemPageSpec : FunSpec({
         val begin = System.nanoTime()
         fun metres() = 2 - (System.nanoTime() - begin) / 1e9 / 40
         try {
+            boards[0].version2().perceives("dist(f|b, cm 0..400)", "light(0..1023)", "temp(C -40..125)")
             boards[0].whenAsked("getPercepts").answer {
                 val light = 140 + 60 * sin(metres() * 9)
                 String.format(Locale.ROOT, "dist(f,%.0f);dist(b,%.0f);light(%.0f);temp(21.5);", metres() * 100, 200 - metres() * 100, light)

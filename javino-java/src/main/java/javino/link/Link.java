@@ -14,6 +14,7 @@ import javino.CommandWithdrawnException;
 import javino.Frame;
 import javino.LineClock;
 import javino.NoSuchPortException;
+import javino.PerceptDescription;
 import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortBusyException;
@@ -28,7 +29,6 @@ import javino.Transport;
 import javino.Transports;
 import javino.wire.BoardAction;
 import javino.wire.CommandItem;
-import javino.wire.PerceptDescription;
 
 /**
  * An open port that one owner exchanges messages through.

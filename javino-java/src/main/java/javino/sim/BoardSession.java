@@ -1,6 +1,7 @@
 package javino.sim;
 
 import java.util.List;
+import javino.PerceptDescription;
 import javino.PerceptTerm;
 import javino.PerceptsRequest;
 import javino.PortException;
@@ -10,7 +11,6 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
-import javino.wire.PerceptDescription;
 import javino.wire.PerceptWriter;
 import javino.wire.ReflexOutcome;
 import javino.wire.VocabularyPage;

@@ -49,7 +49,7 @@ public final class PerceptWriter {
         return items.toString();
     }
 
-    /** The items of texts without ids, as those of a {@linkplain PerceptDescription description}. */
+    /** The items of texts without ids, as those of a description. */
     public static String itemsWithoutIds(List<String> texts) {
         StringBuilder items = new StringBuilder();
         texts.forEach(text -> putText(items, text, PerceptItems.NO_ID));

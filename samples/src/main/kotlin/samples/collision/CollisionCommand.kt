@@ -1,16 +1,13 @@
 package samples.collision
 
-import argo.tools.command.refuse
+import argo.tools.command.ToolCommand
 import argo.tools.command.requireWithin
 import javino.LineSettings
 import picocli.CommandLine.Command
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.Spec
 import samples.project.LogFile
 import samples.project.Progress
 import sun.misc.Signal
-import java.util.concurrent.Callable
 import java.util.concurrent.atomic.AtomicBoolean
 import kotlin.system.exitProcess
 
@@ -24,10 +21,7 @@ import kotlin.system.exitProcess
     exitCodeList = ["0:the robot was stopped", "1:it ran into the wall, or there was nothing to measure", "2:wrong arguments"],
     sortOptions = false,
 )
-internal class CollisionCommand : Callable<Int> {
-    @Spec
-    private lateinit var spec: CommandSpec
-
+internal class CollisionCommand : ToolCommand() {
     @Option(
         names = ["--filter"], paramLabel = "name", defaultValue = "frontDistance",
         description = ["the agent's filter: none, frontSide or frontDistance (default: \${DEFAULT-VALUE})"],
@@ -82,9 +76,6 @@ internal class CollisionCommand : Callable<Int> {
     )
     private var viewWait: Int? = null
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
     override fun call(): Int {
         val levels = levels()
         val audience = audience()
@@ -122,24 +113,24 @@ internal class CollisionCommand : Callable<Int> {
         )
         spec.requireWithin("--interval", interval, 0..MAX_MS, "ms")
         spec.requireWithin("--baud", baud, MIN_BAUD..MAX_BAUD, "bits a second")
-        if (port?.isBlank() == true) spec.refuse("--port names no port")
+        if (port?.isBlank() == true) misuse("--port names no port")
         spec.requireWithin("--boards", boards, 1..2, "")
-        if (port != null && boards > 1) spec.refuse("--boards is for the simulated robot, and --port asks for a real one")
-        if (port != null && seed != null) spec.refuse("--seed is for the simulated robot, and --port asks for a real one")
+        if (port != null && boards > 1) misuse("--boards is for the simulated robot, and --port asks for a real one")
+        if (port != null && seed != null) misuse("--seed is for the simulated robot, and --port asks for a real one")
         return Levels(filter, limit, interval, baud, sensing, port, boards, seed ?: 1)
     }
 
     private fun audience(): Audience? {
         view?.let { spec.requireWithin("--view", it, 0..MAX_PORT, "as a port, 0 being any that is free") }
         viewWait?.let {
-            if (view == null) spec.refuse("--view-wait is for --view")
+            if (view == null) misuse("--view-wait is for --view")
             spec.requireWithin("--view-wait", it, 0..MAX_WAIT_S, "s")
         }
         return view?.let { Audience(it, viewWait ?: WAIT_S, System.out, System.`in`) }
     }
 
     private fun requireOneOf(option: String, value: String, vararg words: String) {
-        if (value !in words) spec.refuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
+        if (value !in words) misuse("$option is ${words.dropLast(1).joinToString(", ")} or ${words.last()}, not $value")
     }
 
     private companion object {

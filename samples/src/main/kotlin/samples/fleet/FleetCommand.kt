@@ -1,11 +1,8 @@
 package samples.fleet
 
-import argo.tools.command.refuse
+import argo.tools.command.ToolCommand
 import picocli.CommandLine.Command
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.Spec
-import java.util.concurrent.Callable
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -18,21 +15,15 @@ import kotlin.concurrent.thread
     ],
     sortOptions = false,
 )
-internal class FleetCommand : Callable<Int> {
-    @Spec
-    private lateinit var spec: CommandSpec
-
+internal class FleetCommand : ToolCommand() {
     @Option(
         names = ["--seconds"], paramLabel = "n", defaultValue = "8",
         description = ["how long before and after that (default: \${DEFAULT-VALUE})"],
     )
     private var seconds = 0
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
     override fun call(): Int {
-        if (seconds < 1) spec.refuse("--seconds is at least 1, not $seconds")
+        if (seconds < 1) misuse("--seconds is at least 1, not $seconds")
         val ready = CountDownLatch(SCOUTS)
         val fleet = Fleet.start {
             println(it)

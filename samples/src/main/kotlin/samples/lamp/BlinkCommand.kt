@@ -1,25 +1,19 @@
 package samples.lamp
 
-import argo.tools.command.refuse
+import argo.tools.command.ToolCommand
 import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createString
 import picocli.CommandLine.Command
-import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
-import picocli.CommandLine.Spec
 import samples.project.MasRun
 import samples.project.SampleProject
-import java.util.concurrent.Callable
 
 @Command(
     name = "blink",
     description = ["The smallest agent: it has the LED of a board blink, once a second."],
     sortOptions = false,
 )
-internal class BlinkCommand : Callable<Int> {
-    @Spec
-    private lateinit var spec: CommandSpec
-
+internal class BlinkCommand : ToolCommand() {
     @Option(
         names = ["--port"], paramLabel = "device", defaultValue = "sim:blink",
         description = ["the board's port, such as ttyACM0 or COM5 (default: \${DEFAULT-VALUE}, which is simulated)"],
@@ -29,11 +23,8 @@ internal class BlinkCommand : Callable<Int> {
     @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long (default: \${DEFAULT-VALUE})"])
     private var seconds = 0
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
-
     override fun call(): Int {
-        if (seconds < 1) spec.refuse("--seconds is at least 1, not $seconds")
+        if (seconds < 1) misuse("--seconds is at least 1, not $seconds")
         val project = SampleProject("blink").apply { believe("blink", createLiteral("board", createString(port))) }
         return MasRun(project).forAtMost(seconds)
     }

@@ -1,27 +1,24 @@
 package samples.turtle
 
+import argo.tools.command.ToolCommand
 import jason.asSyntax.ASSyntax.createLiteral
 import jason.asSyntax.ASSyntax.createString
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 import samples.project.MasRun
 import samples.project.SampleProject
-import java.util.concurrent.Callable
 
 @Command(
     name = "turtle",
     description = ["A robot that speaks ROS drives at a wall, stops before it, and goes home to its dock."],
     sortOptions = false,
 )
-internal class TurtleCommand : Callable<Int> {
+internal class TurtleCommand : ToolCommand() {
     @Option(
         names = ["--port"], paramLabel = "port",
         description = ["a robot behind rosbridge_server, such as ros://192.168.1.20:9090#turtle/turtle (default: one that is simulated)"],
     )
     private var port: String? = null
-
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
-    private var help = false
 
     override fun call(): Int = port?.let(::run) ?: TurtleBridge(Turtle(System::nanoTime)).use { run("${it.port}#turtle/turtle") }
 

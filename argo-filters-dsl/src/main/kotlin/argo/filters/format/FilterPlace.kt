@@ -37,7 +37,7 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
         if (found.map { it.second }.distinct().size > 1) {
             val owners = found.joinToString(" and ") { it.first.javaClass.name }
             throw FilterNotFoundException(
-                "The filter '$name' is offered by $owners, and not the same by both; give one of them another name.",
+                "$owners offer different filters of the name '$name'; give one of them another name.",
             )
         }
         return found.firstOrNull()?.second

@@ -72,7 +72,7 @@ class FilterProviderSpec : StringSpec({
     "two providers may not offer different filters of one name" {
         val finder = finder(NightFilters::class.java, DayFilters::class.java)
         shouldThrow<FilterNotFoundException> { finder.find("shared") }.message shouldContain
-            "offered by argo.filters.format.NightFilters and argo.filters.format.DayFilters"
+            "argo.filters.format.NightFilters and argo.filters.format.DayFilters offer different filters"
     }
 
     "a filter that is refused in Kotlin is told with its provider and the reason, also the second time" {

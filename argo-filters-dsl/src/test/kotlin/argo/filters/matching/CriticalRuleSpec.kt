@@ -145,8 +145,8 @@ class CriticalRuleSpec : FreeSpec({
         refusal { critical("dist") { reflex("getPercepts") } } shouldContain "a board takes getPercepts for the request for percepts"
         refusal { critical("dist") { reflex("getPercepts(a)") } } shouldContain "a board takes getPercepts(a) for the request for percepts"
         dropFilter("f") { critical("dist") { reflex("getPerceptsLater") } }
-        refusal { critical("dist") { reflex("stop"); reflex("back") } } shouldContain "one reflex"
-        refusal { critical("dist") { argument(1) } } shouldContain "nothing is said of argument(1)"
+        refusal { critical("dist") { reflex("stop"); reflex("back") } } shouldContain "has the reflex 'stop' already"
+        refusal { critical("dist") { argument(1) } } shouldContain "there is no condition on argument(1)"
     }
 
     "a file is refused where" - {

@@ -26,7 +26,7 @@ internal class BridgeAddress(val ros: RosAddress, val token: String?) {
          */
         fun of(text: String): BridgeAddress {
             if (NUMBER.matches(text)) throw RefusedAddress(
-                "$text is only a number, at which ARGO listened for ROS clients once. Now boards join the graph of a running " +
+                "$text is only a number, at which earlier versions listened for ROS clients. Boards join the graph of a running " +
                     "rosbridge_server: write its address, as \"localhost:$text\". Without ROS the live view shows them, argo_view=$text",
             )
             return try {

@@ -31,7 +31,7 @@ internal class Presence(private val api: RosApi, private val warn: (String) -> U
         if (wasSeen && !isSeen) return lost()
         wasSeen = isSeen
         val others = topics.filter { (name, type) -> shown[name].orEmpty().ifEmpty { type }.let(::rosType) != type }
-        others.forEach { (name, type) -> warn("$name is of type ${shown[name]} in the graph, so that none of $type goes there") }
+        others.forEach { (name, type) -> warn("$name is of type ${shown[name]} in the graph, so messages of type $type do not get there") }
         val missing = topics.filterKeys { it !in shown } + services.filterKeys { it !in offered }
         if (missing.isEmpty()) return
         val names = missing.entries.joinToString(", ") { (name, type) -> "$name ($type)" }

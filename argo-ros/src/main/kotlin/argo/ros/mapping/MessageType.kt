@@ -109,7 +109,7 @@ internal class MessageType private constructor(
         if (type.isBytes && value is JsonPrimitive && bytesOf(value) != null) return value
         if (value !is JsonArray) throw Unfit("$value is no list" + if (type.isBytes) ", nor bytes in base64" else "")
         val isFull = type.length == FieldType.ANY || value.size == type.length
-        if (!isFull) throw Unfit("a list of ${value.size} items is none of ${type.length}")
+        if (!isFull) throw Unfit("the list has ${value.size} items")
         return JsonArray(value.map { fitted(it, FieldType(type.name, FieldType.SINGLE)) })
     }
 

@@ -44,7 +44,7 @@ class Ros2MembershipSpec : FunSpec({
             joined.says("hit;")
             eventually(LIMIT) {
                 joined.told shouldContainAll listOf(
-                    "/uno/hit is of type std_msgs/msg/String in the graph, so that none of std_msgs/Bool goes there",
+                    "/uno/hit is of type std_msgs/msg/String in the graph, so messages of type std_msgs/Bool do not get there",
                     "the graph does not show what was advertised: /uno/command (std_msgs/String), /uno/act (argo_msgs/Act); " +
                         "is the package argo_msgs in the workspace of the bridge?",
                 )

@@ -14,7 +14,7 @@ abstract class ToolCommand : Callable<Int> {
     @Spec
     protected lateinit var spec: CommandSpec
 
-    @Option(names = ["-h", "--help"], usageHelp = true, description = ["shows this"])
+    @Option(names = ["-h", "--help"], usageHelp = true, order = LAST, description = ["shows this"])
     private var help = false
 
     /** The output for results. */
@@ -36,6 +36,9 @@ abstract class ToolCommand : Callable<Int> {
             if (option.arity().max() == 0) listOf(name) else option.originalStringValues().map { "$name=$it" }
         }
 }
+
+/** The place of --help where a command shows its options in the order of their declaration. */
+private const val LAST = 100
 
 /** A tool whose results are data. */
 @Command

@@ -20,6 +20,8 @@ unsigned long centimetres() {
 }
 
 void look() {
+  javino.describe(F("dist(front, cm 1..431)"));
+  javino.describe(F("light(left, 0..1023)"));
   unsigned long cm = centimetres();
   if (cm > 0)
     javino.percept("dist", "front", cm);

@@ -16,6 +16,7 @@ void ledOff() {
 }
 
 void look() {
+  javino.describe(F("led(on|off)"));
   javino.percept("led", digitalRead(LED_BUILTIN) ? "on" : "off");
 }
 

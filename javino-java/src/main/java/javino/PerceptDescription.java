@@ -1,9 +1,7 @@
-package javino.wire;
+package javino;
 
 import java.util.ArrayList;
 import java.util.List;
-import javino.PerceptKind;
-import javino.PerceptTerm;
 
 /**
  * A board's answer to the question for the kinds of its percepts: {@code ?dist(front|left, cm 0..400);?ready;}.

@@ -1,0 +1,52 @@
+package argo.view
+
+import javino.PerceptArgument.Quantity
+import javino.PerceptKind
+import javino.PerceptTerm
+import kotlinx.serialization.Serializable
+import kotlin.jvm.optionals.getOrNull
+
+/**
+ * What a board that describes its percepts says of one.
+ *
+ * @property text the percept with its units
+ * @property deviation the reason why it is not as described; null: it is
+ * @property ranges of each of its numbers, in their order, the range; null: nothing is said of that number
+ */
+@Serializable
+internal data class DescribedPercept(val text: String, val deviation: String?, val ranges: List<NumberRange?>) {
+    companion object {
+        /** Returns what [kinds], at least one, say of [percept]. */
+        fun of(percept: String, kinds: List<PerceptKind>): DescribedPercept {
+            val term = PerceptTerm.of(percept)
+            val kind = PerceptKind.of(term, kinds).getOrNull()
+            val deviation = PerceptKind.deviationOf(term, kinds).getOrNull()
+            return DescribedPercept(kind?.withUnits(term) ?: percept, deviation, kind?.let { rangesOf(term, it) }.orEmpty())
+        }
+
+        private fun rangesOf(term: PerceptTerm, kind: PerceptKind): List<NumberRange?> =
+            term.arguments().zip(kind.arguments()).flatMap { (text, argument) ->
+                val numbers = NUMBER.findAll(text).count()
+                val range = (argument as? Quantity)?.takeIf { numbers == 1 }?.let(NumberRange::of)
+                List(numbers) { range }
+            }
+    }
+}
+
+/**
+ * The numbers that a board may send.
+ *
+ * @property unit their unit; empty: none is said
+ * @property min the least; null: there is no limit
+ * @property max the most; null: there is no limit
+ */
+@Serializable
+internal data class NumberRange(val unit: String, val min: Double?, val max: Double?) {
+    companion object {
+        fun of(quantity: Quantity) =
+            NumberRange(quantity.unit(), quantity.min().getOrNull()?.toDouble(), quantity.max().getOrNull()?.toDouble())
+    }
+}
+
+/** The numbers in a percept; a number in a name is part of the name. */
+internal val NUMBER = Regex("""(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?""")
