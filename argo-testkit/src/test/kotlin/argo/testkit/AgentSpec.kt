@@ -10,8 +10,8 @@ import io.kotest.matchers.comparables.shouldBeGreaterThan
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
-import io.kotest.matchers.string.shouldNotContain
 import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldNotContain
 import javino.sim.LineRecording
 import javino.sim.MemoryLine
 import java.util.concurrent.CompletableFuture
@@ -264,8 +264,8 @@ class AgentSpec : FunSpec({
             robot.perceivesRaw((1..30).joinToString("") { "p$it(X);" })
             val message = shouldThrow<AssertionError> { robot.shouldSend("stop") }.message.orEmpty()
             message shouldContain Regex("log, the newest 20 lines and the errors of \\d+: ")
-            message shouldContain "p24(X) is left out"
-            message shouldNotContain "p25(X) is left out"
+            message shouldContain "      p24(X) is left out"
+            message shouldNotContain "      p25(X) is left out"
             message shouldContain "what becomes of the others is not described"
         }
     }

@@ -38,7 +38,7 @@ public interface Sketch extends SimulatedBoard {
      */
     boolean act(String command);
 
-    /** Returns its actions, which computers check commands against, see {@link BoardProgram#vocabulary}. Unless overridden, it tells none. */
+    /** Returns its actions, by which computers check commands: {@link BoardProgram#vocabulary}. Unless overridden, it tells none. */
     default List<BoardAction> actions() {
         return List.of();
     }

@@ -217,7 +217,7 @@ class BoardCommandsSpec : FunSpec({
     }
 
     test("monitor explains twenty of the percepts that no agent can read, and tells that it does not explain others") {
-        board { it.whenAsked("getPercepts").answer((1..30).joinToString("") { n -> "Dist($n);" }) }.with { port ->
+        board { it.whenAsked("getPercepts").answer((1..25).joinToString("") { n -> "Dist($n);" }) }.with { port ->
             val said = argo("monitor", port, "--count", "2", "--interval", "0").out
             said.split("no agent believes Dist(").size shouldBe 21
             said.split("further percepts with (!) are not explained").size shouldBe 2
