@@ -33,13 +33,13 @@ internal abstract class Part(private vararg val deeds: Pair<String, () -> Unit>)
 /** `sim:wheels`, the board of the sample `three-boards` that drives. */
 class WheelsBoard : CarrierBoard("wheels", Wheels(carrier))
 
-/** `sim:sensors`, the one that sees. */
+/** `sim:sensors`, the board that sees. */
 class SensorsBoard : CarrierBoard("sensors", Eyes(carrier))
 
-/** `sim:arm`, the one that grips. */
+/** `sim:arm`, the board that grips. */
 class ArmBoard : CarrierBoard("arm", Arm(carrier))
 
-/** `forward`, `backward` and `halt`; `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
+/** Actions `forward`, `backward`, `halt`; percepts `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
 internal class Wheels(private val carrier: Carrier) : Part(
     "forward" to { carrier.move(Direction.FORWARD) }, "backward" to { carrier.move(Direction.BACKWARD) },
     "halt" to { carrier.move(Direction.NO) },
@@ -47,12 +47,12 @@ internal class Wheels(private val carrier: Carrier) : Part(
     override fun percepts() = listOf("moving(${carrier.direction.word})", "way(${carrier.way.roundToInt()})")
 }
 
-/** `dist(front,Cm)`. */
+/** Percept `dist(front,Cm)`. */
 internal class Eyes(private val carrier: Carrier) : Part() {
     override fun percepts() = listOf("dist(front,${carrier.free.roundToInt()})")
 }
 
-/** `grip`, `release` and `halt`; `hand(open)`, `hand(closed)` or `hand(full)`. */
+/** Actions `grip`, `release`, `halt`; percept `hand(open)`, `hand(closed)` or `hand(full)`. */
 internal class Arm(private val carrier: Carrier) : Part(
     "grip" to { carrier.grip() }, "release" to { carrier.release() },
     "halt" to {}, // a hand that moves at once has nothing to halt
