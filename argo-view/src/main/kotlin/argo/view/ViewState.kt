@@ -9,7 +9,9 @@ import kotlinx.serialization.Serializable
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property printed the lines that the agent has printed, the latest first
  * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
- * @property agents all agents whose views this server has
+ * @property moreCritical the number of critical rules left out of [critical]
+ * @property agents the agents whose views this server has
+ * @property moreAgents the number of agents left out of [agents]
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -23,6 +25,7 @@ internal data class ViewState(
     val ended: Boolean,
     val filter: FilterState?,
     val critical: List<CriticalState>,
+    val moreCritical: Int,
     val ports: List<PortState>,
     val sensors: SensorState,
     val beliefs: BeliefsState,
@@ -33,6 +36,7 @@ internal data class ViewState(
     val printed: List<LineState>,
     val courses: Map<String, List<List<Double?>>>?,
     val agents: List<AgentTab>,
+    val moreAgents: Int,
 )
 
 @Serializable
@@ -90,6 +94,7 @@ internal data class PortState(
  * @property handedOverAgeMs the time since the agent last perceived a message; null: it has not
  * @property delayMs the age of that message when the agent perceived it
  * @property more the number of percepts left out of [percepts]
+ * @property moreCourses the number of sensors with numbers whose course is not shown
  */
 @Serializable
 internal data class SensorState(
@@ -98,6 +103,7 @@ internal data class SensorState(
     val delayMs: Long?,
     val percepts: List<PerceptState>,
     val more: Int,
+    val moreCourses: Int,
 )
 
 /**
