@@ -7,8 +7,8 @@ import javino.Protocol;
 import javino.wire.Welcome;
 
 /**
- * Knows of the board at the other end whether it runs, since it may start when its port is opened, and in which version it is spoken to.
- * Safe on any thread; the version changes under the line's lock.
+ * Knows whether the board at the other end runs, since it may start when its port is opened, and the version in which it is spoken to. Safe
+ * on any thread; the version changes under the line's lock.
  */
 final class KnownBoard {
     private static final int NONE = -1;
@@ -21,7 +21,7 @@ final class KnownBoard {
     private volatile boolean hasHeard; // in version 1
     private volatile boolean hasSaidHello;
     private volatile Protocol protocol;
-    private volatile boolean hasLapsed; // it spoke version 2 and then fell silent, so that another may be there
+    private volatile boolean hasLapsed; // it spoke version 2 and then fell silent, so another board may be there
     private volatile int otherRevision = NONE; // revision of version 2 that it speaks
 
     /** @param settings their {@link LinkSettings#bootMillis()} count from now */
@@ -115,7 +115,7 @@ final class KnownBoard {
         return isNews;
     }
 
-    /** The reason why there is no session with a board that has answered HELLO; empty: it has not, or there is one. */
+    /** The reason why there is no session with a board that has answered HELLO; empty: it has not answered, or there is a session. */
     Optional<String> noSession() {
         int revision = otherRevision;
         if (revision == NONE) {

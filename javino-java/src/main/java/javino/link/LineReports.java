@@ -5,8 +5,8 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 
 /**
- * Takes what is found out under the line's lock, and passes it on outside of that: outcomes of commands, reports of the board, warnings.
- * Safe on any thread.
+ * Collects news under the line's lock and passes them on without that lock: outcomes of commands, reports of the board, warnings. Safe on
+ * any thread.
  */
 final class LineReports {
     private static final System.Logger LOG = System.getLogger(LineReports.class.getName());

@@ -150,8 +150,9 @@ final class SessionLine {
     }
 
     /**
-     * Nanoseconds for one read. A read cannot be ended, but meanwhile a follower may go, and a frame may go out whose sender waits for
-     * nothing; so the reader looks again and again for frames that are due. A follower writes them, and is left the time for that.
+     * Nanoseconds for one read. A read cannot be ended. Meanwhile a follower may stop waiting, or a frame may fall due whose sender waits
+     * for nothing; so the reader looks again and again for frames that are due. A follower writes these frames; the reader leaves it the
+     * time for that.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {
@@ -202,11 +203,11 @@ final class SessionLine {
     }
 
     /**
-     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null, and those that have become due meanwhile: the reader has
-     * found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
+     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Then it writes those that have become due meanwhile, since
+     * the thread that reads has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
      *
-     * @param millis milliseconds to wait at most for the driver with a frame of version 2; one of version 1 has longer. 0: it is not
-     *     waited for, and the first frame has been found to be {@linkplain FrameWriter#isWritableNow writable now}
+     * @param millis the most milliseconds to wait for the driver with a frame of version 2; a frame of version 1 has longer. 0: this does
+     *     not wait, since the caller has found the first frame {@linkplain FrameWriter#isWritableNow writable now}
      */
     void write(Outgoing first, int millis) throws PortException {
         try {
@@ -234,7 +235,7 @@ final class SessionLine {
         }
     }
 
-    /** Writes a command of version 1. The commands behind it go on, whatever a transport throws. */
+    /** Writes a command of version 1. Whatever a transport throws, the commands behind this one still go out. */
     private void writeCommand(Outgoing next, int millis) throws PortGoneException {
         Throwable failure;
         try {

@@ -117,7 +117,7 @@ final class Version1Commands {
         return isTime;
     }
 
-    /** Ends the command under way if its last byte has left by {@code now}, or nobody waits for that any more. */
+    /** Ends the command under way if its last byte has left by {@code now}, or if nobody waits for its outcome any more. */
     void endArrived(long now) {
         if (isWritten && (leavesAt - now <= 0 || underWay.isOver())) {
             movedNanos = isHeldBack ? movedNanos : now;

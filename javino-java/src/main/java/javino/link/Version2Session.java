@@ -39,8 +39,8 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
     private int rules; // number of rules that the board can hold, in this session
     private volatile int actionsLost;
-    private Throwable failure; // failure of commands out while the session is closed; null: they are unconfirmed
-    private boolean hasDropped; // an answer was dropped, and none has come since
+    private Throwable failure; // failure of commands that are out when the session is closed; null: they are unconfirmed
+    private boolean hasDropped; // no answer has come since one was dropped
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
     private boolean hasToldUndescribed;
@@ -138,7 +138,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether something is to come from the board, answers to requests aside. */
+    /** Returns whether something is to come from the board besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }
@@ -278,8 +278,8 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         if (!hasToldUnreadable) {
             hasToldUnreadable = true;
             reports.warn("port " + port + " sent a frame " + kind
-                    + " that cannot be read here, so it is dropped, as are others without a further warning;"
-                    + " does the board run the library of this version of ARGO?");
+                    + " that cannot be read here, so it is dropped; further ones are dropped without a warning."
+                    + " Does the board run the library of this version of ARGO?");
         }
     }
 
