@@ -114,12 +114,14 @@ class PomsSpec : FunSpec({
             folders.joinToString("") { "<sourceDir>$it</sourceDir>" } + "</sourceDirs></configuration></execution>"
         val build = "<build><resources><resource><directory>src/main/resources</directory></resource>" +
             "<resource><directory>\${project.basedir}</directory><includes><include>demo/**</include></includes></resource>" +
-            "<resource><directory>rules</directory><targetPath>filters</targetPath></resource></resources><plugins><plugin><executions>" +
+            "<resource><directory>rules</directory><targetPath>filters</targetPath></resource><resource><directory>../docs</directory>" +
+            "<includes><include>a.md</include></includes><targetPath>pages</targetPath></resource></resources><plugins><plugin><executions>" +
             execution("compile", "src/main/kotlin", "src/more/kotlin") + execution("test-compile", "src/test/kotlin", "../m1/src/shared") +
             "</executions></plugin></plugins></build>"
         val read = read(tree(build, ""))
         read shouldContain "sources=[src/more/kotlin], testSources=[../m1/src/shared], " +
-            "resources=[Resource[folder=demo, target=demo], Resource[folder=rules, target=filters]]"
+            "resources=[Resource[folder=demo, target=demo, files=[]], Resource[folder=rules, target=filters, files=[]], " +
+            "Resource[folder=../docs, target=pages, files=[a.md]]]"
     }
 
     mapOf(

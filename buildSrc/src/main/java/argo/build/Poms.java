@@ -72,8 +72,12 @@ public final class Poms {
         }
     }
 
-    /** A folder of resources, and the folder on the class path that they are put into, empty for its top. */
-    public record Resource(String folder, String target) {}
+    /**
+     * A folder of resources, and the folder on the class path that they are put into, empty for its top.
+     *
+     * @param files the names of the resources; empty for all files of the folder
+     */
+    public record Resource(String folder, String target, List<String> files) {}
 
     private static final XPath XPATH = XPathFactory.newDefaultInstance().newXPath();
     // a dependency of type pom is a module to build first, not a library
@@ -124,7 +128,7 @@ public final class Poms {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
-    /** The module of the folder {@code name}, or what else has a POM there. */
+    /** The module, or another part with a POM, in the folder {@code name}. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
@@ -189,21 +193,27 @@ public final class Poms {
                 .toList();
     }
 
-    /** The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**}. */
+    /**
+     * The folders of resources but the usual one. Without a target the only known pattern is a whole folder of the module, {@code name/**};
+     * with a target, names of files.
+     */
     private List<Resource> resources(Element pom, String path, String usual) {
-        refuse(pom, "with patterns", path + "[includes]/directory[.!='${project.basedir}']");
-        refuse(pom, "that is not a folder", path + "/includes/include[substring-before(.,'/**')='']");
-        Stream<Resource> parts = at(pom, path + "/includes/include")
+        String parts = path + "[includes and not(targetPath)]";
+        refuse(pom, "with patterns", parts + "/directory[.!='${project.basedir}']");
+        refuse(pom, "that is not a folder", parts + "/includes/include[substring-before(.,'/**')='']");
+        refuse(pom, "that is not a file", path + "[targetPath]/includes/include[contains(.,'*')]");
+        Stream<Resource> ofModule = at(pom, parts + "/includes/include")
                 .map(it -> it.getTextContent().replace("/**", ""))
-                .map(part -> new Resource(part, part));
-        Stream<Resource> folders = at(pom, path + "[not(includes) and directory!='" + usual + "']")
-                .map(it -> {
-                    Stream<Element> target = at(it, "targetPath");
-                    return new Resource(
-                            text(it, "directory", pom),
-                            target.map(Element::getTextContent).findAny().orElse(""));
-                });
-        return Stream.concat(parts, folders).toList();
+                .map(part -> new Resource(part, part, List.of()));
+        Stream<Resource> folders = at(pom, path + "[(targetPath or not(includes)) and directory!='" + usual + "']")
+                .map(it -> new Resource(
+                        text(it, "directory", pom),
+                        at(it, "targetPath")
+                                .map(Element::getTextContent)
+                                .findAny()
+                                .orElse(""),
+                        at(it, "includes/include").map(Element::getTextContent).toList()));
+        return Stream.concat(ofModule, folders).toList();
     }
 
     private String text(Element it, String path, Element pom) {
