@@ -194,8 +194,8 @@ public final class Poms {
     }
 
     /**
-     * The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**}; with a target, names of
-     * files.
+     * The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**};
+     * with a target, names of files.
      */
     private List<Resource> resources(Element pom, String path, String usual) {
         String parts = path + "[includes and not(targetPath)]";
