@@ -38,7 +38,7 @@ class CommandLineSpec : FunSpec({
 
     context("wrong arguments are refused with a reason and exit status 2") {
         listOf(
-            "" to "name a command: ports, monitor",
+            "" to "name a command: ports, describe, monitor",
             "fly" to "there is no command 'fly'; there are: ports",
             "port" to "there is no command 'port'; did you mean ports? there are: ports",
             "check-agents x" to "there is no command 'check-agents'; did you mean check-agent? there are: ports",
