@@ -33,11 +33,6 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** The port's canonical name, which does not depend on the name that it was opened under. */
-        String canonicalName() {
-            return canonicalName;
-        }
-
         /** Notes that the port is about to be given back: the next owner waits until it is free. Idempotent. */
         void leave() {
             isLeaving = true;
