@@ -8,8 +8,7 @@ import kotlinx.serialization.Serializable
  * @property intervalMs the sensing interval of boards without one of their own
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property printed the lines that the agent has printed, the latest first
- * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as in the state
- * before
+ * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
  * @property moreCritical the number of critical rules left out of [critical]
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]

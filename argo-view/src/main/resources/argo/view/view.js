@@ -478,8 +478,7 @@ $('send').addEventListener('submit', event => {
   if (!$('send-button').disabled) send();
 });
 
-// A hidden page closes its connection: so it causes the agent no work, and leaves the browser's few connections to an address to other
-// pages.
+// A hidden page closes its connection: so it causes the agent no work, and leaves the few connections of a browser to other pages.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

@@ -11,8 +11,8 @@ import javino.PortInterruptedException;
 import javino.Transports;
 
 /**
- * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the whole program, since the devices belong to
- * the machine.
+ * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the program, since devices belong to the
+ * machine.
  */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
