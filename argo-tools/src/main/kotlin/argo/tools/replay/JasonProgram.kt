@@ -21,8 +21,11 @@ internal fun hasJason(): Boolean = try {
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** Returns the class path of this program with [classPath] and Jason; null: there is no Jason. */
-internal fun classPathWithJason(classPath: String?): String? {
+/**
+ * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` stands for the jars of
+ * a folder.
+ */
+fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
     if (classPath == null && jason == null && !hasJason()) return null
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
