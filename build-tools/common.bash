@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts of ./argo share: messages, the tools that they need, Maven. For ". build-tools/common.bash".
+# Shared by the scripts of ./argo: messages, the tools that they need, Maven. For ". build-tools/common.bash".
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 logs=$here/.argo
@@ -8,7 +8,7 @@ jar=$here/argo-jar/target/argo.jar
 fail() { printf './argo: %s\n' "$*" >&2; exit 1; }
 misuse() { printf './argo: %s\n' "$*" >&2; exit 2; }
 
-# Ends with what is missing unless there are a JDK and a Maven that can build ARGO, and Maven runs on such a JDK too.
+# Ends, and names what is missing, unless there are a JDK and a Maven that can build ARGO, and Maven runs on such a JDK too.
 need_tools() {
   command -v javac >/dev/null 2>&1 || fail 'no JDK found (no javac on the PATH).' \
     'ARGO needs a JDK, 17 or newer: "sudo apt install default-jdk", "brew install openjdk" or https://adoptium.net'
@@ -54,7 +54,7 @@ maven() {
   return $status
 }
 
-# What went wrong, from Maven's log without its advice on itself, and what to do where nothing could be fetched.
+# Prints the errors in Maven's log, without Maven's advice on itself, and a remedy if something could not be fetched.
 errors() {
   sed -nE 's/ *-> \[Help [0-9]+\]$//; /^\[ERROR\] *[^ ]/p' "$1" |
     grep -vE '^\[ERROR\] (\[Help [0-9]|To see the full|Re-run|For more information|After correcting|  mvn <args>|See .*surefire|See dump)' |
@@ -65,21 +65,20 @@ errors() {
   fi
 }
 
-# Ends with what went wrong, from Maven's log.
+# Ends with the errors in Maven's log.
 build_failed() { errors "$1" >&2; fail "the build failed; the whole log is in $1"; }
 
-# The value of a property of the POM, such as argo.group.
+# Prints the value of a property of the POM, such as argo.group.
 property() { sed -n "s|^    <$1>\(.*\)</$1>$|\1|p" "$here/pom.xml"; }
 
 # The modules' folders.
 modules() { sed -n 's|.*<module>\(.*\)</module>.*|\1|p' "$here/pom.xml"; }
 
-# build MODULE…: builds these and what they need, neither tests nor what only tests need, but those for which nothing has changed since the
-# last time.
+# build MODULE…: builds these modules and what they need, without tests; skips those for which no source has changed since the last time.
 build() {
   local all module log=$logs/build.log changed=''
   IFS=$'\n' read -r -d '' -a all < <(modules) || true
-  all=("${all[@]/#/$here/}") # those alone: a project that "new" has made may lie beside them
+  all=("${all[@]/#/$here/}") # only those: a project that "new" has made may lie beside them
   local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples" "$here/experiment")
   for module; do
     local stamp=$logs/built-$module

@@ -27,7 +27,7 @@ trips(0).
     .wait(100);
     !patrol.
 
-// The trip's number is there because Jason's .wait lets its clock run on when it is over, and that would end a later one for the same formula.
+// The trip's number makes each formula another: the timer of a .wait runs on after the wait, and would end a later wait for the same.
 +!visit(Place) : trips(N) <-
     Trip = N + 1;
     -+trips(Trip);

@@ -36,11 +36,11 @@ import java.util.logging.Logger
  * believed at once; and those of observers, such as `argo_view=8080` of the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
- * Programming", EMAS 2016. No reasoning cycle waits for a line, but under `in_cycle`, which exists for comparison.
+ * Programming", EMAS 2016. Only under `in_cycle`, which exists for comparison, does a reasoning cycle wait for a line.
  *
  * The methods of [AgArch] are called by Jason; a project has no reason to call any.
  *
- * @param platform the agent's time, threads and ports; Jason makes the architecture with the machine's
+ * @param platform the agent's time, threads and ports; those of the machine if Jason makes the architecture
  */
 open class Arch @JvmOverloads constructor(private val platform: Platform = Platform.system) : AgArch() {
     private val waker = Waker(this, platform)
@@ -91,8 +91,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Returns true if Jason takes no events: an atomic plan holds all back, and with `events=requeue` events without a plan come back for
-     * ever.
+     * Returns true if Jason may take no event from its queue: an atomic plan holds all events back, and `events=requeue` puts events
+     * without a plan back for ever.
      */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
@@ -103,7 +103,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         observing.each { it.filterChanged(filter) }
     }
 
-    /** Wakes the agent until [seen]: see [Waker]. */
+    /** Wakes the agent, repeatedly if necessary, until [seen] returns true: see [Waker]. */
     internal fun wake(seen: () -> Boolean) = waker.wake(seen)
 
     override fun reasoningCycleStarting() {
@@ -112,10 +112,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleStarting()
     }
 
-    /**
-     * Returns the percepts if anything is new since the last call, from the boards, about the ports or from the Jason environment; else
-     * null.
-     */
+    /** Returns the percepts if the boards, the ports or the Jason environment have had news since the last call; else null. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
@@ -132,7 +129,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         return Perception((environment.percepts + perception.beliefs()).toMutableList(), waiting, boards.hasNamespaces)
     }
 
-    /** Jason calls it when it has added the events of the new percepts. */
+    /** Jason calls this when it has added the events of the new percepts. */
     override fun checkMail() {
         deleted.mend(ts.c.events)
         waiting?.let { before -> takeTurns(ts.c.events, before) { boundary.boardOf(it) { boardOf(it) } } }
@@ -151,7 +148,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun canSleep(): Boolean = boundary.canSleep(sleepLive)
 
-    /** Jason asks between the rules of its cycle. */
+    /** Jason calls this between the rules of its cycle. */
     override fun isRunning(): Boolean = super.isRunning().also { boundary.ruleApplied() }
 
     override fun reasoningCycleFinished() {
@@ -170,8 +167,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * True if Jason stops each architecture of this agent: its Local infrastructure does, others only the first, and not each can be
-     * stopped twice.
+     * True if Jason stops each architecture of this agent, as its Local infrastructure does. Others stop only the first, and some
+     * architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 

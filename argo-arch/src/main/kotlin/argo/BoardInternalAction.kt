@@ -20,7 +20,7 @@ import jason.asSyntax.Term
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
-    /** Returns true if the intention waits until [Call.resume] or [Call.fail]. */
+    /** Returns true if the action suspends its intention until it calls back: see [Call.suspendIntention]. */
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
@@ -61,7 +61,7 @@ abstract class BoardInternalAction internal constructor(private val name: String
 
         /**
          * Suspends the intention.
-         * @return takes the outcome later, from any thread: null, or the reason why the plan fails
+         * @return the function to call with the outcome, once, on any thread: null, or the reason why the plan fails
          */
         fun suspendIntention(): (Failure?) -> Unit {
             val key = suspendInt(ts, name, 0)

@@ -35,13 +35,13 @@ abstract class BoardQuery internal constructor(private val name: String, private
         /** Returns the exception for an argument of a wrong kind. */
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
-        /** Returns the result if there is no answer for the reason [why]: false in a context; as a step of a plan it fails the plan. */
+        /** Returns the result if there is no answer: in a context false; a call that is a step of a plan fails it for the reason [why]. */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 
         /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan: Jason passes the plan's unifier then, and a context has its own. */
+        /** Returns true if the call is a step of a plan: then Jason passes the plan's unifier, while a context has a unifier of its own. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

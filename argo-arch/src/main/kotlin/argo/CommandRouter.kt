@@ -21,8 +21,8 @@ import kotlin.io.path.Path
  * Finds the board among [boards] for a command of the agent, and sends it there. Belongs to the agent's thread.
  *
  * A command names its board by its namespace, or by a port in its options. A command that does neither is for the board of its plan's
- * module, unless that board has described itself without it; else for the one board that has described itself with it; else, if no board
- * has, for the one on the port in use.
+ * module, unless that board's description lacks it; else for the only board whose description has it; else, if no description has it, for
+ * the board on the port in use.
  */
 internal class CommandRouter(private val boards: AgentBoards) {
     /** The port of a board, or the reason why there is none. */
@@ -32,13 +32,13 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 
     /**
-     * Sends [command], a literal or a string, and makes the snapshots of a board wait for it: of the board with the percept that caused it,
-     * or if there is none, of its own board.
+     * Sends [command], a literal or a string. One board's snapshots wait for it: those of the board whose percept caused it or, if none
+     * did, of the board that gets it.
      *
      * @param module the namespace of the module in which the command is; null: it is in none
      * @param cause returns the percept that made the agent send it, or null; called once it is under way, before [outcome]
      * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called once the command is under way
-     * @return the reason why there is no board for it, so that nothing was sent; else null
+     * @return null: it was sent; else the reason why there is no board for it
      * @throws argo.calls.ArgumentException if its line cannot carry it
      */
     fun send(
@@ -90,7 +90,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
         return if (isKnown) within(module, command, inUse) else null
     }
 
-    /** Returns the board of [some] that has described itself with [command]; null: none has. */
+    /** Returns the board among [some] whose description has [command]; null: there is none. */
     private fun among(some: List<Board>, command: Literal, inUse: OpenPort): Route? {
         val knowing = some.filter { it.knows(command) }
         return when (knowing.size) {
@@ -105,14 +105,14 @@ internal class CommandRouter(private val boards: AgentBoards) {
     private fun ambiguous(command: Literal, able: List<Board>) = Route.Nowhere(
         Failure(
             "ambiguous_action",
-            "${able.joinToString(" and ") { "${it.term}" }} are all boards for ${command.functor}; " +
+            "${able.joinToString(" and ") { "${it.term}" }} could each be the board for ${command.functor}; " +
                 "name one by its namespace, argo.act(NAMESPACE::${command.functor}), or by its port, [port(${able.first().term})]",
         ),
     )
 
     private fun noSuchNamespace(namespace: String) =
         "no board has the namespace $namespace; " + boards.current.mapNotNull { it.namespace }.distinct().let {
-            if (it.isEmpty()) "the option as($namespace) of argo.port gives it to one" else "there are ${it.joinToString()}"
+            if (it.isEmpty()) "the option as($namespace) of argo.port gives a board this namespace" else "there are ${it.joinToString()}"
         }
 
     private companion object {
@@ -120,7 +120,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 }
 
-/** Returns the command as a literal; null: it is a string that holds none. */
+/** Returns the command as a literal; null: it is a string that is no literal. */
 private fun literalOf(command: Term): Literal? = try {
     if (command is StringTerm) PerceptReader.read(command.string) else command as? Literal
 } catch (_: PerceptSyntaxException) {
@@ -134,7 +134,7 @@ internal fun moduleOf(ts: TransitionSystem): String? {
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
 
-/** Returns true if both name one file. Jason gives its whole path, a URL or only its name. */
+/** Returns true if both name one file. Jason names a file by its whole path, a URL or only its name. */
 private fun isSameFile(one: String?, other: String?): Boolean {
     if (one == null || other == null) return one == other
     val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }

@@ -26,22 +26,22 @@ internal fun portName(term: Term): String {
     return name
 }
 
-/** Returns the port for the agent's beliefs: the term [written], or for a variable its name, as an atom if possible, else as a string. */
+/** Returns the term for the port in the agent's beliefs: [written] or, if that is a variable, [name] as a string. */
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
 
 /**
- * Returns the board that the options of [call], its second argument `[port(P)]`, name; null: there are no options.
+ * Returns the board that the options of [call] name, in its second argument `[port(P)]`; null: the call has no options.
  * @throws ArgumentException if there are other options, or several ports
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)
-    if (ports.size > 1) throw ArgumentException("the options name ${ports.size} ports; there is one port(P) in a call")
+    if (ports.size > 1) throw ArgumentException("the options name ${ports.size} ports; a call takes one port(P)")
     val port = ports.singleOrNull() ?: return null
     return call.arch.boards.named(port) ?: throw call.failure("unknown_board", unknownBoard(port, call.arch.boards))
 }
 
 private fun portIn(option: Term): Term = (option as? Literal)?.takeIf { !it.isVar && it.functor == "port" && it.arity == 1 }?.getTerm(0)
-    ?: throw ArgumentException("$option is not an option; there is port(P)")
+    ?: throw ArgumentException("$option is not an option; the only option is port(P)")
 
 /** Explains why [port] names none of [boards]. */
 internal fun unknownBoard(port: Term, boards: AgentBoards): String =

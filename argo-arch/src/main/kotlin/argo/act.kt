@@ -7,9 +7,9 @@ import argo.acting.requireCommand
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
  * quotes. `getPercepts`, with or without arguments, is no command: a board reads it as the request for percepts.
  *
- * If the agent perceives several boards, `argo.act(left::stop)` is for the one in the namespace `left`, which is not sent, and
- * `argo.act(stop, [port(P)])` for the one on P. `argo.act(stop)` is for the board of the plan's module, unless that board has described
- * itself without `stop`; else for the one board that has described itself with it; if no board has, for the one on the port in use.
+ * If the agent perceives several boards, `argo.act(left::stop)` sends `stop` to the one in the namespace `left`, and
+ * `argo.act(stop, [port(P)])` to the one on P. `argo.act(stop)` is for the board of the plan's module, unless that board's description
+ * lacks `stop`; else for the only board whose description has it; if no description has it, for the board on the port in use.
  *
  * The intention, not the agent, is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until
  * the board has acknowledged the action. Commands are sent in order.
@@ -23,13 +23,13 @@ import argo.acting.requireCommand
  *   version 2 it waits for the outcome of that command
  * - `latest`: the command takes the place of the first waiting one of the same functor, whatever the arguments; that one and all others of
  *   the functor that have not begun to go out are never sent, and fail with `error(act_replaced)`. So `argo.act(speed(V), [latest])` sends
- *   the newest speed when the line is free, however often it is called. With `urgent` it has the place of an urgent command
+ *   the newest speed when the line is free, however often it is called. With `urgent` it waits among the urgent commands
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` if no port is in use, `error(unknown_board)` if no board has the namespace
- * or the port, `error(ambiguous_action)` if several boards have described themselves with it, `error(port_gone)`, `error(port_timeout)`,
+ * or the port, `error(ambiguous_action)` if the descriptions of several boards have the action, `error(port_gone)`, `error(port_timeout)`,
  * `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action or arguments that it
- * does not know, and with `error(act_unconfirmed)` without its acknowledgement, though it may have acted; with a robot that speaks ROS also
- * with `error(act_failed)` if it could not carry the command out.
+ * does not know, and with `error(act_unconfirmed)` if it does not acknowledge the action, though it may have acted; with a robot that
+ * speaks ROS also with `error(act_failed)` if the robot could not carry the command out.
  */
 @Suppress("ClassName")
 open class act : BoardInternalAction("argo.act", 1..2) {

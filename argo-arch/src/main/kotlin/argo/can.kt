@@ -17,7 +17,7 @@ import javino.wire.BoardAction.ANY
  *
  * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`, or
  * `.findall(left::A, argo.can(left::A), All)` for those of one namespace. An action that takes any number of arguments is given without
- * any.
+ * arguments.
  *
  * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. If it is not known (version 1, a
  * sketch without a table of actions, no port in use, or no answer yet), the action is false in a context; as a step of a plan it fails the

@@ -11,7 +11,7 @@ import jason.asSyntax.VarTerm
  * P is an atom or a string: `ttyACM0`, `"/dev/serial/by-id/…"`, `COM8`, `"usb:2341:0043"`, `"tcp://robot:4000"`; an unbound variable, as
  * in programs for other versions, stands for its own name. `none` closes all ports of the agent. Options is a list of `baud(Rate)`,
  * `timeout(Ms)`, `mode(request)` or `mode(listen)`, `protocol(auto)`, `protocol(1)` or `protocol(2)`, `boot(Ms)`, `spacing(Ms)`,
- * `queue(Messages)`, `stale(Ms)`, `as(Namespace)`; without it the agent's last options for P apply. With `as(left)` the board's percepts
+ * `queue(Messages)`, `stale(Ms)`, `as(Namespace)`; without Options the agent's last ones for P apply. With `as(left)` the board's percepts
  * are believed in the namespace `left`, as `left::dist(f,30)`. For several boards at once see `argo.ports`.
  *
  * The intention is suspended until the port is open. Ports opened before stay open. A port whose device was lost is reopened with the same

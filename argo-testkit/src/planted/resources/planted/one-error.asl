@@ -1,4 +1,4 @@
-// Planted: its failure plan is for a cable that is out alone. A board that hangs fails a command with another error.
+// Planted: its failure plan is only for a cable that is out. A board that hangs fails a command with another error.
 !start.
 
 +!start <- argo.port(ttyACM0, [protocol(2)]); argo.limit(100); argo.percepts(open); !drive.

@@ -3,7 +3,7 @@ package benchmarks
 import javino.Protocol
 import java.util.concurrent.atomic.AtomicLong
 
-/** The name of the program that [crowd] is. */
+/** The name by which [crowd] is started as a program of its own. */
 internal const val CROWD = "crowd"
 
 /** The number of agents of the [crowd]. */

@@ -22,7 +22,7 @@ internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     }
 }
 
-/** The name of the program that [latencyCourse] is. */
+/** The name by which [latencyCourse] is started as a program of its own. */
 internal const val LATENCY_COURSE = "latency-course"
 
 private fun measureApart(course: LatencyCourse): List<Long> {

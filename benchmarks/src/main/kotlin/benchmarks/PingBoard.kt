@@ -9,8 +9,8 @@ import java.io.FileOutputStream
 import java.util.concurrent.TimeUnit
 
 /**
- * A board on a pseudo-terminal that answers each request with twelve changing percepts, one of them `ping(N)`, and takes the
- * time until the first byte of the command `pong(N)`.
+ * A board on a pseudo-terminal that answers each request with twelve changing percepts, one of them `ping(N)`, and measures the time until
+ * the first byte of the command `pong(N)`.
  *
  * @param exchanges the number of commands that it measures
  */

@@ -11,13 +11,13 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.createTempDirectory
 
-/** The name of the program that [paces] is. */
+/** The name by which [paces] is started as a program of its own. */
 internal const val REPLAY = "replay-recordings"
 
 /**
  * Measures the cost of a recording for an agent that perceives twelve percepts 50 times a second, which all change, and answers each time
- * with a command: drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, in all
- * cycles about it, since a recorded agent has other cycles; that of a cycle; that of the thread that writes the recording, for which no
+ * with a command: drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, summed
+ * over its cycles, since a recorded agent has other cycles, and for a cycle; that of the thread that writes the recording, for which no
  * cycle waits; the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
  */
 internal fun recorded(): Boolean {

@@ -31,7 +31,7 @@ internal fun snapshotAge(sensors: Int, plans: Int): Distribution {
 private fun actsOnEach(plans: Int) =
     (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
 
-/** The ages of snapshots that were [receivedAt] these times by their numbers. */
+/** Measures the ages of snapshots; [receivedAt] has the time of each snapshot by its number. */
 private class AgeMeter(private val receivedAt: AtomicLongArray) {
     private val ages = LongArray(MAX_ACTIONS)
 

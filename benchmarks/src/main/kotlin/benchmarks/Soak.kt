@@ -7,8 +7,8 @@ import java.util.BitSet
  * Checks, with many agents on as many boards in memory that sense at 50 Hz and act on each answer, that neither heap nor threads grow, and
  * that each action is carried out once.
  *
- * @param seconds its length, at least 3; after the first minute, or the first third, and as soon as all agents act, neither may grow any
- * more
+ * @param seconds its length, at least 3; neither may grow any more once all agents act and the first minute, or a shorter first third, is
+ * over
  */
 class Soak(private val agents: Int, private val seconds: Int) {
     /** The figures of a run; heap in bytes after a collection. */

@@ -13,8 +13,8 @@ import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
 
 /**
- * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. A program has only one, since Jason
- * keeps the running one in a static. Safe for use by several threads.
+ * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. A program can run only one Jason, since
+ * Jason keeps that in a static. Safe for use by several threads.
  */
 internal class AgentHost : RunLocalMAS() {
     private val source: String

@@ -51,9 +51,9 @@ internal class Archive(val directory: Path) : AutoCloseable {
     }
 
     /**
-     * Begins an experiment with [asked] here, or continues the present one.
+     * Begins an experiment with [asked] here, or continues the one that is here.
      *
-     * @throws ContinuationException if that one has other settings, or is being made by another program
+     * @throws ContinuationException if the one here has other settings, or is being made by another program
      * @throws IOException if the directory cannot be written to
      */
     fun open(asked: Settings) {

@@ -131,7 +131,7 @@ internal class ExperimentCommand : ToolCommand() {
             make(archive, settings, conditions, workers)
         } catch (unwritable: IOException) {
             err.println(
-                "experiment: ${unwritable.message}. What is recorded is kept: make room, and the same command with --out $directory continues",
+                "experiment: ${unwritable.message}. The records are kept: make room, and the same command with --out $directory continues",
             )
             1
         }

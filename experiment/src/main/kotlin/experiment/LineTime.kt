@@ -25,7 +25,7 @@ internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN)
 
 /**
  * Returns the largest lateness of this machine that a run of [condition] allows, in ms: a third of the time that a request and the answer
- * of the twelve sensors take there at 9600 baud.
+ * of the twelve sensors take under it at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
 
@@ -53,7 +53,7 @@ private const val MAX_KNOWN = 126
  * Returns the worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on
  * its board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has
  * begun an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval;
- * then follows the command. A board that stops the robot itself reads its sensors once more, and has a frame to send before.
+ * then follows the command. A board that stops the robot itself reads its sensors within 5 ms, or when the frame that it is sending is out.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds

@@ -15,7 +15,7 @@ import kotlin.random.Random
 internal enum class Plan(
     val limits: List<Int>, val intervals: List<Int>, val replications: Int, val sensors: List<Int>, val bauds: List<Int>,
 ) {
-    /** The published one: 27 combinations, 81 runs. */
+    /** The published plan: 27 combinations, 81 runs. */
     @SerialName("full")
     FULL(listOf(40, 80, 120), listOf(20, 35, 50), 3, listOf(12, 48, 192, 768), listOf(9_600, 38_400, 115_200, 250_000, 1_000_000)),
 
@@ -36,7 +36,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond it: more sensors and faster lines, with all sensors and with the front distance, at one limit and interval.
+     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with the front distance, at one
+     * limit and interval.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
 
 /**
- * Watches if this machine keeps up with the time of its simulation: a thread asks to be woken every [STEP_NANOS] ns and notes by how much
- * it was woken late. The same causes delay boards and agents.
+ * Watches whether this machine keeps up with the time of its simulation: a thread asks to be woken every [STEP_NANOS] ns and notes by how
+ * much it was woken late. The same causes delay boards and agents.
  */
 internal class Punctuality : AutoCloseable {
     private class Delay(val at: Long, val nanos: Long)

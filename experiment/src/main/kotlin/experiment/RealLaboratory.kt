@@ -37,9 +37,9 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times are those of a [Sighting], to
- * the moment at which the agent's `stop` has left, and the robot has collided when the agent believes [WALL_CM] cm or less. The laboratory
- * ends a run with `stop` if the agent does not.
+ * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times begin as in a [Sighting] and
+ * end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. The laboratory ends a run with
+ * `stop` if the agent does not.
  *
  * @param ready has the robot put at the start for a run; returns false if the experiment is aborted
  */
@@ -87,7 +87,8 @@ internal class RealLaboratory(
     }
 
     /**
-     * Stops the robot, since a board's motors keep their last command; not if the agent is in trouble, and so has no board for a command.
+     * Stops the robot, since a board's motors keep their last command; does nothing if the agent is in trouble, since it has no board for a
+     * command then.
      */
     private fun halt(witness: Witness) {
         if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()

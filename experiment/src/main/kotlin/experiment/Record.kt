@@ -46,11 +46,11 @@ internal sealed interface Entry {
          */
         val sinceLimitMs: Double = 0.0,
         /**
-         * The time from the first reading at or below the limit that the agent believed to the same end, in ms. Negative: the board stopped
-         * the robot before. Null: the agent believed none.
+         * The time to the same end from the first believed reading at or below the limit, in ms. Negative: the board had stopped the robot
+         * before that. Null: the agent believed no such reading.
          */
         val sincePerceivingMs: Double? = null,
-        /** The number of commands that took effect; 0 for a real robot, as the next two. */
+        /** The number of commands that took effect; 0 for a real robot, as are the next two. */
         val commands: Int = 0,
         /** The number of the board's answers. */
         val frames: Int = 0,

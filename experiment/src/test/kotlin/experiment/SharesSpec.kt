@@ -6,6 +6,7 @@ import experiment.analysis.SharePivots
 import experiment.analysis.Source
 import experiment.analysis.Squares
 import experiment.analysis.shareIntervals
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.inspectors.forAll
 import io.kotest.matchers.doubles.plusOrMinus
@@ -46,6 +47,8 @@ private operator fun Interval.contains(value: Double) = value >= low - 1e-12 && 
 
 private const val EXPERIMENTS = 400
 
+private val thorough = setOf(NamedTag("Thorough"))
+
 class SharesSpec : FunSpec({
     val truths = mapOf(
         "without any effect" to Truth(3) { _, _, _ -> 0.0 },
@@ -54,12 +57,13 @@ class SharesSpec : FunSpec({
         "with strong effects and an interaction" to Truth(2) { a, b, c -> 8.0 * a + 3.0 * b + 5.0 * a * c },
     )
     truths.forEach { (name, truth) ->
-        test("of experiments $name, intervals hold the true shares in 95 of 100, or some more") {
+        val tags = if ("interaction" in name) emptySet() else thorough
+        test("of experiments $name, intervals hold the true shares in 95 of 100, or some more").config(tags = tags) {
             truth.coverage(EXPERIMENTS, Random::nextGaussian).forAll { it.shouldBeBetween(0.92, 0.995, 0.0) }
         }
     }
 
-    test("errors that are uniform, as those of the simulated sensors, do not change that") {
+    test("errors that are uniform, as those of the simulated sensors, do not change that").config(tags = thorough) {
         truths.values.last().coverage(EXPERIMENTS) { sqrt(12.0) * (it.nextDouble() - 0.5) }.forAll { it.shouldBeBetween(0.92, 0.995, 0.0) }
     }
 

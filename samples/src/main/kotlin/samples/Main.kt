@@ -56,7 +56,7 @@ private fun CommandLine.addProject(name: String, vararg description: String): Co
     return addSubcommand(name, sample)
 }
 
-/** A sample without options: the Jason project [name], until its agents end it. */
+/** A sample without options: runs the Jason project [name] until its agents end it. */
 @Command
 private class ProjectCommand(private val name: String) : ToolCommand() {
     override fun call(): Int = MasRun(SampleProject(name)).toItsEnd()

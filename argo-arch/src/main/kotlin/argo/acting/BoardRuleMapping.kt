@@ -11,7 +11,7 @@ import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
 
 /**
- * Returns [critical] as a rule that a board can watch; null: there is none that decides alike.
+ * Returns the rule of boards that decides as [critical] does; null: there is none.
  *
  * A board compares texts and decimal numbers, so this holds for percepts as boards write them: no namespaces, comments, variables or
  * expressions, and numbers of at most 15 digits without an exponent.
@@ -33,7 +33,7 @@ private fun conditionOf(condition: Argument): Condition? {
 
 /**
  * Returns true if a board decides this condition exactly as a filter does. If an argument is missing, a filter's `NE` is false and a
- * board's is true, so another condition must need the argument, or one behind it.
+ * board's is true, so another condition must require this argument or a later one.
  */
 private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }

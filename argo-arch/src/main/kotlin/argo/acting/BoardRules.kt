@@ -8,14 +8,14 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The critical rules that one board watches itself. Keeps the rules on the board that the agent wants and a board can watch, in their
- * order, until the board has no more room. Rules that stay are not sent again. Safe for use by several threads.
+ * The critical rules that one board watches itself. Sends the board the rules that the agent wants and a board can watch, in their order,
+ * until the board has no more room. Rules that the board holds already are not sent again. Safe for use by several threads.
  *
  * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
  * carried out twice, by the board and by the computer, but no percept is missed by both.
  *
- * Commands that wait on the line stay there when the board starts anew, and reach its next session. Therefore, in a
- * session after another, the first thing sent is the removal of all rules: late commands go out before it.
+ * A command that waits for the line while the board restarts goes out in the board's next session. Therefore each session but the first
+ * begins with the removal of all rules, which goes out behind such late commands.
  *
  * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
  * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
@@ -29,7 +29,7 @@ internal class BoardRules(
         var isAcknowledged = false
     }
 
-    /** A command to the board: the rule [set], or else a removal. */
+    /** A command to the board: it sets the rule [set] or, if that is null, removes rules. */
     private class Message(val change: CommandItem.Rule, val set: Held? = null)
 
     private val lock = ReentrantLock()
@@ -66,7 +66,7 @@ internal class BoardRules(
     /** Returns the rule that the board knows by [number], or has known by it in this session; null: there is none. */
     fun ruleOf(number: Int): CriticalRule? = lock.withLock { numbered[number] }
 
-    /** Returns true if the agent wants [rule] to be watched, and the board may watch it. */
+    /** Returns true if the agent wants the board to watch [rule], and the board may be watching it. */
     fun isHeld(rule: CriticalRule): Boolean = lock.withLock { rule in held }
 
     /** Makes a [change] under the lock, and sends the messages that it queues. */
@@ -75,9 +75,7 @@ internal class BoardRules(
         while (true) submit(nextToSend() ?: return)
     }
 
-    /**
-     * Returns the message that this thread is to send; null: there is none, or another thread is sending. So they go out in their order.
-     */
+    /** Returns the message that this thread is to send; null: none, or another thread is sending. So messages go out in their order. */
     private fun nextToSend(): Message? = lock.withLock {
         if (isSending) return null
         unsent.removeFirstOrNull()?.also {
@@ -121,8 +119,8 @@ internal class BoardRules(
     }
 
     /**
-     * Takes the outcome of [entry]. The computer goes on to watch a rule without acknowledgement; unless it was refused, the board may have
-     * it, too.
+     * Takes the outcome of [entry]. The computer goes on watching a rule that the board has not acknowledged. Unless the board has refused
+     * the rule, it may watch it too.
      */
     private fun ended(entry: Held, failure: Failure?) = changing {
         if (held[entry.rule] === entry) {

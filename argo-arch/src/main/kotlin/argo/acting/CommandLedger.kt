@@ -8,11 +8,11 @@ import kotlin.concurrent.withLock
 
 /**
  * Numbers the commands that a board holds, so that the hand-over of its snapshots can wait for those that were issued before its last
- * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]: a slow line is
- * awaited, or commands would pile up on it, and a line that stands still delays nobody. Safe for use by several threads.
+ * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]. So commands do
+ * not pile up on a slow line, which is awaited, and a line that stands still delays nobody. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
- * @param countsElsewhere whether commands to this other port count; not while its board does not answer
+ * @param countsElsewhere returns whether commands to another port count; they do not while its board does not answer
  * @param port the port of the board itself; any object, always the same one for one open port
  */
 internal class CommandLedger(
@@ -47,15 +47,15 @@ internal class CommandLedger(
         return dueInMs(number) == null
     }
 
-    /** Returns the time in ms until commands up to [number] to other ports do not count any more; null: there are none that count. */
+    /** Returns the time in ms for which commands up to [number] to other ports still count; null: none counts. */
     fun dueInMs(number: Long): Long? {
         val until = lastElsewhere(number).filterKeys(countsElsewhere).values.maxOrNull()?.plus(ELSEWHERE_MS) ?: return null
         return (until - nowMs()).takeIf { it > 0 }
     }
 
     /**
-     * Returns, for each other port with commands up to [number], the time at which the last of them was issued, or a command was done there
-     * after that.
+     * Returns, for each other port with commands up to [number], the time at which the last of them was issued or, if that is later, at
+     * which a command there was last done.
      */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()
@@ -66,7 +66,7 @@ internal class CommandLedger(
     }
 
     companion object {
-        /** The time for which commands to another board count while none goes there, in ms. */
+        /** The time in ms for which commands to another board count although none goes there. */
         const val ELSEWHERE_MS = 100L
     }
 }

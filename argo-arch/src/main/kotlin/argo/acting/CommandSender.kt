@@ -19,9 +19,9 @@ import java.util.logging.Logger
  * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread, which starts with the
  * first command, writes them until the link is closed. If it ends for another reason, the port is lost. Safe for use by several threads.
  *
- * @param owner the agent's name, for the thread's
+ * @param owner the agent's name, a part of the thread's
  * @param platform provides the sending thread
- * @param lost is called when sending finds that the port has gone; does not wait for it; may be called again, by any thread
+ * @param lost is called, perhaps repeatedly and by any thread, when sending finds that the port has gone; must not wait
  */
 internal class CommandSender(
     private val link: BoardLink,
@@ -34,7 +34,7 @@ internal class CommandSender(
     /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
     fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
 
-    /** Queues [change], a command that changes the board's rules, ahead of waiting commands; else as [send] of a text. */
+    /** Sends [change], a command that changes the board's rules, as a text is sent, but ahead of waiting commands. */
     fun send(change: CommandItem.Rule): Transmission =
         transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
 
@@ -48,7 +48,7 @@ internal class CommandSender(
             if (sent.left === sent.outcome) sent.outcome.handle { _, trouble -> trouble.also { left() } }
             else sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble -> trouble }
         ended.thenAccept { trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
-            null.also { LOG.log(Level.WARNING, "what waited for the outcome of $what has failed", broken) }
+            null.also { LOG.log(Level.WARNING, "the receiver of the outcome of $what has failed", broken) }
         }
     }
 

@@ -41,7 +41,7 @@ internal fun requireCommand(command: Term) {
 }
 
 /**
- * Returns the text in which [command], which [is one][requireCommand], is sent: a string without its quotes, or a literal without its
+ * Returns the text to send for [command], which [requireCommand] has let through: a string without its quotes, or a literal without its
  * namespace. A line takes it as Jason writes it; other links read it back, so its strings have their escapes.
  *
  * @param isLine whether it goes out as bytes on a line, see [argo.links.BoardLink.isLine]
@@ -65,8 +65,8 @@ private fun lineText(text: String): String {
 }
 
 /**
- * Returns [literal] as Jason writes it, without its namespace. Jason's own way, through streams, would take a tenth of the time to a
- * command.
+ * Returns [literal] as Jason writes it, without its namespace. Jason's own way, through streams, would take a tenth of the time from a
+ * percept to its command.
  */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()

@@ -26,7 +26,7 @@ import kotlin.concurrent.withLock
  * strange percept differently; so if a second message meets the rule without a report, the computer sends the reflex.
  *
  * @param send sends a command to the board on a port before all waiting ones; calls its last argument once with the outcome, on any thread
- * @param isBoards whether the board on a port watches a rule
+ * @param isBoards returns whether the board on a port watches a rule
  * @param ended takes each outcome, and the reason if the reflex has failed; on any thread
  * @param warning takes the failures of reflexes
  */
@@ -52,9 +52,9 @@ internal class Reflexes(
     private var believedVersion = 0L
 
     /**
-     * Notes that the last percepts of the board on [port] meet the rules [met], and no others.
+     * Notes that [met] are exactly the rules that the newest percepts of the board on [port] meet.
      *
-     * @param isMessage whether it is a message, in which a rule that begins to be met may be seen before its report; else it is a report
+     * @param isMessage true: the percepts are a message, which may meet a rule before the board reports that; false: they are a report
      */
     fun perceived(port: OpenPort, met: Collection<CriticalRule>, isMessage: Boolean = true) {
         val due = lock.withLock {
@@ -73,7 +73,7 @@ internal class Reflexes(
         tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
     }
 
-    /** Forgets which rules are met: that was at another time or place. */
+    /** Forgets which rules are met: they were met at another time or place. */
     fun forget() = keepOnly(emptyList())
 
     /** Watches only [rules] from now on. Rules that are met now stay met. */

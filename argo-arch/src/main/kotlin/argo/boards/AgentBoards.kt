@@ -37,7 +37,7 @@ import java.util.logging.Logger
  * The ports of one agent, the boards on them, and the agent's wishes to these: whether it perceives them, how often, and through which
  * filter.
  *
- * One thread at a time writes each of these, and all others read it here without a copy. After each change waiting threads are woken to
+ * One thread at a time changes each of these; all others read it here, and keep no copy. After each change waiting threads are woken to
  * read again. Functions may be called by any thread unless they say otherwise.
  *
  * @property owner the agent's name
@@ -78,12 +78,12 @@ internal class AgentBoards(
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that were perceived since all ports were last closed; the list changes while the ports in use change. */
+    /** All boards that were perceived since all ports were last closed. Changes only together with the ports in use. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
 
-    /** True if the agent's beliefs are not yet about the boards that it perceives. */
+    /** True from a change of the boards that the agent perceives until its next perception. */
     @Volatile
     var areOthers = false
         private set
@@ -93,19 +93,16 @@ internal class AgentBoards(
     var hasNamespaces = false
         private set
 
-    /** The states of the ports. */
     val states = PortStates(::portChanged)
 
-    /** The ports. */
     val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
 
-    /** The decision which snapshots the agent perceives now. */
+    /** Decides which snapshots the agent perceives now. */
     val ready = ReadySnapshots(platform, { perceived.get().boards }, waker::wake)
 
     /** True if boards watch critical rules themselves as far as they can, and messages are written at the pace of the line. */
     val leavesRulesToBoards get() = inCycle == null
 
-    /** The agent's observers. */
     val observers: Observers get() = observing()
 
     /** The boards that the agent perceives. */
@@ -126,7 +123,7 @@ internal class AgentBoards(
     /** Returns the board on [port], if that is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board on the port that the agent calls [port], which it perceives or has perceived; null: there is none. */
+    /** Returns the board, perceived now or before, on the port that the agent calls [port]; null: there is none. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
     /** Returns the perceived boards that have [percept]. */
@@ -134,7 +131,7 @@ internal class AgentBoards(
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
 
-    /** Returns the open port that the agent calls [port], or the one that it waits for; null: there is none. */
+    /** Returns the open port that the agent calls [port], or the lost one of a board that it perceives; null: there is none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
     /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
@@ -170,7 +167,7 @@ internal class AgentBoards(
     /** Makes a warning in the agent's log that is not repeated while its cause lasts. */
     fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
 
-    /** Wakes the agent until [seen] is true; other threads call [seen]. */
+    /** Wakes the agent, repeatedly if necessary, until [seen] returns true; other threads call [seen]. */
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
     /** Starts or stops perceiving. Once stopped, no reflex is sent; a board carries out its own reflexes until its rules are removed. */
@@ -182,7 +179,7 @@ internal class AgentBoards(
         dueInMs()?.let(waker::wakeIn) // the agent may fall asleep before it perceives
     }
 
-    /** Sets the sensing interval in ms of only [board], null: of all boards; 0: as fast as the line allows. */
+    /** Sets the sensing interval in ms of [board], or of all boards if that is null; 0: as fast as the line allows. */
     fun senseEvery(intervalMs: Int, board: Board? = null) {
         if (board != null) {
             board.ownIntervalMs = intervalMs
@@ -207,10 +204,10 @@ internal class AgentBoards(
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Tells the lines that the agent's wishes to its boards have changed. */
+    /** Has each line read the agent's wishes to its board anew. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
-    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last one. */
+    /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last perception. */
     fun perceiving(): Boolean {
         val wereOthers = areOthers
         areOthers = false
@@ -223,10 +220,10 @@ internal class AgentBoards(
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
 
-    /** Returns the time in ms until there is something to perceive without news from a board; null: there will not be. */
+    /** Returns the time in ms until there is something to perceive without news from a board; null: never. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Sends [text] on [port]; no snapshot waits for it. The caller is to [follow][Transmission.follow] it. */
+    /** Sends [text] on [port]; no snapshot waits for it. The caller must [follow][Transmission.follow] the command. */
     fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
         val issued = observers.commandIssued(port.link.port, text)
         val commands = lines[port]?.commands

@@ -30,7 +30,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 
-    /** Returns the new critical percepts of the snapshots that the last [update] handed over; empty when asked again. */
+    /** Returns the new critical percepts of the snapshots that the last [update] handed over; the next call returns none. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
     /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */
@@ -49,7 +49,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the time in ms between the oldest and the newest reading of the boards that the agent believes; null: there is none. Boards
+     * Returns the time in ms between the oldest and the newest reading that the agent believes of its boards; null: there is none. Boards
      * that are off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
@@ -59,7 +59,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return TimeUnit.NANOSECONDS.toMillis(offsets.max() - offsets.min())
     }
 
-    /** Explains why the filters of the boards in its namespace keep or drop [percept]. Any thread. */
+    /** Explains why the filters of the boards in the namespace of [percept] keep or drop it. Any thread. */
     fun explain(percept: Literal): String {
         val (own, unnamed) = boards.current.partition { it.namespace != null && it.namespace == percept.ns.functor }
         return if (own.isEmpty()) explain(perceptText(percept), unnamed.filter { it.namespace == null })

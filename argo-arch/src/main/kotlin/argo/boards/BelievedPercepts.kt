@@ -12,7 +12,7 @@ import jason.bb.StructureWrapperForLiteral
 internal class BelievedPercepts private constructor(val percepts: List<Literal>, val nanos: Long?, private val before: List<Literal>) {
     private val keys by lazy(LazyThreadSafetyMode.PUBLICATION) { (percepts + before).mapTo(HashSet(), ::StructureWrapperForLiteral) }
 
-    /** Returns true if [percept], whose annotations do not matter, is believed, or was before. */
+    /** Returns true if [percept], whose annotations do not matter, is believed, or was believed before the last snapshot. */
     operator fun contains(percept: Literal): Boolean = StructureWrapperForLiteral(percept) in keys
 
     /** Returns the beliefs after the next snapshot. */

@@ -37,7 +37,7 @@ import kotlin.concurrent.withLock
  *
  * @property term the agent's name for its port
  * @param port the line to it
- * @param former a board from which it takes its filter and interval until it gets others
+ * @param former the board whose filter and interval it takes over; null: it has the agent's
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
     /** A filter of its own; null inside it lets everything through. */
@@ -79,7 +79,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** The commands for which its snapshots wait. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
-    private val choosing = ReentrantLock() // held while the filter is asked for and taken
+    private val choosing = ReentrantLock() // held from the choice of the filter until it is in force
     private val stale = StaleBeliefs(agent.platform.nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
     private val reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
     private val percepts = BoardPercepts(
@@ -174,7 +174,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /** Returns true if the agent would only wait for the answers of other boards, the last of which wakes it. */
+    /** Returns true if the agent, woken now, would only wait for the answers of other boards. The last of these answers wakes it. */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
     /** Takes a percept that the board has reported: see [BoardPercepts.reported], also for the result. Any thread. */
@@ -197,18 +197,18 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
 
     /**
      * Returns true if [percept] is, or was before the last snapshot, a percept of this board.
-     * @param isAlone whether no other board has its namespace
+     * @param isAlone whether it is the only board of its namespace
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
-    /** Recomputes if it is stale; returns true if that, or the outcome of a reflex, has changed. */
+    /** Recomputes whether the board is stale; returns true if that, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
     /** Returns the beliefs `stale(P)` and the beliefs about outcomes of reflexes. */
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** Returns the time in ms until there is something to do without news from the board; null: there will not be. */
+    /** Returns the time in ms until there is something to do without news from the board; null: never. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()

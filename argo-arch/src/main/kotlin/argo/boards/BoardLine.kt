@@ -79,7 +79,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         if (!isTaken) tellLeftOut(critical, outcome, percept)
     }
 
-    /** Tells of a report that the board had sent before it knew that the agent does not want it any more. */
+    /** Logs that a report is left out: the board sent it before it knew that the agent no longer wants it. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
         warnings.computeIfAbsent(of) { agent.rateLimitedWarning() }.report(of) {

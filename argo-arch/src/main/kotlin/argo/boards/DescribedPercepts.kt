@@ -4,8 +4,8 @@ import argo.connecting.OpenPort
 import javino.PerceptKind
 
 /**
- * The kinds of percepts that the board on [port] describes, as soon as somebody has asked for them: once in each session, between two
- * requests. So a board of an agent that nobody watches is asked for nothing.
+ * The kinds of percepts that the board on [port] describes. The board is asked for them once in each session, between two requests, but
+ * only after somebody has called [get]: the board of an agent that nobody watches is not asked.
  */
 internal class DescribedPercepts(private val port: OpenPort) {
     @Volatile

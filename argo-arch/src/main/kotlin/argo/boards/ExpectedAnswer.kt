@@ -35,7 +35,7 @@ internal class ExpectedAnswer {
         expectedNanos = usualNanos?.let { nanos + it }
     }
 
-    /** Notes that the answer has not come in time: none is expected until one comes. */
+    /** Notes that the answer has not come in time: no answer is expected until one has come. */
     fun stayedOut() {
         usualNanos = null
         expectedNanos = null

@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicReference
  * perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
  * @param boards returns the boards that the agent perceives
- * @param wake wakes the agent until its argument holds; called once a wait has lasted too long
+ * @param wake wakes the agent until its argument holds; called when a wait has lasted too long
  */
 internal class ReadySnapshots(
     private val platform: Platform,

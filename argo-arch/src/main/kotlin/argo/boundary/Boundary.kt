@@ -45,7 +45,7 @@ interface Boundary {
     /** Sends [message] to all other agents; [live] hands it to the infrastructure. */
     fun broadcast(message: Message, live: () -> Unit)
 
-    /** Carries [action] out; [live] hands its argument, [action] or one in its place, to the environment. */
+    /** Carries [action] out. Calls [live] with [action], or with another one in its place; [live] hands that to the environment. */
     fun act(action: ActionExec, live: (ActionExec) -> Unit)
 
     /** Returns true if the agent may sleep. Also called outside of a cycle, and by other threads. */
@@ -62,7 +62,8 @@ interface Boundary {
  * The perception of an agent in one cycle.
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
- * @property waiting the number of events in the agent's queue before the events of [percepts], which take turns; null: all are of one board
+ * @property waiting the number of events in the agent's queue before those of [percepts] are added, if these come from several boards and
+ * take turns; else null
  * @property hasNamespaces whether a percept of the agent has, or has had, a namespace of its own
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)

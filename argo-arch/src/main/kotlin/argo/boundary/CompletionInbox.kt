@@ -3,8 +3,8 @@ package argo.boundary
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
- * A queue in which the ends of work that an agent has started outside of its thread wait for its next cycle, in the order in which they
- * came.
+ * A queue for the ends of work that an agent has started outside of its thread. They wait there for the agent's next cycle, in the order in
+ * which they came.
  *
  * @param wake wakes the agent until its argument returns true: the agent has seen the end
  */

@@ -19,12 +19,12 @@ internal fun optionsIn(list: Term, example: String): List<Term> =
         ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
 
 /**
- * Returns [start] with each option in [list].
+ * Returns [start] after each option in [list] has changed it.
  *
  * @param example a list as it should be, for the message
  * @param known the known options, for the message
  * @param with sets an option; returns null if there is no such option
- * @throws ArgumentException as above, or with all options that cannot be used
+ * @throws ArgumentException as [optionsIn] does, or if options cannot be used; the message names all of these
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
     val wrong = ArrayList<String>()

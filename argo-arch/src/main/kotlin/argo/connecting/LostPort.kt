@@ -4,10 +4,10 @@ import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit
 
 /**
- * A port whose device has gone, by one of its agent's names for it, with the time of the next look for it.
+ * A port whose device has gone, under one of its agent's names for the port, with the time of the next look for the device.
  *
  * The first look finds out if the device is there at all, and opens nothing. A port that is lost although its device is there, as with a
- * serial server that accepts every connection and then hangs up, is opened ever more seldom. One thread at a time.
+ * serial server that accepts every connection and then hangs up, is opened ever more seldom. Used by one thread at a time.
  *
  * @property port the port that was lost
  * @property term the port as the agent calls it
@@ -43,7 +43,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
 
     /**
      * Notes that the port could not be opened.
-     * @return whether to report it: the cause has stood for several looks, and has not been reported
+     * @return whether to report it: a failure of this kind is reported once, when it occurs for the [REPORTED_FAILURE]th time
      */
     fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == REPORTED_FAILURE
 
@@ -56,7 +56,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         const val MAX_DOUBLINGS = 10
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
-        /** The number of failures before a report: a device that was plugged in a moment ago is not this user's yet. */
+        /** The number of failures before a report: for a moment after it is plugged in, this user may not open a device. */
         const val REPORTED_FAILURE = 4
     }
 }

@@ -9,12 +9,12 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so that a host which does not answer does
- * not delay a cable that is back. Safe for use by several threads.
+ * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so a host that does not answer delays the
+ * search for no other device. Safe for use by several threads.
  *
  * @param owner the agent's name, part of the threads' names
  * @param platform finds devices and schedules the looks
- * @param reopen opens a port whose device is present, and removes it from these
+ * @param reopen opens a port whose device is present, and removes it from these lost ports
  * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause, and the ports that are
  *     given up
  */
@@ -53,7 +53,7 @@ internal class LostPorts(
     /** Forgets all lost ports. Ports that are being closed are still closed. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Closes the ports with the device [key], by its [canonical name][Transports.canonicalName]; returns when it is free. */
+    /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]; returns when the device is free. */
     fun close(key: String) = lock.withLock { closing.toMap() }
         .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
         .keys.forEach(::close)
@@ -66,7 +66,7 @@ internal class LostPorts(
         lock.withLock { closing -= port }
     }
 
-    /** Closes [port] and looks for it, now and again until it is removed. Does not wait. */
+    /** Closes [port], and looks for its device repeatedly until [port] is removed. Does not wait. */
     fun lookFor(port: LostPort) {
         val trouble = troubleOf { platform.start("argo-$owner-looking-for-${port.name}") { look(port) } }
         if (trouble != null) lookLater(port, trouble) // the machine has no thread for the look

@@ -61,12 +61,12 @@ internal interface PortUser {
     /** Makes the user of [port]; it starts nothing before [opened], and is closed with the port. */
     fun use(port: OpenPort): AutoCloseable
 
-    /** Notes that [port] is open, and the agent's. Called by the thread that opened it. */
+    /** Notes that [port] is open and belongs to the agent. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
     /**
-     * Notes that other ports are in use than before, or none, or the same devices after they were opened again. Called by the thread that
-     * changed it.
+     * Notes that the ports in use have changed: to others, to none, or to the same devices opened anew. Called by the thread that changed
+     * them.
      */
     fun portInUseChanged()
 }

@@ -5,9 +5,9 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]: only one thread at a time opens each. A
- * network may take seconds for it, so an opening that the agent asks for interrupts one of the same device that it has not asked for. Safe
- * for use by several threads.
+ * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]: only one thread at a time opens each.
+ * Opening over a network may take seconds. So an opening that the agent asks for interrupts one of the same device that it has not asked
+ * for. Safe for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)

@@ -28,7 +28,7 @@ internal data class PortOptions(
     val namespace: String? = null,
 ) {
     companion object {
-        /** The time that an answer may take without `timeout(Ms)`: three times that of twelve percepts at 9600 baud. */
+        /** The time that an answer may take without `timeout(Ms)`: three times as long as twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
         /**

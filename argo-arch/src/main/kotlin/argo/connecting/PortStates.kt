@@ -39,7 +39,7 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     /**
      * Sets the state of the port that the agent calls [port]; [reason] is for the log.
      *
-     * @param isHeld returns true if the port is still the agent's; else no state is set: a port given up before [clear] stays forgotten
+     * @param isHeld returns true if the port is still the agent's; else no state is set, so a given-up port stays forgotten after [clear]
      */
     fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {
@@ -50,7 +50,6 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
         if (isNew) changed(port, status, reason)
     }
 
-    /** Forgets all ports. */
     fun clear() = lock.withLock {
         states.clear()
         version++

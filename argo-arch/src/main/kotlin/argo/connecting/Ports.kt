@@ -199,7 +199,8 @@ internal class Ports(
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
     /**
-     * Searches for the device of [port], once the port is closed, under each of its names, if [isNews], which is evaluated under the lock.
+     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews], called with the
+     * lock held, returns false.
      */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
@@ -260,7 +261,7 @@ internal class Ports(
             states.clear()
             user.portInUseChanged()
             lock.withLock {
-                lost.clear() // a port may have been lost since
+                lost.clear() // a port may have been lost since the call above
                 open.values.toList().also { open.clear() }
             }
         }

@@ -19,11 +19,11 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         false
     }
 
-    /** Returns the field's value in [one]; null: in the class. */
+    /** Returns the field's value in [one]; null: of a static field. */
     @Suppress("UNCHECKED_CAST")
     operator fun get(one: Any?): T = member.get(one) as T
 
-    /** Sets the field in [one] to [value]; null: in the class. */
+    /** Sets the field in [one] to [value]; null: a static field. */
     operator fun set(one: Any?, value: T) = member.set(one, value)
 
     override fun toString() = try {

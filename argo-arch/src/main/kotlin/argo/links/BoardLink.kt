@@ -32,13 +32,13 @@ interface BoardLink : AutoCloseable {
     /** True if the board sends messages by itself at the interval of [wants], so that it is listened to and never asked. */
     val speaksUnasked: Boolean get() = false
 
-    /** True if a command is bytes on a line, one a character, for a program on the board to read; false: this end reads its text back. */
+    /** True if a command goes out as bytes, one a character, for a program on the board; false: the link itself parses the text. */
     val isLine: Boolean get() = false
 
     /** True if the board can be asked for some percepts, as `getPercepts(dist)`. */
     val canSelect: Boolean get() = false
 
-    /** True if the far end may go unnoticed; then a link that is silent for long is worth opening anew. */
+    /** True if the far end may vanish unnoticed; then a link that is silent for long is worth opening anew. */
     val mayVanish: Boolean get() = false
 
     /** The actions that the board has registered; null: they are not known. Does not wait. */
@@ -73,7 +73,7 @@ interface BoardLink : AutoCloseable {
     @Throws(PortException::class)
     fun check()
 
-    /** Lets reports through, see [onBoardEvents], for [timeoutMs] ms at most. */
+    /** Waits for the board's reports, see [onBoardEvents], for [timeoutMs] ms at most, and passes them on. */
     @Throws(PortException::class)
     fun watch(timeoutMs: Int) = check()
 
@@ -130,7 +130,7 @@ class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
  * @property outcome the outcome of the command
- * @property left the end of its way to the board. Snapshots are withheld from the agent until then, so it is another future if an outcome
- * takes as long as a robot's journey. It completes no later than [outcome]
+ * @property left the end of its way to the board. The agent gets no new snapshot until then, so it is another future if the outcome takes
+ * long, as that of a robot's journey. It completes no later than [outcome]
  */
 class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)

@@ -28,10 +28,10 @@ interface BoardLinkProvider {
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
 
     /**
-     * Opens a board called [port] that a test plays, without a real one; null: boards of this scheme cannot be played so.
+     * Opens, without a real board, one called [port] that a test plays; null: a test cannot play boards of this scheme.
      *
-     * @param heard takes the messages to the board, each with the name of its way, such as the topic of a robot
-     * @throws PortException as [open], but not for a connection
+     * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
+     * @throws PortException as [open] does, except for failed connections: none is made
      */
     @Throws(PortException::class)
     fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null

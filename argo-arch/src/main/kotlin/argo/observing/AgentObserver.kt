@@ -23,7 +23,7 @@ interface AgentObserver : AutoCloseable {
     /** [command] waits to be sent: the agent has called `argo.act`, or a critical rule has a reflex. */
     fun commandIssued(command: IssuedCommand) = Unit
 
-    /** [command] has been sent, or the board has acted; else [failure] is the reason. Called once for each [commandIssued]. */
+    /** [command] has been sent or, in version 2, carried out; if not, [failure] is the reason. Called once for each [commandIssued]. */
     fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = Unit
 
     /**

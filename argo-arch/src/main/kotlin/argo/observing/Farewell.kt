@@ -3,7 +3,7 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * Runs [say] on a thread of its own if the program is ended from outside, as by Ctrl-C, before this is closed. The program waits for that,
+ * Runs [say] on a thread of its own if the program is ended from outside, as by Ctrl-C, before this is closed. The program waits for [say],
  * but no longer than [mostMs], so that a disk or a browser that hangs does not keep it from ending.
  *
  * Safe for use by several threads.

@@ -10,7 +10,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import java.util.logging.Logger
 
-/** The interface of an agent for its observers. Any thread may call, but for [beliefs]. */
+/** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
 interface ObservedAgent {
     /** The agent's name in the multi-agent system. */
     val name: String
@@ -21,9 +21,7 @@ interface ObservedAgent {
     /** The sensing interval in ms of boards that have no interval of their own. */
     val intervalMs: Int
 
-    /**
-     * The time in ms between the oldest and the newest of the boards' readings that it believes; null: there are none. See `argo.skew`.
-     */
+    /** The time in ms between the oldest and the newest reading that it believes of its boards; null: there is none. See `argo.skew`. */
     val skewMs: Long?
 
     /** True if it perceives its boards. */
@@ -92,7 +90,7 @@ interface ObservedAgent {
     /** Makes the agent run a reasoning cycle soon. */
     fun wake()
 
-    /** Makes it run a reasoning cycle soon, and again, ever more slowly, until [seen] returns true. */
+    /** Makes it run a reasoning cycle soon, and further ones at growing intervals until [seen] returns true. */
     fun wakeUntil(seen: () -> Boolean)
 }
 

@@ -26,9 +26,9 @@ internal class ReasoningQueues(
 
 /**
  * The work that the last snapshot of a board has left to the agent:
- * 1. its percept events in Jason's queue. Later ones, such as those of a busy Jason environment, do not count, or they could keep the agent
- *    from its sensors for good. While the queue stands, only [ATOMIC_PLAN_INTERVAL_MS] are awaited and no event: an atomic plan must see
- *    the world too, and each snapshot adds events that the agent works off afterwards, and Jason goes through all of them in each cycle;
+ * 1. its percept events in Jason's queue. Later events, such as those of a busy Jason environment, do not count: they could keep the agent
+ *    from its sensors for good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]: an atomic plan must see the
+ * world too, yet each snapshot adds events that the agent must work off afterwards, and Jason goes through all of them in each cycle;
  * 2. the commands that the board holds and that were issued before that snapshot was handed over;
  * 3. the intentions that percept events of the board have begun. One is worked off when it has finished or waits, as for the outcome of a
  *    command. One that still runs after [LONG_MS] is meant to run on, and is not awaited any more.
@@ -49,7 +49,7 @@ internal class Backlog(
     private val nowMs: () -> Long = Platform.system.nowMs,
     private val isOwn: (Literal) -> Boolean = { true },
 ) {
-    /** The percept events that were in the queue once the last snapshot had been taken in; null: it has not been, or the queue stands. */
+    /** The percept events that were in the queue once the last snapshot had been taken in; null: not yet taken in, or the queue stands. */
     @Volatile
     private var events: Set<Event>? = null
 
@@ -80,8 +80,8 @@ internal class Backlog(
     /**
      * Returns true if nothing is left.
      *
-     * @param isAwaited whether the agent's thread asks for a snapshot that waits: if only intentions are left then, those of now are
-     * awaited for a limited time
+     * @param isAwaited whether the agent's thread asks because a snapshot waits: then, if only intentions are left, those are awaited for a
+     * limited time from now
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
@@ -96,7 +96,7 @@ internal class Backlog(
     fun kindLeft(): String? = kindLeft(isAwaited = false)
 
     private fun kindLeft(isAwaited: Boolean): String? {
-        if (!commands.allDoneUpTo(lastCommand)) return "commands that were issued before have not left"
+        if (!commands.allDoneUpTo(lastCommand)) return "commands issued before the last percepts have not left"
         if (!areEventsDone()) return "events of earlier percepts wait"
         val begun = begun()
         if (isAwaited) limit(begun)
@@ -118,7 +118,7 @@ internal class Backlog(
         beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
     }
 
-    /** Returns the event that began [intention]; null: it has finished, which its thread may find out at this moment. */
+    /** Returns the event that began [intention]; null: it has finished, as it may do during this call. */
     private fun beginningOf(intention: Intention): Literal? = try {
         intention.bottom?.trigger?.literal
     } catch (_: NoSuchElementException) {

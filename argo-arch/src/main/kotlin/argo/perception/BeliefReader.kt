@@ -19,8 +19,8 @@ import jason.asSyntax.Term
 /**
  * Turns the text of a percept into the literal for the agent's beliefs.
  *
- * A text that Jason cannot read, or that no sensor can mean, is left out by itself, with one warning per distinct text. Literals of a text
- * seen before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
+ * Only a text that Jason cannot read, or that no sensor can mean, is left out, with one warning per distinct text. Literals of a text seen
+ * before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
  *
  * @param namespace the namespace of the percepts; null: the namespace that each percept names itself, mostly the default one
  * @param warn takes one line for each text that cannot be read
@@ -81,7 +81,7 @@ private fun parse(percept: String): Reading = try {
         hasComment(percept) -> Reading.Unreadable("it holds a comment, // or /*, and the text of that would be lost; put it in quotes")
         literal.isVar || literal is InternalActionLiteral || !literal.isLiteral -> Reading.Unreadable("it is not a predicate")
         !literal.isGround || literal.ns.isVar ->
-            Reading.Unreadable("it holds a variable, a sensor's words begin in lower case or stand in quotes")
+            Reading.Unreadable("it holds a variable; a sensor's words begin in lower case or stand in quotes")
         isComputed(literal) ->
             Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
         literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->

@@ -24,7 +24,7 @@ internal interface PerceivedBoard {
     /** Returns true if the agent perceives it through [port] now. */
     fun isOn(port: OpenPort): Boolean
 
-    /** Takes each [snapshot] as it is left for the agent. */
+    /** Takes each [snapshot] when it is left for the agent. */
     fun filtered(snapshot: Snapshot)
 }
 
@@ -139,8 +139,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait for the sensing
-     * thread: while that makes a snapshot, due percepts go into it.
+     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait while the sensing
+     * thread makes a snapshot: the due percepts go into that one.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return

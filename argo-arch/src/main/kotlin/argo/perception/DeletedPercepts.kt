@@ -17,7 +17,7 @@ import jason.bb.StructureWrapperForLiteral
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()
 
-    /** Notes that Jason is about to make [percepts] all the percepts of [agent]. */
+    /** Notes that Jason is about to replace all percepts of [agent] by [percepts]. */
     fun expect(agent: Agent, percepts: Collection<Literal>) {
         val stay = percepts.mapTo(HashSet(), ::StructureWrapperForLiteral)
         deleted = agent.bb.percepts.asSequence()

@@ -28,8 +28,8 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
 }
 
 /**
- * Orders the percept events of several boards in turns in Jason's queue, of which Jason takes one a cycle, so that a board with many events
- * does not delay the others.
+ * Lets the percept events of several boards take turns in Jason's queue. Jason takes one event a cycle, so a board with many events would
+ * delay the others.
  *
  * @param queue the agent's event queue; other threads may add events meanwhile; none is lost
  * @param waiting the number of events in the queue before the events of the new snapshots were added

@@ -17,10 +17,10 @@ internal interface HandOver {
     /** Leaves [snapshot] for the agent; it may be dropped if a snapshot of a newer message is there already. */
     fun put(snapshot: Snapshot)
 
-    /** Returns true if [take] would give one now. */
+    /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if the snapshot that [take] would give now waits for nothing else. */
+    /** Returns true if the snapshot that [take] would return now waits for nothing else. */
     fun isUrgent(): Boolean = isReady()
 
     /** Returns the time in ms until a snapshot may become ready without any news; null: none will. */
@@ -32,18 +32,18 @@ internal interface HandOver {
     /** Takes all snapshots out, in the order of their messages. */
     fun drain(): List<Snapshot>
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of the snapshots that have. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of those that have been taken. */
     fun clear()
 }
 
 /**
- * Keeps the newest snapshot only and hands it over when the [backlog] of the one before is done.
+ * Keeps only the newest snapshot, and hands it over when the [backlog] of the last one handed over is done.
  *
- * A snapshot with a critical percept that the one before did not have is handed over at once, and a newer one replaces it only if it meets
- * the same critical rules, so there are never more than there are rules. A board that is critical all the time must not make events pile
- * up, so this ends when [MANY_EVENTS] wait; then each critical rule may do it once until the backlog is done again.
+ * A snapshot with a critical percept that the last one did not have is handed over at once. Until then a newer snapshot replaces it only if
+ * that meets the same critical rules, so there are never more such snapshots than rules. A board that is critical all the time must not
+ * make events pile up: when [MANY_EVENTS] wait, each critical rule lets one more snapshot pass at once, until the backlog is done.
  *
- * @param tellLate is told, without the lock, that snapshots have waited for longer than [LATE_MS], and for which work
+ * @param tellLate is called, without the lock, when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
 internal class FreshHandOver(private val backlog: Backlog, private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> }) : HandOver {
     private val lock = ReentrantLock()
@@ -126,7 +126,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
     }
 
     companion object {
-        /** Snapshots that wait for longer than this time, in ms, are told of. */
+        /** The time in ms after which waiting snapshots are reported. */
         const val LATE_MS = 2000L
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */

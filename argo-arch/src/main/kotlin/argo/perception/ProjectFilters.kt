@@ -9,7 +9,7 @@ import java.nio.file.Path
 
 /**
  * Finds the filter that [agent] calls [name]: among those that services offer, in the directory in which the project was started and in
- * `filters/` under it, in the same two for the agent's `.asl`, and in `filters/` on the class path.
+ * `filters/` under it, in the directory of the agent's `.asl` and in `filters/` under it, and in `filters/` on the class path.
  *
  * @throws argo.filters.FilterNotFoundException if there is none
  * @throws argo.filters.FilterException if it is refused

@@ -5,7 +5,7 @@ import javino.wire.Shape
 
 /**
  * The percepts that a board has reported outside of messages since it was asked for the newest message, the last one for each critical
- * rule, so that an earlier message does not replace them. Not safe for use by several threads at once.
+ * rule. They are kept, since the board may have made that message before them. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
@@ -21,15 +21,14 @@ internal class ReportedPercepts {
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** Drops the reports before [askedNanos], the time of the request for a message that came: the message has them. */
+    /** Drops the reports before [askedNanos], the time of the request for a message that came: the message contains them. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
 
-    /** Forgets all. */
     fun clear() = reports.clear()
 
-    /** Returns [message] with each report in place of the percept whose newer value it is; if there is none, behind all percepts. */
+    /** Returns [message] with each report in place of the percept whose newer value it is; a report without one goes to the end. */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {
@@ -39,7 +38,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** Returns how many [numbers] of a percept another of its shape shares: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
+    /** Returns how many [numbers] [other] has in the same places: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

@@ -68,7 +68,7 @@ interface Platform {
             private fun carryOut(action: () -> Unit) = try {
                 action()
             } catch (broken: Throwable) { // Jason's scheduler would tell nobody of it
-                Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "what was to be done later has failed", broken)
+                Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "a delayed action has failed", broken)
             }
 
             override fun open(port: String, settings: LinkSettings, owner: String): BoardLink =

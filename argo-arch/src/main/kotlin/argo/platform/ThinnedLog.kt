@@ -4,8 +4,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps repeated events from filling a log: the first [FREE] lines of a kind go out at once, then ever fewer, first after a second and at
- * last every five minutes. Each of these is the newest line and says how many were left out, so that the last line of a kind always
+ * Keeps repeated events from filling a log: the first [FREE] lines of a kind go out at once, later ones at growing intervals, from a second
+ * to five minutes. Each of the later ones is the newest line and says how many were left out, so that the last line of a kind always
  * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
@@ -25,7 +25,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
 
     /**
      * Reports a line of [kind]; there are few kinds.
-     * @param line writes the line, with its argument at the end. Called once, now or later; never if newer lines come before
+     * @param line writes the line, with its argument at the end. Called once, now or later; never if a newer line replaces it
      */
     fun report(kind: String, line: (more: String) -> Unit) {
         var delayMs = 0L

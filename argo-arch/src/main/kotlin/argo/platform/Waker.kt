@@ -7,8 +7,8 @@ import java.util.concurrent.atomic.AtomicLong
  * Wakes an agent that sleeps or is about to.
  *
  * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second. An agent that
- * asks [maySleep] does not fall asleep if it has been woken before. One that has decided and does not sleep yet, or does not ask, is woken
- * again, ever more slowly, until it has seen the reason.
+ * asks [maySleep] does not fall asleep if it has been woken before. An agent that has decided to sleep but does not sleep yet, or that does
+ * not ask, is woken again at growing intervals until it has seen the reason.
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
@@ -16,11 +16,14 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var perceivedMs = Long.MIN_VALUE
 
-    /** True if the agent was woken since it began to perceive. Written before [sleeper] is read, and read after that is written. */
+    /**
+     * True if the agent was woken since it began to perceive. [wake] writes it, then reads [sleeper]; [maySleep] writes that, then reads
+     * it.
+     */
     @Volatile
     private var isWoken = false
 
-    /** The thread that was allowed to sleep since the agent began to perceive. */
+    /** The thread that was told, after the agent began to perceive, that it may sleep; null: none. */
     @Volatile
     private var sleeper: Thread? = null
 
@@ -31,13 +34,13 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     @Volatile
     private var reasoner: Thread? = null
 
-    /** True if the thread that perceives also sleeps; unknown before it asks. Jason also has agents of three threads. */
+    /** True if the thread that perceives is also the one that sleeps; null before that is known. Jason also has agents of three threads. */
     @Volatile
     private var isOneThread: Boolean? = null
 
     /**
-     * Wakes the agent now and, if that may be in vain, again until [seen]; other threads call [seen]. On the thread that carries out the
-     * agent's cycle it wakes nobody, but that thread does not fall asleep after the cycle.
+     * Wakes the agent now and, if that may be in vain, again until [seen] returns true; other threads call [seen]. On the thread that
+     * carries out the agent's cycle it wakes nobody, but that thread does not fall asleep after the cycle.
      */
     fun wake(seen: () -> Boolean) {
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)

@@ -89,7 +89,7 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due; false if it is time to look at the line before. */
+    /** Waits until the next request is due; false if the line must be looked at first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
         if (wait >= SLICE_NANOS && mayReport()) return false // the line is read instead
@@ -125,10 +125,7 @@ internal class Sensing(
         }
     }
 
-    /**
-     * Returns the time in ms for which the line is read at once: not beyond the next request, and so short that a change of the agent's
-     * wishes waits little.
-     */
+    /** Returns the time in ms for one look at the line: it ends by the next request, and soon enough for a change of the agent's wishes. */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
     /** Takes one message from the board, on the caller's thread; false when the port is lost. */

@@ -5,7 +5,7 @@ internal enum class SensingPolicy(val word: String) {
     /** The newest snapshot, as soon as the agent has taken in the snapshot before: see `argo.perception.HandOver`. */
     FRESH("fresh"),
 
-    /** Each one, in its order, whatever work the agent has left. */
+    /** Each snapshot, in its order, even if the agent has not finished the work of earlier ones. */
     EVERY("every"),
 
     /**

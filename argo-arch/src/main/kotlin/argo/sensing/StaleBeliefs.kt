@@ -49,7 +49,6 @@ internal class StaleBeliefs(
     /** Returns true if the agent believes `stale` about no port. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
-    /** Returns the beliefs. */
     fun beliefs(): List<Literal> = believed.map { ASSyntax.createLiteral(FUNCTOR, it) }
 
     private fun silent(): Set<Term> = if (dueInMs() == 0L) listened()?.terms.orEmpty().toSet() else emptySet()
@@ -59,8 +58,8 @@ internal class StaleBeliefs(
         const val FUNCTOR = "stale"
 
         /**
-         * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is the time in which two
-         * answers in a row may have stayed out; never for a board that sends only when it has news.
+         * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is a time in which two
+         * answers in a row can have failed to come; never for a board that sends only when it has news.
          *
          * @param intervalMs the sensing interval in ms
          */

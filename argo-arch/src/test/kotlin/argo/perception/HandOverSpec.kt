@@ -203,7 +203,7 @@ class HandOverSpec : FunSpec({
             put(11_000)
             told shouldBe emptyList()
             put(11_300)
-            told shouldBe listOf("2100 ms: commands that were issued before have not left")
+            told shouldBe listOf("2100 ms: commands issued before the last percepts have not left")
             ledger.done(Robot, command)
             handOver.take()
             put(20_000)

@@ -18,9 +18,7 @@ class Relocation(sources: List<Source>, own: List<String>, private val into: Str
     /** Returns the new name of a class; both are internal names, `java/lang/String`. */
     fun of(name: String): String = if (name in relocated) into + name else name
 
-    /**
-     * Returns true if all classes of [source] get new names, so that its `META-INF` for compilers and shrinkers is no longer true.
-     */
+    /** Returns true if all classes of [source] get new names, so that its `META-INF` for compilers and shrinkers is no longer true. */
     fun isWhole(source: Source): Boolean = source.classes.isNotEmpty() && relocated.containsAll(source.classes)
 
     /** Returns the class file [bytes] with the new names; the same bytes if it uses none of them. */

@@ -14,7 +14,7 @@ internal class Packed(private val compression: String, private val bytes: Long) 
     fun unpacked(records: ByteBuffer): ByteBuffer = when (compression) {
         "" -> records
         Lz4.NAME -> {
-            if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes")
+            if (bytes > McapInput.MAX_RECORD_BYTES) throw McapException("it is a chunk of $bytes bytes, which is too long")
             Lz4.decompress(records, bytes.toInt())
         }
         else -> throw McapException("it is a chunk compressed by $compression, which cannot be read here")
@@ -56,7 +56,7 @@ internal class McapScan(private val input: McapInput) {
         while (true) {
             val length = lengthOf(at)
             if (length == null) {
-                contents.problem("the file was cut off behind byte $at, or is damaged there; what comes before was read")
+                contents.problem("the file was cut off behind byte $at, or is damaged there; everything before was read")
                 return contents
             }
             val op = input.read(at, 1).get().toInt() and 0xFF
@@ -67,7 +67,7 @@ internal class McapScan(private val input: McapInput) {
             }
             at += RECORD_HEAD_BYTES + length
             if (op == Op.FOOTER) {
-                if (!isMagic(at)) contents.problem("the end of the file is damaged; what comes before was read")
+                if (!isMagic(at)) contents.problem("the end of the file is damaged; everything before was read")
                 return contents
             }
         }
@@ -97,7 +97,7 @@ internal class McapScan(private val input: McapInput) {
     /** Reads the record of kind [op] that begins at [start], with its content at [at]. */
     private fun take(op: Int, start: Long, at: Long, length: Long) {
         if (op == Op.FOOTER) {
-            if (!isDataOver) contents.problem("the record is missing that ends the messages; the file is damaged before byte $start")
+            if (!isDataOver) contents.problem("the record that ends the messages is missing; the file is damaged before byte $start")
             checkSummary(input.read(at, length), at)
         }
         if (isDataOver) return
@@ -107,7 +107,7 @@ internal class McapScan(private val input: McapInput) {
             Op.CHANNEL -> channel(input.read(at, length))
             Op.MESSAGE -> {
                 // one wrong bit turns the record of an index into a message
-                if (hasChunks) throw McapException("it is a message outside of chunks, or was made one")
+                if (hasChunks) throw McapException("it is a message outside of chunks, or damage made it one")
                 val record = input.read(start, RECORD_HEAD_BYTES + length)
                 messages(record) { MessagePart(start, RECORD_HEAD_BYTES + length, Packed("", 0), it) }
             }

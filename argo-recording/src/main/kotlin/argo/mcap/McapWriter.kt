@@ -114,7 +114,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Writes the rest and the summary, and closes the sink, also if that fails. May be called twice. */
+    /** Writes the rest and the summary, and closes the sink even if writing fails. May be called twice. */
     override fun close() {
         if (isClosed) return
         isClosed = true

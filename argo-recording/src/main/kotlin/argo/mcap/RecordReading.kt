@@ -3,7 +3,7 @@ package argo.mcap
 import java.nio.ByteBuffer
 
 private fun ByteBuffer.need(bytes: Long) {
-    if (bytes < 0 || bytes > remaining()) throw McapException("a record is shorter than what it is to hold")
+    if (bytes < 0 || bytes > remaining()) throw McapException("a record is shorter than its fields")
 }
 
 internal fun ByteBuffer.u16(): Int {

@@ -11,17 +11,17 @@ data class Cycle(
     val number: Int,
     @Holds("when it began, in ns of the agent's clock")
     val ns: Long,
-    @Holds("where Jason's counters stood, which all agents of a program share; missing: where this agent's last cycle left them")
+    @Holds("the values of Jason's counters, which all agents of a program share; missing: those after this agent's last cycle")
     val counters: List<Int>? = null,
-    @Holds("what entered the agent")
+    @Holds("the agent's input")
     val input: Input = Input(),
-    @Holds("what came of it")
+    @Holds("the agent's course")
     val course: Course = Course(),
     @Holds("whether the agent was being stopped: Jason may have ended the cycle anywhere")
     val isEnding: Boolean = false,
     @Holds("whether printed lines may be missing, as Java was ending")
     val missesPrints: Boolean = false,
-    @Holds("why no replay can have this cycle, and ends before it; missing: one can")
+    @Holds("the reason why no replay can have this cycle, so that each ends before it; missing: a replay can")
     val refusal: Refusal? = null,
 )
 
@@ -30,18 +30,18 @@ data class Cycle(
 data class Refusal(
     @Holds("the reason, a sentence for a person")
     val why: String,
-    @Holds("whether it is the project's own code, which replay --check carries out again, so that it goes on")
+    @Holds("whether the reason is the project's own code: replay --check carries that out again, and goes on")
     val isOfProject: Boolean = false,
 )
 
 /** The input that entered an agent in a cycle. */
 @Serializable
 data class Input(
-    @Holds("triggers that another thread had put into its event queue since its last cycle, or in this one until it took them")
+    @Holds("the triggers of events that another thread put into the agent's queue after its last cycle, or in this one before it took them")
     val events: List<String> = emptyList(),
     @Holds("the messages of boards that it perceived, in their order")
     val snapshots: List<PerceivedSnapshot> = emptyList(),
-    @Holds("how what it perceived differs from what it perceived before; missing: its boards and its environment had nothing for it")
+    @Holds("the change of its percepts since its last perception; missing: neither its boards nor its environment had news")
     val percepts: PerceptChange? = null,
     @Holds("whether percept events of several boards took turns")
     val isOfSeveralBoards: Boolean = false,
@@ -51,17 +51,17 @@ data class Input(
     val critical: List<String> = emptyList(),
     @Holds("the messages of other agents that had come")
     val mail: List<Mail> = emptyList(),
-    @Holds("what had ended that it had begun outside of its thread, in the order in which it was carried out")
+    @Holds("the ends of operations that it had begun outside of its thread, in the order in which it took them in")
     val ends: List<End> = emptyList(),
-    @Holds("whether it might have slept, each time that Jason asked: y or n")
+    @Holds("the answers, y or n, each time that Jason asked whether the agent may sleep")
     val sleep: String = "",
-    @Holds("the calls of internal actions and functions whose results are not in the program, in their order")
+    @Holds("the calls of internal actions and functions whose results do not follow from the program, in their order")
     val calls: List<Call> = emptyList(),
     @Holds("the filters that it changed to")
     val filters: List<FilterChange> = emptyList(),
-    @Holds("whether a thread had changed how many beliefs there are since its last cycle")
+    @Holds("whether a thread had changed the number of beliefs since the agent's last cycle")
     val isChangedOutside: Boolean = false,
-    @Holds("where in its queue events stood, by their places in events, if not at its end: it had added others since")
+    @Holds("by their places in the field events: the places in the queue of those behind which the agent had added other events since")
     val eventPlaces: Map<Int, Int> = emptyMap(),
 )
 
@@ -74,34 +74,34 @@ internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.n
 data class PerceptChange(
     @Holds("how many at the beginning stay")
     val keep: Int = 0,
-    @Holds("those behind them, if they are not those of the cycle's snapshots")
+    @Holds("the percepts behind those that stay at the beginning, unless take counts them")
     val now: List<String> = emptyList(),
     @Holds("how many at the end stay")
     val keepLast: Int = 0,
-    @Holds("how many of what the filters let through of the cycle's snapshots come before those behind the first that stay")
+    @Holds("how many percepts of the cycle's snapshots, as the filters let them through, come before those that take counts")
     internal val skip: Int = 0,
-    @Holds("how many there are behind the first that stay, which are those of the snapshots; 0: see now")
+    @Holds("how many percepts behind those that stay at the beginning are those of the cycle's snapshots; 0: see now")
     internal val take: Int = 0,
-    @Holds("those among them that are written in another way than the board did, by their place from 0")
+    @Holds("the percepts among those that take counts that differ from the board's text, by their place from 0")
     internal val others: Map<Int, String> = emptyMap(),
 )
 
 /** A message between agents, such as Jason's internal action `.send` sends. */
 @Serializable
 data class Mail(
-    @Holds("what the message is, such as tell or achieve")
+    @Holds("the message's kind, such as tell or achieve")
     val performative: String,
     @Holds("the agent that sent it")
     val sender: String?,
     @Holds("the agent that it is for; everybody: all")
     val receiver: String?,
-    @Holds("what is said")
+    @Holds("the content")
     val content: String,
     @Holds("its name")
     val id: String,
     @Holds("the name of the message that it answers")
     val inReplyTo: String? = null,
-    @Holds("why it could not be sent; missing: it was")
+    @Holds("why it could not be sent; missing: it was sent")
     val failure: String? = null,
 )
 
@@ -110,7 +110,7 @@ data class Mail(
 data class End(
     @Holds("its number, in the order in which the agent began things; 0: another thread began it")
     val number: Int,
-    @Holds("timer, call of an internal action, action of the environment; thread: work that another thread left, work: that of the project")
+    @Holds("timer, call of an internal action, action of the environment; left by another thread: work if of the project, else thread")
     val kind: String,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,
@@ -134,15 +134,15 @@ data class Call(
     val name: String,
     @Holds("its arguments as they were when it was called")
     val args: List<String> = emptyList(),
-    @Holds("what was found for arguments with variables, by their place from 0, once for each way; none: it was not true")
+    @Holds("the texts of the arguments with variables, by their place from 0, for each solution; none: the call was not true")
     val answers: List<Map<Int, String>> = emptyList(),
-    @Holds("whether there may have been other ways")
+    @Holds("whether there may have been further solutions")
     val isBacktracking: Boolean = false,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,
-    @Holds("the number of what it began outside of the agent's thread, which an end has later")
+    @Holds("the number of the operation that it began outside of the agent's thread; the end of that has the same number")
     val number: Int? = null,
-    @Holds("what it had sent to boards")
+    @Holds("the commands that it sent to boards")
     val commands: List<Sent> = emptyList(),
     @Holds("whether the project wrote the action or function: a replay with --check carries it out again")
     val isOfProject: Boolean = false,
@@ -237,13 +237,13 @@ data class PerceivedSnapshot(
 data class CommandEnd(
     @Holds("the number of the command")
     val number: Long,
-    @Holds("the port of its board; missing: the call of a cycle that sent it has it, and the text")
+    @Holds("the port of its board; missing: see the call that sent it")
     val port: String? = null,
-    @Holds("what was sent, as a reflex of the computer")
+    @Holds("the text, if the computer sent it as a reflex; missing: see the call that sent it")
     val text: String? = null,
     @Holds("when it was issued, in ns of the agent's clock; missing: in the cycle whose call sent it")
     val issuedNs: Long? = null,
-    @Holds("when this was known, in ns of the agent's clock")
+    @Holds("when its outcome was known, in ns of the agent's clock")
     val ns: Long,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,
@@ -256,9 +256,9 @@ data class ReflexEnd(
     val command: String,
     @Holds("the critical rule in words")
     val rule: String,
-    @Holds("whether the board watched the rule, and carried its reflex out; otherwise the computer sent it, which is a command, too")
+    @Holds("whether the board watched the rule, and carried its reflex out; otherwise the computer sent it as a command")
     val isByBoard: Boolean,
-    @Holds("when this was known, in ns of the agent's clock")
+    @Holds("when its outcome was known, in ns of the agent's clock")
     val ns: Long,
     @Holds("why it failed; missing: it did not")
     val failure: CallFailure? = null,
@@ -280,7 +280,7 @@ data class Beginning(val beliefs: List<String>, val events: List<String>)
  *
  * @property source the name of the attachment that holds its program
  * @property options its options in the `.mas2j`
- * @property isConditional whether Jason left out parts of a cycle that had nothing to do, as its Local infrastructure does
+ * @property isConditional whether Jason left out the parts of a cycle in which there was nothing to do, as its Local infrastructure does
  * @property address the address of the program as Jason shows it in annotations and errors; null: not known
  * @property beginning its beliefs and events at the beginning; null: not known
  * @property firstLabel the number that Jason gave its first plan without a name; null: it has none

@@ -2,7 +2,7 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/** The whole state of an agent at the end of a cycle, so that a replay can begin behind it. Immutable. */
+/** The whole state of an agent at the end of a cycle, so that a replay can begin there. Immutable. */
 @Serializable
 data class KeyFrame(
     @Holds("the index of the cycle at whose end the agent was like this")
@@ -11,15 +11,15 @@ data class KeyFrame(
     val number: Int,
     @Holds("when that cycle began, in ns of the agent's clock")
     val ns: Long,
-    @Holds("why there is no key frame here, and nothing but the fields above; missing: there is one")
+    @Holds("the reason why there is no key frame here, and no field but those above; missing: there is one")
     val missing: String? = null,
     @Holds("what the agent believes, in the order of its belief base")
     val beliefs: List<String> = emptyList(),
-    @Holds("the places among the beliefs, from 0, where a rule of the program stands, and which one of its rules it is")
+    @Holds("the rules of the program: the place of each among the beliefs, from 0, and its number in the program")
     val rules: Map<Int, Int> = emptyMap(),
     @Holds("the places among the beliefs, from 0, of those that are percepts, in the order in which Jason goes through them")
     val percepts: List<Int> = emptyList(),
-    @Holds("how many percepts there were at most at a time, on which that order depends")
+    @Holds("the most percepts that there were at a time: that order depends on it")
     val mostPercepts: Int = 0,
     @Holds("what the agent perceived, in its order")
     val perceived: List<String> = emptyList(),
@@ -27,13 +27,13 @@ data class KeyFrame(
     val filters: List<FilterChange> = emptyList(),
     @Holds("how many things it had begun outside of its thread")
     val begun: Int = 0,
-    @Holds("when its timers end that were under way, in ns of its clock, by their numbers")
+    @Holds("the ends of its running timers, in ns of its clock, by the timers' numbers")
     val timers: Map<Int, Long> = emptyMap(),
     @Holds("how many intentions were counted")
     val intentions: Int = 0,
-    @Holds("the cycles since it perceived last")
+    @Holds("the number of cycles since it perceived last")
     val cyclesUnperceived: Int = 0,
-    @Holds("whether it had been reported to sleep")
+    @Holds("whether Jason had reported it asleep")
     val isAsleep: Boolean = false,
     @Holds("how many plans and rules its program has")
     val parts: Int = 0,

@@ -14,8 +14,8 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends it or another of them within [within] of the time when it perceives the board again, as long
- * as it perceives the same of that board as when it sent the command: an agent that wrongly believes that it has stopped drives on.
+ * If one of [commands] fails, the agent sends it or another of them within [within] of the time when it perceives the board again, if it
+ * then perceives the same of that board as when it sent the command. An agent that wrongly believes that it has stopped drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
     ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->
@@ -64,7 +64,7 @@ fun actsAgain(within: Duration = 5.seconds): Rule = ReadyRule("actsAgain", "acts
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.planned(agent).lastOrNull()
     if (last == null || quiet + within > run.ended || last.at >= quiet) null
-    else Breach(quiet + within, "$agent has sent no command since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
+    else Breach(quiet + within, "$agent has sent no command since ${inMs(last.at)}, though the last event ended at ${inMs(quiet)}")
 }
 
 private fun unfinished(entries: List<AgentEntry>, ended: Duration, within: Duration): Breach? {
@@ -83,13 +83,13 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
                 it.at in lost.at..lost.at + within && (it is Issued && it.number > lost.number || it is Printed || it is Said)
             }
             if (isNoticed) null
-            else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and nothing came of that")
+            else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and the agent does nothing about it")
         }
 
 /** Errors after which it makes no sense to send the command again. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
-/** Returns the time by which [command] should have been sent again; null: its reason has gone, or its board. */
+/** Returns the time by which [command] should have been sent again; null: its reason or its board has gone. */
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {
     val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
     val again = perceived.firstOrNull { it.received > lost.at } ?: return null

@@ -113,7 +113,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     private companion object {
         val FIRST_AT = 200.milliseconds
 
-        /** The longest of each sort of trouble, in ms: from a loose contact to a board that is gone. */
+        /** The largest lengths of faults, in ms, from a loose contact to a board that is gone; one of them is drawn for each fault. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
         /** The longest time, in ms, by which a fault that hits a command begins before the command's issue, or after its end. */

@@ -22,7 +22,7 @@ class Exploration internal constructor() {
     internal var kept: List<Rule> = usualRules()
         private set
 
-    /** The function that makes all of this, with its package; null: it is not known. */
+    /** The function that describes the exploration, with its package; null: it is not known. */
     internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set

@@ -5,7 +5,7 @@ import kotlin.time.Duration.Companion.seconds
 
 /**
  * At the end of a run no intention has waited at one step for longer than [longest] for something that need not come. A wait for a time
- * that the step names, as `.wait(9000)`, has an end.
+ * that the step names, as `.wait(9000)`, does not count.
  *
  * @param except goals that may wait so: `patrol` stands for `patrol(3)` too
  */
@@ -13,19 +13,17 @@ fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = empt
     ReadyRule("neverWaitsForever", "never waits for ever", longest, except) { run, agent ->
         run.of(agent).filterIsInstance<Waits>()
             .filter { it.at - it.since > longest && except.none { goal -> isCommand(it.goal, goal) } }.minByOrNull { it.since }
-            ?.let { Breach(it.since + longest, "$agent waits since ${inMs(it.since)} with ${it.intention}") }
+            ?.let { Breach(it.since + longest, "$agent has waited since ${inMs(it.since)} with ${it.intention}") }
     }
 
 private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
-/** The rule that for each plan that fails there is a plan for the failure. */
+/** For each plan that fails there is a plan for the failure. */
 fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }
 
-/**
- * After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait.
- */
+/** After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait. */
 fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule =
     ReadyRule("staysSmall", "stays small", intentions, beliefs, events) { run, agent ->
         run.of(agent).filterIsInstance<MindSize>()

@@ -19,9 +19,8 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 
 /**
  * An agent that gets no percepts stops its motion. It is blind from [blindAfter] after its newest message until the next one. While it is
- * blind no plan sends one of [moving]; and if the last of these commands before was one of [moving], it sends [safe] until [within] after
- * it got blind, or, if the port was off meanwhile, until [within] after the port is on again. It need not if it is blind for no longer than
- * [within].
+ * blind no plan sends one of [moving]. If it is blind for longer than [within], and was moving before by its last command of [moving] and
+ * [safe], it sends [safe] within [within] of getting blind or, if the port was off meanwhile, of the time when the port is on again.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
@@ -73,19 +72,17 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
         condition.periodsIn(run.of(agent)).firstNotNullOfOrNull { (begins, ends) ->
             val since = begins.received
             sent.firstOrNull { it.at > since + after && (ends == null || it.at < ends.received) }
-                ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it perceives $percept since ${inMs(since)}") }
+                ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}, though it has perceived $percept since ${inMs(since)}") }
         }
     }
 }
 
-/**
- * An agent that has perceived something perceives again within [within] of the end of the last event.
- */
+/** An agent that has perceived something perceives again within [within] of the end of the last event. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
     if (last == null || quiet + within > run.ended || last.at >= quiet) null
-    else Breach(quiet + within, "$agent has perceived nothing since ${inMs(last.at)}, though nothing is wrong since ${inMs(quiet)}")
+    else Breach(quiet + within, "$agent has perceived nothing since ${inMs(last.at)}, though the last event ended at ${inMs(quiet)}")
 }
 
 private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, except: List<String>): Breach? {
@@ -96,7 +93,7 @@ private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, e
         val (port, received) = newest.minByOrNull { it.value } ?: continue
         val age = entry.at - received
         if (age <= maxAge) continue
-        val known = "what it knows of $port is ${inMs(age)} old"
+        val known = "its newest percepts of $port are ${inMs(age)} old"
         return Breach(entry.at, "${entry.agent} sends ${entry.command} by ${entry.plan}, though $known")
     }
     return null
@@ -123,7 +120,7 @@ private class BlindTime(
         val deadline = (if (off) seeingAgain ?: return null else blind) + within
         if (deadline > run.ended || commands.any { isCommand(it.command, safe) && it.at in before.at..deadline }) return null
         val sent = "$agent has sent ${before.command} at ${inMs(before.at)}"
-        return Breach(deadline, "$sent, perceives nothing since ${inMs(last)}, and has not sent $safe")
+        return Breach(deadline, "$sent, has perceived nothing since ${inMs(last)}, and has not sent $safe")
     }
 }
 

@@ -95,7 +95,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         mas.all.flatMap { agent -> agent.platform.named().filterValues(Board::wasOpened).keys }.toSet()
 
     private companion object {
-        /** Fewer than in a test: an agent that repeats a failing step at once grows with each cycle, and there are many runs. */
+        /** A smaller limit than in a test: an agent that repeats a failing step at once grows with each cycle, and there are many runs. */
         const val MOST_CYCLES = 500
     }
 }

@@ -9,7 +9,7 @@ import kotlin.time.Duration
  *         run.trace.filterIsInstance<Issued>().firstOrNull { it.command == "back" }?.let { Breach(it.at, "it reversed") }
  *     }
  *
- * It must depend only on the run.
+ * Its result must depend only on the run.
  */
 fun interface Rule {
     /** Returns where [run] breaks it first; null: it is kept. */

@@ -44,7 +44,7 @@ data class Issued(
     val plan: String?,
 ) : AgentEntry
 
-/** Command [number] of the agent has left, or the board has acted; else [error] is the atom in `error(…)`. */
+/** Command [number] of the agent has left or, in version 2, the board has acted; if not, [error] is the atom in `error(…)`. */
 data class Ended(
     override val at: Duration,
     override val agent: String,
@@ -63,7 +63,7 @@ data class MindSize(override val at: Duration, override val agent: String, val b
 /** The agent's [intention] waits, at the same step since [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
-/** A plan of the agent has failed and there was no plan for that. [what] is Jason's message. */
+/** A plan of the agent has failed and there was no plan for the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
 /** The agent has printed [text]. */

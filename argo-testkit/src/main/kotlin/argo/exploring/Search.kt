@@ -16,7 +16,7 @@ sealed interface Outcome {
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/** Two runs with the same [events] differ; [difference] names the first place. So one run says nothing about another. */
+/** Two runs with the same [events] differ; [difference] names the first place at which they do. So one run says nothing about another. */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 
@@ -27,7 +27,7 @@ data class NotDeterministic(override val runs: Int, override val played: Duratio
  * @property rule the name of the rule
  * @property breach the breach in the shortened run
  * @property events the events that are left after shrinking
- * @property drawn the number of events before
+ * @property drawn the number of events before shrinking
  * @property run the shortened run
  */
 class Found internal constructor(
@@ -75,8 +75,8 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     /**
-     * Returns true if the list of [seed] is played again with one more fault, which hits a command. Most faults are found without, and
-     * shorter.
+     * Returns true if the list of [seed] is played again with one more fault, which hits a command. Most faults are found without it, and
+     * by shorter lists.
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 

@@ -6,8 +6,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events that breaks a rule shorter and plainer, as long as it still does (delta debugging): leaves out halves, smaller
- * parts, single events; then gives those that are left rounder times and numbers.
+ * Makes a list of events that breaks a rule shorter and plainer, as long as it still breaks the rule (delta debugging): leaves out halves,
+ * smaller parts, single events; then gives those that are left rounder times and numbers.
  *
  * @param budget the number of times that it may call [breaks]
  * @param breaks plays events and returns true if they still break the rule

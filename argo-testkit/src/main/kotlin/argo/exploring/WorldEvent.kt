@@ -94,7 +94,7 @@ data class Hears(
     override val words get() = "$sender sends $agent: $performative $content"
 }
 
-/** Messages from other agents that are sent to [agent] within [lasts] arrive [by] late, and so after later ones. */
+/** Messages from other agents that are sent to [agent] within [lasts] arrive [by] late, so later ones can overtake them. */
 data class MessagesLate(override val at: Duration, val agent: String, val by: Duration, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "messages to $agent take $by, for $lasts"

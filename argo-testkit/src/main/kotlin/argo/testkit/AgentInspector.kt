@@ -68,7 +68,8 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 }
 
 /**
- * Creates the agent in [file] behind [infra], as an infrastructure does. The whole program has one source path of Jason.
+ * Creates the agent in [file] behind [infra], as an infrastructure does. Jason has one source path for the whole Java program; this sets
+ * it.
  *
  * @param file null: it has no program
  * @param called the program's name in messages

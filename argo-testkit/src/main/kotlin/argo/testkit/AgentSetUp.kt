@@ -28,7 +28,7 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
      */
     var environment: Environment? = null
 
-    /** The time that each of its reasoning cycles takes; the next one begins no earlier. */
+    /** The time that each of its reasoning cycles takes; the next cycle begins when that time is over. */
     var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)

@@ -131,7 +131,7 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * From the next opening of its port on it sends the bytes of the board in [recording], at the times of the recording, and takes any
+     * When its port is opened next, it begins to send the bytes of the board in [recording], at the times of the recording; it takes any
      * command. Its other settings have no effect then, except for those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
@@ -143,9 +143,9 @@ class Board internal constructor(private val time: VirtualTime) {
     fun replays(file: Path): Board = replays(LineRecording.read(file))
 
     /**
-     * From its next opening on its port leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
-     * port's name and settings, and the line's clock. The board's other settings have no effect then, except for those of its port, nor do
-     * the expectations of commands.
+     * When its port is opened next, it leads to the line that [open] opens, such as one of a simulator that runs a sketch. [open] gets the
+     * port's name and settings, and the line's clock. Then expectations of commands have no effect, nor do the board's other settings,
+     * except for those of its port.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
@@ -160,7 +160,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /**
      * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that [plays its
      * mapping][playsItsMapping].
-     * @throws IllegalArgumentException if [message] is none
+     * @throws IllegalArgumentException if [message] is no object of JSON
      * @throws IllegalStateException if the board is not mapped
      */
     fun publishes(topic: String, message: String): Board = apply {
@@ -205,7 +205,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** It refuses every command for which [kind] is true: see the other form. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** It carries out [command] again, without delay. */
+    /** It carries [command] out without delay from now on, though it [refuses] it or [takes] time for it so far. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** It needs [duration] to carry out [command], and does nothing else meanwhile. */
@@ -303,11 +303,11 @@ class Board internal constructor(private val time: VirtualTime) {
     /** True if its port exists. */
     internal val isPresent: Boolean get() = isConnected
 
-    /** True if its port is the robot of its name, see [playsItsMapping]. */
+    /** True if its port is the robot that the port's name addresses: see [playsItsMapping]. */
     internal var isMapped = false
         private set
 
-    /** Opens its port as the robot of its name. */
+    /** Opens its port as the robot that the port's name addresses. */
     internal fun openMapped(port: String, isPaced: Boolean): BoardLink {
         awaitOpening(port)
         val opened = BoardLinkProvider.of(port)?.play(port, isPaced, time) { name, message -> taking += "$name $message" }

@@ -4,7 +4,7 @@ import javino.Transport
 
 /**
  * The agent's end of [line], on which bytes arrive wrongly in both directions: one in [oneIn], which may change; none while that is 0.
- * Counting the bytes and not drawing them keeps a run the same each time.
+ * The wrong bytes are counted out and not drawn, so a run is the same each time.
  */
 internal class GarbledLine(private val line: Transport, private val oneIn: () -> Int) : Transport by line {
     private var received = 0

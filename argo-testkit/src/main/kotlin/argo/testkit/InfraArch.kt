@@ -26,8 +26,8 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     /** The agent's messages to others, in their order. */
     val said = ArrayList<Message>()
 
-    /** Runs one reasoning cycle, unless the agent sleeps. */
-    fun step(): Boolean {
+    /** Runs one reasoning cycle and returns true, unless the agent sleeps. */
+    fun reason(): Boolean {
         if (!running || !awake && ts.canSleep()) return false
         awake = false
         firstAgArch.incCycleNumber()
@@ -119,7 +119,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new; it is the first of its architectures. */
+/** Counts how often the agent has perceived something new; this is the first of the agent's architectures. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

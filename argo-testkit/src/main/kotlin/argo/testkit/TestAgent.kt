@@ -39,9 +39,7 @@ class TestAgent internal constructor(
     }
 
     private val inspector = AgentInspector(ts)
-    private var cycles = 0
-    private var cyclesAt = -1L
-    private var isBusy = false
+    internal val cycles = CycleLimit(this)
 
     /** The first directories of the search for programs of agents that it creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
@@ -127,12 +125,12 @@ class TestAgent internal constructor(
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of its boards in the time from [since] on, a past value of [now], until [within] later: how promptly it
-     * reacts to the test's step at [since]. Each command that arrives fulfils one expectation.
+     * Expects [command] at one of its boards between [since], a past value of [now], and [within] later. So a test checks how promptly the
+     * agent reacts to the test's step at [since]. Each command that arrives fulfils one expectation.
      * @throws IllegalArgumentException if [since] is yet to come
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
-        require(since <= now) { "a command is expected since a time that has been, as robot.now was, not since $since: it is $now" }
+        require(since <= now) { "since is a past time, such as an earlier value of robot.now; $since is later than the present time, $now" }
         val end = since + within
         val left = (end - now).coerceAtLeast(Duration.ZERO)
         if (!mas.pass(left) { platform.all().any { board -> board.take(command) { it in since..end } } }) {
@@ -140,11 +138,11 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects that [command] neither has arrived at any of its boards, except for those that [shouldSend] has taken, nor does. */
+    /** Expects that [command] has not arrived at its boards and does not arrive, except for arrivals that [shouldSend] has taken. */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends $command") { platform.all().any { command in it.unexpected } }
 
-    /** Expects that no command has arrived at its boards, except for those that [shouldSend] has taken, and that none does. */
+    /** Expects that no command has arrived at its boards and none arrives, except for arrivals that [shouldSend] has taken. */
     fun shouldSendNothingElse(during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends anything else") { platform.all().any { it.unexpected.isNotEmpty() } }
 
@@ -164,11 +162,11 @@ class TestAgent internal constructor(
     fun shouldNotIntend(goal: String, during: Duration = PATIENCE): TestAgent =
         goal(goal).let { refuse(during, "intends $goal") { inspector.intends(it) } }
 
-    /** Expects that it has printed a line that contains [text], or does. */
+    /** Expects that it has printed a line that contains [text], or prints one. */
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "prints $text") { printed.any { text in it } }
 
-    /** Expects that it has sent [message] to another agent, or does: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
+    /** Expects that it has sent, or sends, [message] to another agent: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
@@ -189,35 +187,6 @@ class TestAgent internal constructor(
 
     private fun refuse(during: Duration, what: String, holds: () -> Boolean): TestAgent = apply {
         if (mas.pass(during, holds)) throw AssertionError("expected that agent $name never $what in $during\n${report()}")
-    }
-
-    /** Runs one reasoning cycle. Fails if the agent never sleeps, since time would not advance. */
-    internal fun step(): Boolean {
-        if (isBusy || !cycle()) return false
-        takeTime()
-        if (cyclesAt != time.nanos()) cycles = 0
-        cyclesAt = time.nanos()
-        if (++cycles < mas.mostCycles) return true
-        cycles = 0
-        throw AssertionError(
-            "agent $name is still busy after ${mas.mostCycles} cycles at one instant: a plan that repeats itself has to wait for " +
-                "something, time (.wait) or a command (argo.act)\n${report()}",
-        )
-    }
-
-    private fun takeTime() {
-        if (setUp.cycleTime == Duration.ZERO) return
-        isBusy = true
-        time.later(nanos(setUp.cycleTime)) { isBusy = false }
-    }
-
-    private fun cycle(): Boolean = try {
-        infra.step()
-    } catch (endless: StackOverflowError) {
-        throw AssertionError(
-            "agent $name calls itself without end, in a rule or an internal action; what it called last is in the cause\n${report()}",
-            endless,
-        )
     }
 
     /** Wakes the agent at least once a second, as Jason does. */
@@ -241,7 +210,7 @@ class TestAgent internal constructor(
     override fun close() = mas.close()
 
     internal companion object {
-        /** The first answer has been read once the board is asked again. */
+        /** The board is asked again only when its first answer has been read. */
         private const val ANSWERS_UNTIL_KNOWN = 2
     }
 }

@@ -25,8 +25,8 @@ class TestMas internal constructor() : AutoCloseable {
     /** The time that a message from one agent of the test to another takes; asked when it is sent. */
     internal var delayOf: (Message) -> Duration = { Duration.ZERO }
 
-    /** The largest number of reasoning cycles that an agent may have at one instant. */
-    internal var mostCycles = 10_000
+    /** The largest number of reasoning cycles of an agent at one instant: see [CycleLimit]. */
+    internal var mostCycles = CycleLimit.MOST
 
     /** Opens the observer of an agent that is being made; null: nobody observes. */
     internal var observing: ((ObservedAgent) -> AgentObserver)? = null
@@ -57,11 +57,11 @@ class TestMas internal constructor() : AutoCloseable {
 
     /** Does [work], which changes something, unless it is closed. */
     internal fun <T> open(work: () -> T): T {
-        check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; what is expected of them stands before that" }
+        check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; expectations of them belong before that" }
         return work()
     }
 
-    /** Does [making], which makes agents, and then lets all agents run; nothing is left if that fails. */
+    /** Does [making], which makes agents, and then lets all agents run; if that fails, no agent is left. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()
@@ -85,7 +85,7 @@ class TestMas internal constructor() : AutoCloseable {
      */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
         require(wanted.name !in names) {
-            "there is an agent ${wanted.name} already; \"name = …\" in its braces gives the other one another"
+            "there is an agent ${wanted.name} already; give the other one another name, by \"name = …\" in its braces"
         }
         require(wanted.name !in RESERVED) { "an agent cannot be called ${wanted.name}" }
         return TestAgent(this, file, called, wanted).also {
@@ -131,9 +131,9 @@ class TestMas internal constructor() : AutoCloseable {
     internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {
-        TestServices.install() // a multi-agent system that starts meanwhile puts its own in its place
+        TestServices.install() // a multi-agent system that has started meanwhile has put its own services there
         var isBusy = false
-        for (agent in running()) if (agent.step()) isBusy = true
+        for (agent in running()) if (agent.cycles.step()) isBusy = true
         return isBusy
     }
 

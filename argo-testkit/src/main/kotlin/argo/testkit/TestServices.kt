@@ -43,7 +43,7 @@ internal class TestServices private constructor(private val real: RuntimeService
         "getAgentsQty" -> mas.names.size
         "getMASName" -> "test"
         "isRunning" -> mas.names.isNotEmpty()
-        else -> throw RemoteException("agents under test have no $service: what it does needs a real run")
+        else -> throw RemoteException("agents under test have no $service, which needs a real run")
     }
 
     private fun killAgent(mas: TestMas, name: String, by: String, deadlineMs: Int): Boolean {
@@ -75,7 +75,7 @@ internal class TestServices private constructor(private val real: RuntimeService
     }
 
     companion object {
-        /** Puts it in the place of Jason's present services. */
+        /** Replaces Jason's present services by those of the tests. */
         @Synchronized
         fun install() {
             val there: RuntimeServices? = RuntimeServicesFactory.get()

@@ -79,7 +79,7 @@ class RefusedRecordingsSpec : FunSpec({
         agentOf("!start. +!start <- jason.planted.unheard(X); .print(X).") { options("argo_record" to "$file") }.use {
             it.after(300.milliseconds)
             it.printed shouldContain "7"
-            it.log.single { line -> "runs without a recording" in line } shouldContain "the program uses jason.planted.unheard, of which"
+            it.log.single { line -> "runs without a recording" in line } shouldContain "uses jason.planted.unheard; this"
         }
     }
 
@@ -174,7 +174,7 @@ class RefusedRecordingsSpec : FunSpec({
                 it.after(300.milliseconds)
                 it.printed shouldContain "7"
                 it.log.single { line -> "runs without a recording" in line } shouldContain
-                    "the program uses jason.planted.unheard, of which"
+                    "the program uses jason.planted.unheard; this version"
             }
         }
     }

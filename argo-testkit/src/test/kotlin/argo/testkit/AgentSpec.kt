@@ -93,7 +93,7 @@ class AgentSpec : FunSpec({
             robot.shouldSend("stop", within = took, since = before)
             shouldThrow<AssertionError> { robot.shouldSend("stop", within = took, since = before) }
             shouldThrow<IllegalArgumentException> { robot.shouldSend("stop", within = took, since = robot.now + 1.seconds) }
-                .message shouldContain "since a time that has been"
+                .message shouldContain "since is a past time"
         }
     }
 

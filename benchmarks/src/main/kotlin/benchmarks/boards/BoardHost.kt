@@ -57,7 +57,7 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     }
 }
 
-/** The name of the program that [hostBoards] is. */
+/** The name by which [hostBoards] is started as a program of its own. */
 internal const val BOARD_HOST = "board-host"
 
 private const val NETWORK = "tcp"

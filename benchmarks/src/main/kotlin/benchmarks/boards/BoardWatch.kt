@@ -10,8 +10,8 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts an agent's messages and snapshots of its [boards], and notes the skew after each reasoning cycle in which it has perceived
- * something, once it has perceived all of them. Safe on any thread.
+ * Counts an agent's messages and snapshots of its [boards]. When it has perceived all of them, notes the skew after each reasoning cycle in
+ * which it has perceived something. Safe on any thread.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()

@@ -6,7 +6,7 @@ import benchmarks.figures
 import benchmarks.figuresApart
 import javino.sim.PseudoTerminals
 
-/** The name of the program that [boardsCourse] is. */
+/** The name by which [boardsCourse] is started as a program of its own. */
 internal const val BOARDS_COURSE = "boards-course"
 
 /** Measures the courses in Java machines of their own, and prints their figures. */

@@ -8,7 +8,7 @@ import benchmarks.usedHeap
 import jason.runtime.RuntimeServicesFactory
 import kotlin.math.abs
 
-/** The name of the program that [manyBoards] is. */
+/** The name by which [manyBoards] is started as a program of its own. */
 internal const val MANY_BOARDS = "many-boards"
 
 /** Measures an agent of 127 boards on the network in a Java machine of its own, and returns its figures in words. */

@@ -49,9 +49,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Has the agent stop each robot so many times; returns the reactions by baud rate: how long after the limit the robots stopped, and the
-     * worst. The robots cross the limit at times that are spread evenly over the sensing interval: with random ones the median would vary
-     * by more than the boards differ.
+     * Has the agent stop each robot so many [times], and returns the reactions by baud rate. The robots cross the limit at instants that
+     * are spread evenly over the sensing interval: with random instants the median would vary by more than the boards differ.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -133,6 +132,6 @@ internal class Reactions(private val ones: List<One>) {
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })
 
-    /** The timeline of the longest one. */
+    /** The timeline of the longest time. */
     val worst: String get() = ones.maxBy { it.nanos }.timeline
 }

@@ -16,15 +16,15 @@ private const val OFF_MS = 300L
 private const val WORK_MS = 100L
 
 /**
- * Measures the age of the messages on which an agent acts that takes 100 ms for each message of a bridge, after a minute at three rates;
- * and the time until an agent acts again after its bridge has restarted. Prints the figures.
+ * Measures the age of the messages on which an agent acts if it takes 100 ms for each message of a bridge, for a minute at three rates; and
+ * the time until an agent acts again after its bridge has restarted. Prints the figures.
  *
  * @param seconds the time of each rate
  * @return true if no message was lost, no command carried out twice and none left behind
  */
 fun ros(seconds: Int = 60, rates: List<Int> = listOf(50, 200, 1_000)): Boolean {
     println("robots behind ros://, ${machine()}:")
-    println("age of what an agent acts on that takes $WORK_MS ms a message, $seconds s each:")
+    println("age of the messages that an agent acts on, at $WORK_MS ms a message, $seconds s each:")
     rates.forEach { hz -> println("$hz Hz: ${ages(hz, seconds)}") }
     return Restarts().run()
 }
@@ -37,7 +37,7 @@ private fun program(number: Int) = """
 
 private fun ages(hz: Int, seconds: Int): String {
     val published = ConcurrentHashMap<Int, Long>()
-    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // each time with the age at that time
+    val ages = ConcurrentLinkedQueue<Pair<Long, Long>>() // pairs of a time and the age at that time
     acts.heard = { number, now, _ ->
         ages += now to now - published.getValue(number)
         Thread.sleep(WORK_MS)

@@ -16,7 +16,7 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
     private val answers = process.inputReader()
     private var reached = 0L
 
-    /** Called with each byte that the board sends and the time at which its last bit arrives, at most a byte's time before that. */
+    /** Called with each byte that the board sends and the time at which its last bit arrives, at most a byte's time in advance. */
     var sent: (Byte, Long) -> Unit = { _, _ -> }
 
     /** Called with each change of a watched pin: the pin, true if it is high now, and the time. */

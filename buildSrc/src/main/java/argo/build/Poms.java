@@ -128,7 +128,7 @@ public final class Poms {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
 
-    /** The module of the folder {@code name}, or what else has a POM there. */
+    /** The module, or another part with a POM, in the folder {@code name}. */
     public Module module(String name) {
         Element pom = pom(new File(root, name));
         Stream<Element> poms = at(pom, "parent").findAny().isEmpty() ? Stream.of(pom) : Stream.of(parent, pom);
@@ -194,7 +194,7 @@ public final class Poms {
     }
 
     /**
-     * The folders of resources but the usual one. Of patterns a whole folder of the module is known, {@code name/**};
+     * The folders of resources but the usual one. Without a target the only known pattern is a whole folder of the module, {@code name/**};
      * with a target, names of files.
      */
     private List<Resource> resources(Element pom, String path, String usual) {

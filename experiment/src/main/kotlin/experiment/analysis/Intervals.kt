@@ -34,8 +34,8 @@ internal fun proportionInterval(found: Int, of: Int): Interval =
 
 /**
  * Returns the interval of the median of a population from its sample [values]: two of them, whatever the distribution (H. A. David and H.
- * N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six; even the least and the greatest of these are not
- * far enough apart.
+ * N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values; even the least and the greatest of so few
+ * do not enclose the median often enough.
  */
 internal fun medianInterval(values: List<Double>): Interval? {
     val below = BinomialDistribution(null, values.size, 0.5) // the number of values below the median

@@ -11,14 +11,14 @@ import samples.collision.Course
 /**
  * The number of each run that is analysed.
  *
- * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for it is a choice.
+ * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for such a robot is a choice.
  *
  * @property title the response's name
  * @property unit the response's unit
  * @property collisions the number that a robot that ran into the wall gets, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
-    /** The published one. All collisions are equally bad, so that the limit, which is a factor, does not also weigh them. */
+    /** The published response. All collisions count the same, so that the limit, which is a factor, does not also weigh them. */
     PERCEIVED_TIME("time from perceiving the wall", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },

@@ -67,9 +67,9 @@ internal class SharePivots(
     }
 
     /**
-     * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Their density is a mixture of
-     * those of gamma distributions, as that of the chi-squared number is; it is that of a noncentral chi-squared number with two degrees of
-     * freedom, whose own noncentrality is the observed number less a central one, and of 0 if that is negative.
+     * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw takes a central
+     * chi-squared number from the observed one. If the rest is negative, the result is 0; else it is a noncentral chi-squared number with
+     * two degrees of freedom, whose own noncentrality is that rest.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)

@@ -83,7 +83,7 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun percent(interval: Interval) = Interval(100 * interval.low, 100 * interval.high)
 
     private companion object {
-        /** The most decimals of shares with intervals. The published ones have three. */
+        /** The most decimals of shares with intervals. The published shares have three. */
         const val MOST_DECIMALS = 2
 
         /** The decimals of shares without intervals. */

@@ -76,7 +76,7 @@ private fun real(port: String): List<Pair<String, String>> = listOf(
 
 private fun common(settings: Settings, failed: List<Finished>, made: Provenance): List<Pair<String, String>> = listOf(
     "Order" to "random, all conditions mixed, seed ${settings.seed}: the same seed gives the same order. ${escaped(made.machine)}",
-    "Program" to "ARGO ${escaped(made.build)}. The report is of ${made.at.truncatedTo(ChronoUnit.SECONDS)}.",
+    "Program" to "ARGO ${escaped(made.build)}. The report was written at ${made.at.truncatedTo(ChronoUnit.SECONDS)}.",
     "Records" to "<code>runs.csv</code>, a line for each run, and <code>runs/*.jsonl</code>, one file a run: " +
         "${if (settings.port == null) "each frame, each command and " else ""}each change of the believed front distance with its time." +
         if (failed.isEmpty()) "" else " Failed and left out (${failed.size} in all): " +

@@ -47,9 +47,9 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
     }
 
     /** Explains the words of [fate]. */
-    fun explained(): String = "${word()} from the limit to the stop. wall: it ran into the wall. too slow: so it did, and the line by " +
+    fun explained(): String = "${word()} from the limit to the stop. wall: it ran into the wall. too slow: it did too, and the line by " +
         "itself takes longer than the limit leaves, whatever the program does. idle: no command to drive took effect. failed: the agent " +
-        "gave up or ended in nothing else. *: the machine was busy."
+        "gave up, or the run ended otherwise. *: the machine was busy."
 
     private fun word() = scale.word.replaceFirstChar(Char::uppercase)
 }

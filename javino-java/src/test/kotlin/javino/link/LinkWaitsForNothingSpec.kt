@@ -107,7 +107,7 @@ class LinkWaitsForNothingSpec : FunSpec({
                             link.request("getPercepts", 20_000)
                             board.isDeaf = true
                             thread(isDaemon = true) { runCatching { link.writeCommandsUntilClosed() } }
-                            thread(isDaemon = true) { runCatching { while (true) runCatching { link.request("getPercepts", 50) } } }
+                            thread(isDaemon = true) { while (link.isOpen) runCatching { link.request("getPercepts", 50) } }
                             var longest = 0L
                             var longestAtWork = 0L
                             val cpu = ManagementFactory.getThreadMXBean()

@@ -87,9 +87,9 @@ class FieldBoard(
 }
 
 /**
- * The unread bytes of a board: byte by byte, but together those that arrived while it was busy.
+ * The bytes that a board has not read yet. It reads them one by one, but takes those that arrived while it was busy together.
  *
- * A busy machine wakes the board too late. Bytes that arrived after its time are not part of the burst, or commands would be lost
+ * If a busy machine wakes the board too late, bytes that arrived after its time are not part of that burst: else commands would be lost
  * that no real board loses.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
@@ -97,7 +97,7 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
     private var waiting = ByteArray(0)
     private var burst = 0
 
-    /** Lets bytes come until [end] by the line's clock, and then no longer, even if this takes longer. */
+    /** Waits until [end] by the line's clock. Only bytes that have come by then count as one burst, even if this waits longer. */
     fun lookAwayUntil(end: Long) {
         do {
             val left = end - clock.nanos()

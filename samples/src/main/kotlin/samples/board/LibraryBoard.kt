@@ -16,8 +16,8 @@ import javino.wire.BoardAction
  *
  * It handles one message at a time and keeps those that arrive meanwhile. In version 2 it acknowledges commands when it has carried them
  * out, carries out once a command that is sent twice, answers `getPercepts(dist)` only with percepts of that functor, and sends an answer
- * of any length, in parts. It tells the actions of its sketch. While it sends it does not act, but for the reflexes of critical rules that
- * it watches.
+ * of any length, in parts. It tells the actions of its sketch. While it sends it carries out nothing, except for the reflexes of critical
+ * rules that it watches.
  *
  * @param clock the clock that times bytes; the line's own
  * @param rules the number of critical rules that it watches, 0 to 255: it then looks at the sensors every 5 ms, and between two frames that

@@ -28,13 +28,13 @@ abstract class CarrierBoard internal constructor(private val name: String, priva
 /** `sim:wheels`, the board of the sample `three-boards` that drives. */
 class WheelsBoard : CarrierBoard("wheels", Wheels(carrier))
 
-/** `sim:sensors`, the one that sees. */
+/** `sim:sensors`, the board that sees. */
 class SensorsBoard : CarrierBoard("sensors", Eyes(carrier))
 
-/** `sim:arm`, the one that grips. */
+/** `sim:arm`, the board that grips. */
 class ArmBoard : CarrierBoard("arm", Arm(carrier))
 
-/** `forward`, `backward` and `halt`; `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
+/** Actions `forward`, `backward`, `halt`; percepts `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
 internal class Wheels(private val carrier: Carrier) : Sketch {
     override val actions = listOf("forward", "backward", "halt")
 
@@ -48,14 +48,14 @@ internal class Wheels(private val carrier: Carrier) : Sketch {
     }
 }
 
-/** `dist(front,Cm)`. */
+/** Percept `dist(front,Cm)`. */
 internal class Eyes(private val carrier: Carrier) : Sketch {
     override fun percepts() = "dist(front,${carrier.free.roundToInt()});"
 
     override fun act(command: String) = Unit
 }
 
-/** `grip`, `release` and `halt`; `hand(open)`, `hand(closed)` or `hand(full)`. */
+/** Actions `grip`, `release`, `halt`; percept `hand(open)`, `hand(closed)` or `hand(full)`. */
 internal class Arm(private val carrier: Carrier) : Sketch {
     override val actions = listOf("grip", "release", "halt")
 

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit
  * @property port the port of the agent's view; 0: any free port
  * @param waitS the time for which the run waits, in s
  * @param out takes the view's address
- * @param keyboard ends the waiting with Enter; not if it has nothing to read, or has ended
+ * @param keyboard Enter typed there ends the waiting; the end of its input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)
@@ -22,7 +22,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private var conclusion: String? = null
 
     /**
-     * Prints the address of [view], shows [picture] there and waits for the first browser. Null: it could not be opened, which is printed.
+     * Prints the address of [view], shows [picture] there and waits for the first browser. If [view] is null, prints that there is none.
      */
     fun gather(view: AgentView?, picture: () -> TrackPicture) {
         if (view == null) {

@@ -118,7 +118,7 @@ internal class CollisionRun(
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
-        /** The time that the board may take to answer, in ms: three times that at 9600 baud while a command waits. */
+        /** The time that the board may take to answer, in ms: three times the time of an answer at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
         const val MAX_S = 60L

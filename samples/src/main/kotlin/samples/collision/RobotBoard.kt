@@ -7,10 +7,7 @@ import samples.board.FieldBoard
 import samples.board.Sketch
 import kotlin.random.Random
 
-/**
- * `sim:robot`, the robot and the wall of the collision experiment. The robot outlives its port: opened again, it stands where
- * it stood.
- */
+/** `sim:robot`, the robot and the wall of the collision experiment. The robot outlives its port: opened again, it stands where it stood. */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
     /** The board that a Jason project finds as a service; it logs the robot's actions. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))

@@ -5,8 +5,8 @@ import kotlin.random.Random
 
 /**
  * The twelve sensors of the robot: distance (cm), light (0 to 1023, as an analogue input gives it) and temperature (°C) on its
- * front, back, right and left. More sensors are further sets of twelve at the same places, the sides of the second set are
- * called `f2`, `b2` and so on.
+ * front, back, right and left. More sensors are further sets of twelve at the same places; the sides of the second set are called `f2`,
+ * `b2` and so on.
  *
  * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from frame to frame:
  * the worst case for an agent, to which real sensors come close. A distance sensor never reads short: it gives the next whole cm, or up to
@@ -53,7 +53,7 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
 
         private const val AISLE_CM = 80.0
         private const val SIDES = "fbrl"
-        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some of them about where the agent's plans divide
+        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some are close to the limits in the agent's plans
         private val TEMPERATURE = mapOf('f' to 25, 'b' to 26, 'r' to 25, 'l' to 24)
 
         private val KINDS = listOf(

@@ -18,7 +18,7 @@ import kotlin.concurrent.thread
 internal class FleetCommand : ToolCommand() {
     @Option(
         names = ["--seconds"], paramLabel = "n", defaultValue = "8",
-        description = ["how long before and after that (default: \${DEFAULT-VALUE})"],
+        description = ["how long the robots run before the process is killed, and after it (default: \${DEFAULT-VALUE})"],
     )
     private var seconds = 0
 

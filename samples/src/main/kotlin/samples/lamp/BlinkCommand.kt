@@ -20,7 +20,7 @@ internal class BlinkCommand : ToolCommand() {
     )
     private lateinit var port: String
 
-    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long (default: \${DEFAULT-VALUE})"])
+    @Option(names = ["--seconds"], paramLabel = "n", defaultValue = "10", description = ["how long it runs (default: \${DEFAULT-VALUE})"])
     private var seconds = 0
 
     override fun call(): Int {

@@ -20,5 +20,5 @@ class BlinkBoard : LampBoard("blink")
 /** `sim:left`, one of the boards of the sample `two-boards`. */
 class LeftBoard : LampBoard("left")
 
-/** `sim:right`, the other one. */
+/** `sim:right`, the other board of that sample. */
 class RightBoard : LampBoard("right")

@@ -45,7 +45,7 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
      */
     fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
-    /** Runs the project as [toItsEnd] does, but for [seconds] s at most, and then with exit status 0. */
+    /** Runs the project as [toItsEnd] does, but ends it after [seconds] s, with exit status 0. */
     fun forAtMost(seconds: Int): Int = logged(seconds) ?: 0
 
     private fun logged(seconds: Int): Int? {

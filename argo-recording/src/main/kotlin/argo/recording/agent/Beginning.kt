@@ -14,8 +14,8 @@ internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if it
- * draws a number or reads a clock.
+ * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if
+ * the program draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)

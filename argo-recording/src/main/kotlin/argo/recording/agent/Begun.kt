@@ -51,11 +51,11 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
 
 /** An action whose outcome goes to [ended], and not into Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this when somebody hands it an outcome; it ignores an outcome without an intention. */
+    /** Jason calls this when an outcome arrives, and ignores an outcome without an intention. */
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** Returns the texts of the arguments of [call] that have variables, as [un] binds them, by their places. */
+/** Returns, by their places, the texts of those arguments of [call] that have variables, as [un] binds these. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
     if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }

@@ -48,7 +48,7 @@ internal object Counters {
     /** Returns true if the counters stand at [values], which [read] returned. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
-    /** Returns the lowest number of a plan among [plans] that Jason has named; null: it has named none. */
+    /** Returns the lowest number by which Jason has named a plan among [plans]; null: it has named none. */
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 

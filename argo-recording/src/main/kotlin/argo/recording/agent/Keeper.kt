@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit
  * or a replay.
  */
 internal interface Keeper {
-    /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler do something at that time. */
+    /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler call its argument then. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
     /** Takes [work] that another thread, or code of the project, leaves for the beginning of the agent's next cycle. Any thread. */
@@ -50,8 +50,7 @@ internal interface Keeper {
 }
 
 /**
- * The work that waits for the beginning of an agent's next cycle. Work that other threads leave goes to [keeper] instead, and work of the
- * project.
+ * The work that waits for the beginning of an agent's next cycle. Work that other threads or classes of the project leave goes to [keeper].
  */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
@@ -61,7 +60,7 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
         return true
     }
 
-    /** Leaves the recorder out if the program writes its agent. */
+    /** Leaves the recorder out if the project's program serializes its agent. */
     private fun writeReplace(): Any = ConcurrentLinkedQueue(this)
 
     companion object {

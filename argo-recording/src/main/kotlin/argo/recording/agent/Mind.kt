@@ -24,7 +24,7 @@ internal class Mind(
     val pending: LinkedHashMap<String, Intention>,
     val pendingEvents: LinkedHashMap<String, Event>,
     val goalConditions: Int,
-    /** The event that a cycle chose last; a cycle without a choice leaves it. */
+    /** The event that was chosen last; a cycle without a choice keeps it. */
     val event: Event?,
     val plan: Plan?,
     val intention: Intention?,

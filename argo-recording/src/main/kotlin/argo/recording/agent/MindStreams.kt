@@ -74,7 +74,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // number of elements of all arrays so far
-    private var replacement: Class<*>? = null // the last object that replaced a reference is of this class, which Java shows the filter too
+    private var replacement: Class<*>? = null // the class of the last object that replaced a reference: Java shows it to the filter too
 
     init {
         enableResolveObject(true)
@@ -91,8 +91,8 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 
     /**
-     * Returns the reason to refuse an object, or null. Any stranger may have made the recording, so it can make only terms and intentions,
-     * and no more of them than its bytes can describe.
+     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So only terms and intentions are made of it,
+     * and no more than its bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"

@@ -39,7 +39,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     }
 
     private companion object {
-        /** The prefix of the classes by which Jason itself logs about an agent, to the logger with which plans print. */
+        /** The prefix of Jason's own classes that log about an agent: they use the logger with which its plans print. */
         val JASON: String = TransitionSystem::class.java.packageName + "."
     }
 }

@@ -44,7 +44,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
 
     fun term(): Term = whole(::next)
 
-    /** Reads the literal, where only a literal can stand. */
+    /** Reads the literal, in a text that can only be one. */
     fun literal(): Literal = whole {
         val read = next() as? Literal ?: fail()
         if (read.javaClass == Atom::class.java && !text.startsWith("#atom(")) LiteralImpl(read.ns, Literal.LPos, read.functor) else read

@@ -117,7 +117,7 @@ internal class TermWriter {
         },
     )
 
-    /** Writes a string. Jason resolves some escapes and drops some signs, and does not read the others back. */
+    /** Writes a string. Jason resolves some escapes and drops some characters, and cannot read the others back. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }

@@ -11,7 +11,7 @@ import jason.asSyntax.Term
 import jason.stdlib.random
 import java.io.Serializable
 
-/** Replaces [code], an internal action or a function. A program that writes its plans writes [code] instead. */
+/** Replaces [code], an internal action or a function. If a program serializes its plans, [code] is written instead. */
 internal sealed interface Watched : Serializable {
     val code: Any
 }
@@ -62,7 +62,7 @@ internal object NobodyWatches : CallWatch {
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live()
 }
 
-/** Returns the watch of the calling agent, or [own]: a plan that one agent tells another comes with the code of the first. */
+/** Returns the watch of the calling agent, or [own]. The agent may be another: a plan that is told brings the code of the teller. */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
 /**
@@ -87,7 +87,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** Leaves the watch out if the program writes its agent. */
+    /** Leaves the watch out if the project's program serializes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {

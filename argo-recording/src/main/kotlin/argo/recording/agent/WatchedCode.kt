@@ -45,7 +45,7 @@ internal interface CallWatch {
 /** The program of an agent has an action or function of Jason's that the table [JasonCode] lacks; the message names it. */
 internal class UnknownCodeException(name: String) :
     Exception(
-        "the program uses $name, of which this version of ARGO does not know whether it reads or changes what is outside of the agent",
+        "the program uses $name; this version of ARGO does not know whether that reads or changes anything outside of the agent",
     )
 
 /**
@@ -71,7 +71,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private val actions = HashMap<String, InternalAction>()
     private var plans: List<Plan> = emptyList() // the plans that were visited
     private var isStale = false
-    private var unknown: UnknownCodeException? = null // code that the agent has looked up since
+    private var unknown: UnknownCodeException? = null // code that the agent has looked up, and that cannot be watched
 
     /** The agent that has this code. */
     val agent: Agent get() = ts.ag

@@ -19,7 +19,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Collects the input of an agent in a cycle. Belongs to the agent's thread, from the end of the cycle on to the thread that stores it. */
+/** Collects the input of an agent in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores it. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
@@ -51,7 +51,7 @@ internal class CycleNotes(val ns: Long) {
 
     var isSending = false
 
-    /** Notes that no replay can have this cycle because of [why], or only one that carries out the project's code if [isOfProject]. */
+    /** Notes that no replay can have this cycle because of [why]; if [isOfProject], one that carries out the project's code can. */
     fun refuse(why: String, isOfProject: Boolean = true) {
         val known = refusal
         if (known == null || known.isOfProject && !isOfProject) refusal = Refusal(why, isOfProject)
@@ -110,7 +110,7 @@ internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Bo
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Adds another answer to the call. Returns false if a loop finds it in a later cycle, so that it is not recorded. */
+    /** Adds another answer to the call. Returns false, and does not record it, if a loop finds it in a later cycle. */
     fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
 
     fun sent(command: IssuedCommand) {

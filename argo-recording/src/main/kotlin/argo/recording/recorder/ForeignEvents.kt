@@ -10,10 +10,10 @@ import java.util.IdentityHashMap
 /**
  * Collects the events that other threads put into an agent's queue, at any moment of a cycle or between two. Safe for use by several threads.
  *
- * Jason puts an event into the queue before it tells its listeners, so the agent may select an event of another thread of which this has
- * not been told yet. Therefore the agent's own events are kept as well: an event that is selected and not known is another thread's.
+ * Jason puts an event into the queue before it tells its listeners, so the agent may select another thread's event before this is told of
+ * it. Therefore the agent's own events are kept as well: an event that is selected and not known is another thread's.
  *
- * @param waiting returns the events that wait in the agent; those that do so now are its own
+ * @param waiting returns the events that wait in the agent; those that wait now are its own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
 internal class ForeignEvents(private val waiting: () -> Collection<Event>, private val isOwn: () -> Boolean) : CircumstanceListener {

@@ -318,7 +318,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. A replay leaves work of Jason's own classes too, except for the end of an action of the project. */
+    /** Takes [work]. In a replay, too, Jason leaves the work of its own classes, except for the end of an action of the project. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)

@@ -20,10 +20,11 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
     val kqml = Config.get().kqmlPlansFile
     return when {
-        agent != Agent::class.java -> "the agent's class ${agent.name} is not Jason's, and what it chooses and believes by is not recorded"
+        agent != Agent::class.java ->
+            "the agent's class ${agent.name} is not Jason's own, and the data by which it chooses and believes are not recorded"
         beliefs != DefaultBeliefBase::class.java ->
-            "the belief base ${beliefs.name} is not Jason's own, and what it reads or keeps elsewhere is not recorded"
-        isCloned() -> "it was made by .clone, so what it believes and intends is not that of its program"
+            "the belief base ${beliefs.name} is not Jason's own, and the data that it reads or keeps elsewhere are not recorded"
+        isCloned() -> "it was made by .clone, so its beliefs and intentions are not those of its program"
         kqml != Message.kqmlDefaultPlans -> "the plans for messages in $kqml, which Jason's configuration names, are not recorded"
         else -> null
     }
@@ -43,10 +44,10 @@ internal fun refusal(ts: TransitionSystem): String? {
     val strange = architectures.filter { it !is Arch && it !is Transparent && it !== infrastructure && it.javaClass != AgArch::class.java }
     return when {
         infrastructure is LocalAgArchAsynchronous ->
-            "the agent has a thread each for sensing, deliberating and acting, and what these do at once cannot be repeated; " +
+            "the agent has a thread each for sensing, deliberating and acting, and their simultaneous work cannot be repeated; " +
                 "leave out \"asynchronous\" in the .mas2j"
         infrastructure is LocalAgArch && infrastructure.runsPartsSeveralTimes() ->
-            "the agent senses, deliberates or acts several times in a cycle, which a recording does not know; leave that out in the .mas2j"
+            "the agent senses, deliberates or acts several times in a cycle, which a recording cannot hold; leave that out in the .mas2j"
         strange.isNotEmpty() ->
             "besides argo.Arch the agent has the architecture ${strange.joinToString { it.javaClass.name }}, " +
                 "through which more may enter it; a recording knows only argo.Arch"

@@ -140,7 +140,7 @@ internal class ProgramSource(val address: String, val bytes: ByteArray) {
             when {
                 address.startsWith("file:/") -> Path.of(URI(address))
                 address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // further on than the colon behind a drive letter of Windows
+                ':' in address.drop(2) -> null // a URL: its colon is further on than that of a drive letter of Windows
                 else -> Path.of(address)
             }?.toAbsolutePath()?.normalize()
         } catch (_: java.net.URISyntaxException) {

@@ -39,7 +39,7 @@ internal class Track(
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
 
-    /** The reasons of refusals that have been told. Of the refusals because of the project's code, only the first is told. */
+    /** The reasons of refusals that have been reported. Of the refusals because of the project's code, only the first is reported. */
     val told: MutableSet<String> = ConcurrentHashMap.newKeySet()
     private val isProjectTold = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()

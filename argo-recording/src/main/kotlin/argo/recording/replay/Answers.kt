@@ -25,7 +25,7 @@ import java.util.concurrent.TimeUnit
  * agent, and to its thread, except for [left].
  */
 internal interface Answers {
-    /** True if the agent has repeated the recording step by step so far. */
+    /** True if the agent has so far repeated each step of the recording. */
     val isAsRecorded: Boolean get() = true
 
     /** The recorded call that waits for an outcome, in words; empty: it is not known. */
@@ -34,7 +34,7 @@ internal interface Answers {
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start], with [timers] under way, by their numbers; null: at the beginning of its program. */
+    /** Begins the agent of [inputs] at [start], null being the beginning of its program, with running [timers], by their numbers. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
     /** Makes [cycle] the next cycle. */

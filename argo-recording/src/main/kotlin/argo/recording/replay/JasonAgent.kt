@@ -89,7 +89,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Makes Jason forget as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
+/** Makes Jason forget its selections, as it does in [cycles] cycles in which nothing happens; such cycles are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -156,7 +156,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
 
 /** Refuses the class [name] of an agent unless it is [jasons]: the constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
-    if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes $jasons only")
+    if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes only $jasons")
 }
 
 private fun archType(recorded: RecordedAgent, isCarryingOut: Boolean): Class<out Arch> {
@@ -184,7 +184,7 @@ internal fun classOrNull(type: String): Class<*>? = try {
     null
 }
 
-/** Returns true if a replayed agent gets [option] too: options of observers, such as a live view, would begin something. */
+/** Returns true if a replayed agent gets [option] too: options of observers would begin one, such as a live view. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds calls of [cycles], and the ends of the operations that those calls began. They answer an agent that may make other calls, or make
- * them at other times.
+ * Finds calls of [cycles], and the ends of the operations that those calls began, to answer an agent that may make other calls, or at other
+ * times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -40,13 +40,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     /** Returns the end of the operation that was begun with [number]; null: it did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the next call of [name] with [args] in their order, each only once; null: none is left. */
+    /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns], each only once; null:
-     * none is left there.
+     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; null: none is left
+     * there. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
@@ -58,13 +58,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     /** Returns the first call of [name] with [args], at any time; may return it several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
-    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late; each only once. */
+    /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late. Returns each end once. */
     fun timer(ns: Long): Ended? {
         val first = timers.binarySearch { it.ns.compareTo(ns - EARLY_NS) }.let { if (it < 0) -it - 1 else it }
         return timers.asSequence().drop(first).takeWhile { it.ns <= ns + LATE_NS }.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
     }
 
-    /** Returns the end of the timer with [number], which the same step had begun, if it was due at about [ns]; each only once. */
+    /** Returns the end of the timer [number], which the same step began, if that timer was due at about [ns]. Returns each end once. */
     fun takeTimer(number: Int, ns: Long): Ended? =
         ended[number]?.takeIf { !it.isTaken && it.end.kind == TIMER && it.ns - ns in -EARLY_NS..LATEST_NS }?.also { it.isTaken = true }
 

@@ -8,7 +8,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
- * Writes the programs in [recording] to files, in a [directory] that [close] removes, or the end of Java, as by Ctrl-C.
+ * Writes the programs in [recording] to files, in a [directory]. [close] removes it, and so does the end of Java, as by Ctrl-C.
  *
  * @throws RecordingException if a program would stand outside of [directory], or names a class that is no code of an agent
  */

@@ -120,15 +120,15 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         return recorded
     }
 
-    /** Reports a call [now] that was not recorded, unless Jason had ended the cycle, which might have had it later. */
+    /** Reports a call [now] that was not recorded, unless Jason ended the recorded cycle early: then the call might have come later. */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
     }
 
     private fun notRecorded(name: String, kind: String) =
-        "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or what a thread changes"
+        "the project's $kind $name gives another result for the same arguments: it reads a clock, chance, a file or data of a thread"
 
-    /** Returns the recorded call of [name] with [args], each only once; null: there is none. */
+    /** Returns the recorded call of [name] with [args]; null: there is none. Returns each call once. */
     private fun take(name: String, args: Array<Term>): Call? {
         val texts = compared(args.asList())
         val index = calls.indexOfFirst { it.isOf(name, texts) }

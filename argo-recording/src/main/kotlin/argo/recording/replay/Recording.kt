@@ -83,12 +83,12 @@ class Recording(private val file: Path) : AutoCloseable {
         }
         if (format !in FORMATS) {
             throw RecordingException(
-                "$file has format $format of what agents do, and this version of ARGO reads format $FORMAT; a newer version may read it",
+                "$file has format $format of agents' recordings, and this version of ARGO reads format $FORMAT; a newer one may read it",
             )
         }
     }
 
-    /** Returns the cycles of [agent], in their order; with [last], only the cycles in the last part, of that length, of the recording. */
+    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of the recording of that length. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -114,8 +114,8 @@ class Recording(private val file: Path) : AutoCloseable {
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none, or if no replay can have it;
-     * one that [isCarryingOut] the project's code may have more.
+     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none, or if no replay can have it. A
+     * replay that [isCarryingOut] the project's code can have more cycles.
      * @throws RecordingException if it is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -126,8 +126,8 @@ class Recording(private val file: Path) : AutoCloseable {
 
     private fun beginningMissing(agent: String, cycle: Cycle): String {
         val reasons = keyFrames(agent).mapNotNull { it.missing }.groupingBy { it }.eachCount().maxByOrNull { it.value }?.key
-        return "the recording of agent $agent begins with its cycle ${cycle.index}, what it believed then is not known, and there is no " +
-            "key frame to begin with" + when (reasons) {
+        return "the recording of agent $agent begins with its cycle ${cycle.index}, the agent's beliefs then are not known, and there " +
+            "is no key frame to begin with" + when (reasons) {
                 null -> "; keep more minutes, argo_record=\"last(10)\", or record from the beginning on, argo_record=\"FILE.mcap\""
                 else -> ": each time that one was due, something that cannot be described was under way, mostly: $reasons. Keep more " +
                     "minutes, argo_record=\"last(10)\", let the agent come to rest now and then, or record from the beginning on, " +
@@ -197,7 +197,7 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
         refusal.why + if (refusal.isOfProject) "; only replay --check, which carries the project's code out again, goes on" else "",
     )
 
-    override fun toString() = "agent $agent can be replayed until its cycle $cycle only: $why"
+    override fun toString() = "agent $agent can be replayed only until its cycle $cycle: $why"
 }
 
 /** A recording cannot be replayed; [message] gives the reason and the remedy. */

@@ -35,7 +35,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** The cycles, so far, that no replay can have. The replay of each one's agent has ended before it. */
+    /** The cycles found so far that no replay can have: each ended the replay of its agent. */
     val refusals: List<RefusedCycle> get() = refusing
 
     /** The number of cycles run so far. */

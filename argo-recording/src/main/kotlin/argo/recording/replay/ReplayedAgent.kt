@@ -55,10 +55,10 @@ internal class ReplayedAgent(
         found(inputs.cycle, what, before, now, cause ?: likelyCause())
 
     private fun likelyCause(): String = missingAction()?.let { "the project's class $it is not on the class path; add it" } ?: when {
-        seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and what it does within a cycle is not recorded"
+        seen.isNotEmpty() -> "${seen.joinToString()} works on the agent, and its work within a cycle is not recorded"
         answers.projectCalls.isNotEmpty() ->
-            "what the project's own ${answers.projectCalls.joinToString()} does besides its result is not recorded, and is carried out " +
-                "by --check only"
+            "the effects of the project's own ${answers.projectCalls.joinToString()} besides results are not recorded, and happen only " +
+                "with --check"
         else -> "not known; it is the first difference of this agent"
     }
 

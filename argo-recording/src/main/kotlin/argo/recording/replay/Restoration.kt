@@ -64,7 +64,7 @@ internal class Restoration(
         } catch (other: LinkageError) {
             refuse("$other")
         } catch (_: StackOverflowError) {
-            refuse("what it holds is nested too deeply")
+            refuse("its objects are nested too deeply")
         } finally {
             Counters.write(counters)
         }

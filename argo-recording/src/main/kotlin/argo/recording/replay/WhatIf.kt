@@ -93,7 +93,7 @@ class WhatIf internal constructor(
 
     /**
      * Runs all recorded cycles, and returns itself. Call it only once.
-     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then have the commands before
+     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then have those up to there
      */
     fun run(): WhatIf = apply {
         runRecorded()
@@ -127,7 +127,7 @@ class WhatIf internal constructor(
         }
     }
 
-    /** Runs cycles of the agent's own until [ns], while the recorded agent slept: for its work, and for ends meanwhile. */
+    /** Runs cycles of the agent's own until [ns], while the recorded agent slept: to do its work, and to take in the ends that are due. */
     private fun runBetween(ns: Long) {
         while (true) {
             val nowNs = inputs.cycle.ns

@@ -22,8 +22,8 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.random.Random
 
 /**
- * Answers an agent that may differ from the recorded one with the recorded results near that time, see [WhatIf], and notes the commands
- * that it sends.
+ * Gives an agent, which may differ from the recorded one, the recorded results nearest in time: see [WhatIf]. Notes the commands that it
+ * sends.
  *
  * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones

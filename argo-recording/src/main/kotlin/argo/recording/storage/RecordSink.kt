@@ -26,7 +26,7 @@ interface RecordSink : AutoCloseable {
     /**
      * Leaves a message to be stored, as the other [offer] does, but another thread makes its JSON.
      *
-     * @param bytes the approximate size of the message until then
+     * @param bytes the approximate size that the message takes in memory until its JSON is made
      * @param encode makes the JSON later, from objects that do not change; if it throws, the message becomes a gap
      */
     fun offer(channel: RecordChannel, timeNs: Long, bytes: Int, encode: () -> ByteArray): Boolean

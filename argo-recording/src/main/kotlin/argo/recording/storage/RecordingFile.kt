@@ -78,8 +78,8 @@ class RecordingFile internal constructor(
         runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip a rest that cannot be cut off
         val why = if (failure is IOException) failure.message ?: "$failure" else "$failure"
         val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
-        val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without, and the file can be " +
-            "read up to here$remedy"
+        val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without a recording, and " +
+            "the file can be read up to here$remedy"
         giveUp(sentence, warn)
     }
 

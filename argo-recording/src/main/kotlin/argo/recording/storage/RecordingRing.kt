@@ -16,10 +16,10 @@ import kotlin.concurrent.withLock
  * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps attachments and metadata from the beginning on.
  * In place of a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
- * If it can keep nothing more, as without memory, it calls [warn] once and refuses all later records.
+ * If memory runs out, or nothing more can be kept for another reason, it calls [warn] once and refuses all later records.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the largest number of bytes of kept messages; above it the oldest messages go before their time
+ * @param maxBytes the largest number of bytes of kept messages; above it the oldest messages are dropped before [last] is over
  * @param warn takes one sentence for a person; the thread of the ring calls it
  */
 class RecordingRing(
@@ -39,7 +39,7 @@ class RecordingRing(
         try {
             while (waiting.take(PATIENCE_NS) { it.forEach(::keep) }) continue
         } catch (failure: Throwable) { // the thread reports every failure
-            giveUp("the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on without", warn)
+            giveUp("the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on unrecorded", warn)
         }
     }
 

@@ -123,7 +123,7 @@ data class StepCause(
  * @property cycle Jason's number of that cycle
  * @property conditions the parts of its context with their values then
  * @property event the cause of the event
- * @property again the number of times that the plan had called itself, as its last step, before
+ * @property again the number of times that the plan had called itself before, as its last step
  */
 @Serializable
 @SerialName("plan")

@@ -9,10 +9,9 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Searches, by trials, for percepts of a [cause] with another number next to the recorded one, with which the agent does not send the
- * command.
+ * Finds by trials which other numbers, nearest to the recorded ones, in percepts of a [cause] keep the agent from sending the command.
  *
- * @param had replays the agent with another percept in the place of one of the cause
+ * @param had replays the agent with another percept in the place of a percept of the cause
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0

@@ -41,7 +41,7 @@ internal class Trace(
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
 ) : Boundary by inputs {
-    /** A chosen plan, and the tests in its body since then. */
+    /** A chosen plan, and the tests in its body since it was chosen. */
     private class Adopted(val plan: PlanCause) {
         val tests = LinkedHashMap<String, Condition>()
     }
@@ -190,7 +190,7 @@ internal class Trace(
         return Adopted(cause)
     }
 
-    /** Returns true if the plan calls itself as its last step, so that Jason forgets the call before. */
+    /** Returns true if the plan calls itself as its last step, so that Jason forgets the earlier call. */
     private fun isTail(intention: Intention, plan: Plan): Boolean =
         intention.peek().let { it.plan === plan && it.currentStep?.bodyNext == null }
 
@@ -290,7 +290,7 @@ internal class Trace(
         event.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
 
     companion object {
-        private const val BEFORE = "that was before the replay begins, which this recording has lost"
+        private const val BEFORE = "that was before the replay begins, in a part that this recording has lost"
         private const val MAX_NOTES = 10_000
 
         /** The largest number of causes from a step to the root of its intention. */

@@ -50,8 +50,8 @@ internal class Trial(
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
 
     /**
-     * Runs the agent up to the cycle [last] with percepts [changed] from the cycle [from] on, and returns the commands since then. Recorded
-     * commands have their recorded outcomes; other commands end at once.
+     * Runs the agent up to the cycle [last]; from the cycle [from] on, [changed] changes its percepts. Returns the commands since [from].
+     * Recorded commands have their recorded outcomes; other commands end at once.
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
         val wanted = cycles.asSequence().takeWhile { it.index <= last }

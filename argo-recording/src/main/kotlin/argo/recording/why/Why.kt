@@ -57,7 +57,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
         if (command.by != Sender.PLAN) {
-            throw RecordingException("no plan sent ${command.text}, so no replay has what would have become of it")
+            throw RecordingException("${command.text} was not sent by a plan, so a replay cannot show the effect of another percept")
         }
         val cause = causeOf(command)
         val of = cause?.percepts().orEmpty().find { isOfKind(literalOf(it.belief), literal) }
@@ -160,8 +160,8 @@ class Why(private val recording: Recording) : AutoCloseable {
         val start = recording.start(agent) ?: return
         if (cycle > start.index) return
         throw RecordingException(
-            "what agent $agent believed then is not known: the beginning of its recording is missing, and it can be replayed from " +
-                "%.3f s on".format(clock.seconds(start.ns)),
+            "the beliefs of agent $agent at that time are not known: the beginning of its recording is missing, and it can be replayed " +
+                "from %.3f s on".format(clock.seconds(start.ns)),
         )
     }
 

@@ -28,13 +28,13 @@ private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }
 
-/** A form with whole numbers, or none. */
+/** A form with whole numbers as arguments, or with none. */
 private fun numbers(usage: String, make: (List<Int>) -> Rule?) = RuleText(usage) { terms ->
     val numbers = terms.mapNotNull { (it as? NumberTerm)?.solve()?.toInt() }
     if (numbers.size == terms.size) make(numbers) else null
 }
 
-/** A form with a list of commands, or none. */
+/** A form with a list of commands as its argument, or with none. */
 private fun except(usage: String, make: (List<String>) -> Rule) = RuleText(usage) { terms ->
     when (terms.size) {
         0 -> make(emptyList())

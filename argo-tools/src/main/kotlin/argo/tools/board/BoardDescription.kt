@@ -63,7 +63,7 @@ internal class BoardDescription(
         private const val SLICE_MS = 20
         private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
-        /** Asks the board on [link] for its percepts once, and for its description. Throws what [Link.request] throws. */
+        /** Asks the board on [link] for its percepts once, and for its description. Throws as [Link.request] does. */
         fun of(link: Link): BoardDescription {
             val welcome = Welcome()
             link.onBoardEvents(welcome)

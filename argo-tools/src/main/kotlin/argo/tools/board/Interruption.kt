@@ -23,7 +23,7 @@ internal class Interruption : AutoCloseable {
 
     /**
      * Returns true if the program is ending, or begins to within [LATE_MS]: a signal to all programs of a terminal may end those that a
-     * command has started before this one. For the thread that made this; its interruption is taken then.
+     * command has started before this one. For the thread that made this, whose interruption it clears then.
      */
     fun isEnding(): Boolean = try {
         ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }

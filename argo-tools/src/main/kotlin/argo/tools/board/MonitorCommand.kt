@@ -195,7 +195,7 @@ internal class MonitorCommand : DataCommand() {
         )
     }
 
-    /** The percept [text], and what is to be said of it if the board describes these [kinds]; none: it describes nothing. */
+    /** The percept [text] and the problem with it, if there is one; the board describes these [kinds], or none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
         val whyUnreadable = whyUnreadable(text)

@@ -7,9 +7,9 @@ import java.math.BigDecimal
 import java.util.Optional
 
 /**
- * The kinds of the percepts that were observed: percepts with one functor and number of arguments are a kind. An argument that was always a
- * number has the range of these; one that was one of a few atoms has these as choices. At most [MAX_KINDS] kinds are told apart, of
- * functors that need no quotes.
+ * The kinds of the percepts that were observed: percepts with the same functor and number of arguments are a kind. An argument that was
+ * always a number has the range of its numbers; one that was always one of a few atoms has these as choices. Functors that need quotes, and
+ * kinds beyond [MAX_KINDS], count only as [others].
  */
 internal class ObservedKinds {
     private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // functor and arguments, by functor and number of arguments

@@ -35,7 +35,7 @@ import kotlin.io.path.extension
         "Runs the agents of a recording (FILE.mcap) again, or serves a recording of a board (FILE.rec) as a board.",
         "As a board: on a pseudo-terminal until Ctrl-C; prints its name and the received commands.",
         "An agent, and these tools, can also open the port replay:FILE, without this command.",
-        "Of agents: runs them on what was recorded, and reports whether they do the same.",
+        "Of agents: runs them on their recorded input, and reports whether they do the same.",
     ],
 )
 internal class ReplayCommand : JasonCommand() {
@@ -128,7 +128,7 @@ internal class ReplayCommand : JasonCommand() {
     private fun serve(pair: PseudoTerminals, port: String, board: ReplayBoard, waits: Boolean, interruption: Interruption): Int {
         out.println(port)
         out.flush()
-        err.println("$file is a board on this port until Ctrl-C: argo.port(\"$port\") in an agent, or the commands monitor and request")
+        err.println("$file is played on port $port until Ctrl-C; open it with argo.port(\"$port\") in an agent, or by monitor or request")
         try {
             if (waits) awaitListener(pair)
             Transports.open(pair.board().path, LineSettings.defaults()).use(board::run)

@@ -18,7 +18,7 @@ import kotlin.io.path.isDirectory
 @Command(
     name = "check",
     description = [
-        "Describes the filter of each file with warnings of what has no effect, or lists all its problems; then the exit status is 1.",
+        "Describes the filter of each file and warns of parts without effect, or lists all its problems; then the exit status is 1.",
     ],
 )
 internal class FilterCheckCommand : DataCommand() {

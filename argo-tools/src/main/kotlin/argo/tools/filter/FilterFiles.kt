@@ -29,8 +29,8 @@ internal fun filterIn(file: Path): PerceptionFilter {
 }
 
 /**
- * Returns the files below [folder] that are filters, or meant to be, and the other XML and JSON files, which have neither this element nor
- * this name in them.
+ * Returns the files below [folder] that are filters, or meant to be, and the other XML and JSON files, which hold neither
+ * `<PerceptionFilter` nor `"rules"`.
  */
 internal fun filtersIn(folder: Path): Pair<List<Path>, List<Path>> = sourcesIn(folder, MARKS.keys).partition { file ->
     MARKS.getValue(file.extension) in file.readText(Charsets.ISO_8859_1)

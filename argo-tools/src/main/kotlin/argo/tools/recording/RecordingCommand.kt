@@ -24,7 +24,7 @@ import java.nio.file.Path
     name = "recording",
     description = [
         "Shows what a recording in the MCAP format (FILE.mcap) holds, with --messages each message, with --file a file inside.",
-        "Of a recording that was cut off or is damaged, all that is whole; then the exit status is 1.",
+        "Of a recording that was cut off or is damaged it shows the whole parts; then the exit status is 1.",
     ],
 )
 internal class RecordingCommand : DataCommand() {

@@ -59,7 +59,7 @@ internal class AgentWhatIf(
     private fun programOf(recording: Recording, option: String): Pair<String, Path> {
         val named = recording.agents.keys.find { option.startsWith("$it=") }
         val agent = named ?: recording.agents.keys.singleOrNull() ?: throw ToolException(
-            "$file has several agents, of which --agent AGENT=FILE names one: ${recording.agents.keys.joinToString()}; not \"$option\"",
+            "$file has the agents ${recording.agents.keys.joinToString()}; --agent AGENT=FILE names one of them, \"$option\" names none",
         )
         val program = try {
             Path.of(if (named == null) option else option.removePrefix("$named="))

@@ -12,7 +12,7 @@ internal abstract class JasonCommand : DataCommand() {
     @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
     protected var classPath: String? = null
 
-    /** True if this program can do it. */
+    /** True if this program can run the tool itself. */
     protected val runsHere: Boolean get() = classPath == null && hasJason()
 
     /**

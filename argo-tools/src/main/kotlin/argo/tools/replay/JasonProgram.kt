@@ -16,8 +16,8 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program of seconds, which ends before a better compilation pays, and which needs no threads for its
- * memory. A Java machine ignores those that it does not have.
+ * Options of a Java machine for a program that runs for seconds: it ends before a better compilation pays, and needs no threads that
+ * collect garbage. A Java machine ignores those that it does not have.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 

@@ -53,7 +53,7 @@ internal class ReplayReport(
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {
             val of = if (agents.size == 1) "" else "agent ${it.agent} "
-            add("${of}begins behind cycle ${it.cycle}, %.3f s: what was before is not in this recording".format(secondsAt(it.ns)))
+            add("${of}begins behind cycle ${it.cycle}, %.3f s: earlier cycles are not in this recording".format(secondsAt(it.ns)))
         }
         add("${counted(cycles, "cycle")} of %.3f s replayed in %.3f s%s".format(secondsIn(recordedNs), secondsIn(elapsedNs), pace()))
         refusals.forEach { add("refused: agent ${it.agent}, from cycle ${it.cycle}, %.3f s, on: ".format(secondsAt(it.ns)) + it.why) }

@@ -16,7 +16,7 @@ internal class ShownCycle(private val agent: String, val cycle: Cycle) {
             action?.let { "action $it" },
         ) + commands.map { "sends ${it.text} to ${it.port}" } + mail.map { "${it.performative}(${it.receiver},${it.content})" } +
             printed.map { "prints \"$it\"" }
-        "$agent, cycle ${cycle.number}: ${words.joinToString().ifEmpty { "nothing but what entered" }}"
+        "$agent, cycle ${cycle.number}: ${words.joinToString().ifEmpty { "only input" }}"
     }
 
     /** Returns its course, [seconds] after the first cycle, as JSON. */

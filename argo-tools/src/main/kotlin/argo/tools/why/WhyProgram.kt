@@ -26,7 +26,7 @@ class Told(val lines: List<String>, val trouble: String)
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Asks why [agent] sent the command to a board that it counted as [number], in the recording [file]. Waits for the answer.
+     * Asks why [agent] sent its command [number], counted over those to boards, in the recording [file]. Waits for the answer.
      * @throws java.io.IOException if no other program can be started
      */
     @Synchronized

@@ -47,7 +47,7 @@ internal class WhyText {
     }
 
     private fun unseen(by: Sender) = when (by) {
-        Sender.PLAN -> "by which step of a plan was not seen: a plan may have split its intention"
+        Sender.PLAN -> "by a step of a plan that the replay did not see: a plan may have split its intention"
         Sender.REFLEX -> "as the reflex of a critical rule"
         Sender.OUTSIDE -> "because a person or another program wanted it, as by the live view; no plan did"
     }

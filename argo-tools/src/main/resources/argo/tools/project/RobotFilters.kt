@@ -1,6 +1,6 @@
 import argo.filters.*
 
-/** `dist(Side, Cm)`: how far it is from one side of the robot to the next thing. */
+/** `dist(Side, Cm)`: the distance from one side of the robot to the next thing. */
 object Dist : PerceptType("dist") {
     /** `front`, `back`, `left` or `right`. */
     val side by atom()

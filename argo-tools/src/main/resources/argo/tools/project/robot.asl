@@ -1,7 +1,7 @@
 // Turns the LED of its board on while something is near in front of it.
 
 // The board's port. This one is a recording, so that everything runs without a board; for a real one write its name: board(ttyACM0).
-// "java -jar lib/argo.jar ports" lists those there are.
+// "java -jar lib/argo.jar ports" lists the ports that there are.
 board("replay:recordings/drive.rec").
 
 !start.

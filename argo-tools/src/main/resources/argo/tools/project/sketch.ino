@@ -20,7 +20,7 @@ void ledOff() {
   digitalWrite(LED_BUILTIN, LOW);
 }
 
-// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is none.
+// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is no sensor.
 unsigned long centimetres() {
   digitalWrite(TRIGGER, HIGH);
   delayMicroseconds(10);

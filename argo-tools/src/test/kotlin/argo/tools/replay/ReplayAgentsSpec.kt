@@ -149,7 +149,7 @@ class ReplayAgentsSpec : FunSpec({
         checked.status shouldBe 1
         checked.out shouldContain "not deterministic, 2 times: agent agent, cycle "
         checked.out shouldContain "result of argo.tools.replay.ticks\n  recorded: "
-        checked.out shouldContain "it reads a clock, chance, a file or what a thread changes"
+        checked.out shouldContain "it reads a clock, chance, a file or data of a thread"
     }
 
     test("what an agent did that its program would not do is named, with cycle and time") {
@@ -169,13 +169,13 @@ class ReplayAgentsSpec : FunSpec({
     test("what cannot be replayed is refused in words") {
         argo("replay", "${made("late", index = 7)}").run {
             status shouldBe 1
-            err shouldContain "begins with its cycle 7, what it believed then is not known, and there is no key frame to begin with"
+            err shouldContain "begins with its cycle 7, the agent's beliefs then are not known, and there is no key frame to begin with"
         }
         argo("replay", "${made("newer", format = "3")}").err shouldContain
-            "has format 3 of what agents do, and this version of ARGO reads format 2"
+            "has format 3 of agents' recordings, and this version of ARGO reads format 2"
         argo("replay", "${made("foreign", agentClass = "robot.Brain")}").run {
             status shouldBe 1
-            err shouldBe "agent bob had the class robot.Brain, and a replay makes jason.asSemantics.Agent only\n"
+            err shouldBe "agent bob had the class robot.Brain, and a replay makes only jason.asSemantics.Agent\n"
         }
         argo("replay", "${made("unread", program = "!start. +!start <- ((.")}").err shouldStartWith
             "Jason cannot read the program of agent bob"

@@ -11,7 +11,7 @@ const unsigned long US_PER_CM = 58;  // there and back
 
 Javino javino;
 
-// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is none.
+// The distance to what is in front, in cm; 0: the sensor sees nothing within 4 m, or there is no sensor.
 unsigned long centimetres() {
   digitalWrite(TRIGGER, HIGH);
   delayMicroseconds(10);

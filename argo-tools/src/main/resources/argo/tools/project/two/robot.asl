@@ -1,7 +1,7 @@
 // Turns the LED of one board on while something is near in front of the other.
 
 // The boards: their ports, and the namespaces of what they say. These are recordings, so that everything runs without a board; for real
-// ones write their names: port(ttyACM0,[as(eyes)]). "java -jar lib/argo.jar ports" lists those there are.
+// ones write their names: port(ttyACM0,[as(eyes)]). "java -jar lib/argo.jar ports" lists the ports that there are.
 boards([port("replay:recordings/drive.rec",[as(eyes)]), port("replay:recordings/lamp.rec",[as(lamp)])]).
 
 !start.
