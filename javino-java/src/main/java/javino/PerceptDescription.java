@@ -11,6 +11,8 @@ import java.util.List;
  */
 public record PerceptDescription(List<PerceptKind> kinds, List<String> problems) {
     private static final String MARK = "?";
+    private static final int MAX_KINDS = 1_000;
+    private static final int MAX_TEXT = 255;
 
     public PerceptDescription {
         kinds = List.copyOf(kinds);
@@ -29,12 +31,24 @@ public record PerceptDescription(List<PerceptKind> kinds, List<String> problems)
         for (String text : PerceptTerm.split(answer)) {
             if (text.startsWith(MARK)) {
                 try {
-                    kinds.add(PerceptKind.parse(text.substring(MARK.length())));
+                    kinds.add(kindIn(text, kinds.size()));
                 } catch (IllegalArgumentException e) {
                     problems.add(e.getMessage());
                 }
             }
         }
         return new PerceptDescription(kinds, problems);
+    }
+
+    /** Returns the kind that {@code text} describes; refuses more than an agent's log or a page has room for. */
+    private static PerceptKind kindIn(String text, int kinds) {
+        if (kinds == MAX_KINDS) {
+            throw new IllegalArgumentException("a board describes at most " + MAX_KINDS + " kinds");
+        }
+        if (text.length() > MAX_TEXT || text.chars().anyMatch(Character::isISOControl)) {
+            throw new IllegalArgumentException(
+                    "a kind has at most " + MAX_TEXT + " characters, and no control character");
+        }
+        return PerceptKind.parse(text.substring(MARK.length()));
     }
 }

@@ -59,7 +59,8 @@ class LayersSpec : FunSpec({
     test("the rules see the packages that they speak of") {
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
-            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.lsp", "argo.tools", "argo.ros",
+            "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.tools",
+            "argo.lsp", "argo.ros",
             "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.link",
             "javino.serial", "javino.tcp", "javino.sim",
         )
@@ -210,7 +211,8 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.tools..").should()
                 .dependOnClassesThat(
                     productBut(
-                        "argo.tools..", "argo.check..", "argo.filters..", "argo.mcap", "argo.recording", "argo.recording.replay", "argo.recording.why",
+                        "argo.tools..", "argo.check..", "argo.filters..", "argo.mcap", "argo.recording", "argo.recording.replay",
+                        "argo.recording.why",
                         "javino..",
                     ),
                 ).check(product)
@@ -218,7 +220,9 @@ class LayersSpec : FunSpec({
     }
 })
 
-/** The packages of ARGO that the sources of package [name] import, each with the file that does; classes do not show imports of comments. */
+/**
+ * The packages of ARGO that the sources of package [name] import, each with the file that does; classes do not show imports of comments.
+ */
 private fun importedBy(name: String): List<Pair<String, String>> =
     Path.of("../argo-arch/src/main/kotlin", *name.split('.').toTypedArray()).listDirectoryEntries("*.kt").flatMap { file ->
         Regex("""(?m)^import (argo(?:\.[a-z]\w*)*)\.\w+""").findAll(file.readText()).map { file.name to it.groupValues[1] }

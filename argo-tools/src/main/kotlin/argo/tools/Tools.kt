@@ -6,13 +6,13 @@ import argo.tools.board.PortsCommand
 import argo.tools.board.ReplayCommand
 import argo.tools.board.RequestCommand
 import argo.tools.board.SendCommand
+import argo.tools.check.CheckCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.refuseWithout
 import argo.tools.doctor.DoctorCommand
 import argo.tools.exploring.ExploreCommand
 import argo.tools.filter.FilterCommand
-import argo.tools.migration.CheckAgentCommand
 import argo.tools.project.NewCommand
 import argo.tools.recording.RecordingCommand
 import argo.tools.samples.DemoCommand
@@ -31,7 +31,7 @@ import picocli.CommandLine.Option
     subcommands = [
         PortsCommand::class, DescribeCommand::class, MonitorCommand::class, RequestCommand::class, SendCommand::class, ReplayCommand::class,
         RecordingCommand::class, WhyCommand::class, ExploreCommand::class, FilterCommand::class, DoctorCommand::class,
-        CheckAgentCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
+        CheckCommand::class, NewCommand::class, DemoCommand::class, SampleCommand::class, ExperimentCommand::class,
         CompletionCommand::class,
     ],
     footer = ["", "COMMAND --help describes a command. Exit status: 0 done, 1 failed, 2 wrong arguments."],

@@ -38,10 +38,10 @@ class CommandLineSpec : FunSpec({
 
     context("wrong arguments are refused with a reason and exit status 2") {
         listOf(
-            "" to "name a command: ports, monitor",
+            "" to "name a command: ports, describe",
             "fly" to "there is no command 'fly'; there are: ports",
             "port" to "there is no command 'port'; did you mean ports? there are: ports",
-            "check-agents x" to "there is no command 'check-agents'; did you mean check-agent? there are: ports",
+            "chekc x" to "there is no command 'chekc'; did you mean check? there are: ports",
             "filter chek f.xml" to "there is no command 'chek'; did you mean check? there are: check",
             "filter" to "name a command: check, explain, convert",
             "ports --fly" to "Unknown option: '--fly'",

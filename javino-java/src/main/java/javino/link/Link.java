@@ -155,7 +155,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Asks the board for the kinds of its percepts, in turn with requests. A kind that cannot be read is left out, with a line of log.
+     * Asks the board for the kinds of its percepts, in turn with requests. Kinds that cannot be read are left out, with a line of log.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
      * @return empty: the board describes no percepts, gave no answer in time, or is not known to speak version 2
@@ -167,11 +167,13 @@ public final class Link implements AutoCloseable {
             return List.of();
         }
         PerceptDescription description = PerceptDescription.read(answer.text());
-        description
-                .problems()
-                .forEach(problem -> LOG.log(
-                        System.Logger.Level.WARNING,
-                        "port " + port() + ": a kind of percepts that the board describes is left out: " + problem));
+        List<String> problems = description.problems();
+        if (!problems.isEmpty()) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port " + port() + ": kinds of percepts that the board describes are left out, " + problems.size()
+                            + " in all: " + problems.get(0));
+        }
         return description.kinds();
     }
 

@@ -263,14 +263,14 @@ class LinkDeliverySpec : FunSpec({
         }
     }
 
-    test("a kind of percepts that cannot be read is left out with a line of log, and the others count") {
+    test("kinds of percepts that cannot be read are left out with a line of log, and the others count") {
         val board = VirtualBoard2()
-        val items = "\u007F\u0008?dist();\u007F\u0007?ready;"
+        val items = "\u007F\u0008?dist();\u007F\u0005?a\u001B2;\u007F\u0007?ready;"
         board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) answering(it, items) else it) }
         bench(board).use { bench ->
             bench.link.request(REQUEST, 500)
             val warnings = logged("javino.link.Link") { bench.link.perceptKinds(500).map { "$it" } shouldBe listOf("ready") }
-            warnings.single() shouldContain "a kind of percepts that the board describes is left out: argument 1 of dist()"
+            warnings.single() shouldContain "kinds of percepts that the board describes are left out, 2 in all: argument 1 of dist()"
         }
     }
 

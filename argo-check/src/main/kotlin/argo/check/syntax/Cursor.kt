@@ -46,7 +46,8 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
         val found = tokens.getOrNull(at)
         when {
             found == null -> fail("the text ends where $what should be", lastToken())
-            isFirstInLine(at) && at > 0 && what.startsWith(FULL_STOP) -> fail("a full stop is missing behind ${tokens[at - 1]}", tokens[at - 1].span)
+            isFirstInLine(at) && at > 0 && what.startsWith(FULL_STOP) ->
+                fail("a full stop is missing behind ${tokens[at - 1]}", tokens[at - 1].span)
             else -> fail("here should be $what, not ${found.text}", found.span)
         }
     }

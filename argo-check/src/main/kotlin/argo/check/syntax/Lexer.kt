@@ -100,7 +100,8 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         val isVariable = peek() in 'A'..'Z' || peek() == '_'
         if (isVariable) variableParts() else nameParts()
         val word = text.substring(start, at)
-        word.firstOrNull { it > '\u007f' }?.let { refuse("the name $word has the letter $it; Jason reads only a to z, digits and _ in names") }
+        val foreign = word.firstOrNull { it > '\u007f' }
+        if (foreign != null) refuse("the name $word has the letter $foreign; Jason reads only a to z, digits and _ in names")
         return when {
             isVariable -> TokenKind.VARIABLE
             word in KEYWORDS -> TokenKind.KEYWORD

@@ -11,6 +11,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import jason.asSemantics.Agent
 import jason.asSyntax.parser.as2j
+import jason.util.Config
 import java.io.StringReader
 import java.nio.file.FileSystems
 import java.nio.file.Files
@@ -19,7 +20,10 @@ import java.util.logging.LogManager
 import kotlin.io.path.readText
 
 class JasonParitySpec : FunSpec({
-    beforeSpec { LogManager.getLogManager().reset() } // warnings of Jason's parser
+    beforeSpec {
+        Config.get().setProperty(Config.START_WEB_MI, "false") // a server
+        LogManager.getLogManager().reset() // warnings of Jason's parser
+    }
 
     fun refusal(text: String): String? = try {
         as2j(StringReader(text)).agent(Agent().apply { initAg() })
@@ -29,7 +33,8 @@ class JasonParitySpec : FunSpec({
     }
 
     fun programsBelow(folder: Path): Map<String, String> = Files.walk(folder).use { files ->
-        files.filter { "$it".endsWith(".asl") && !it.contains(Path.of("target")) }.toList().associate { "$it" to it.readText(Charsets.UTF_8) }
+        files.filter { "$it".endsWith(".asl") &&
+            !it.contains(Path.of("target")) }.toList().associate { "$it" to it.readText(Charsets.UTF_8) }
     }
 
     fun mustReadWhatJasonReads(programs: Map<String, String>) {
@@ -56,10 +61,14 @@ class JasonParitySpec : FunSpec({
 
     test("made programs that Jason reads are read") {
         val part = Arb.element(
-            "+!g(X)", "-b", "^!g", " : ", " <- ", "a", "X", "_", ".", "p(X,1)", ".print(X)", "[a|T]", "[1,b]", "(", ")", " & ", " | ", "not ", ";",
-            " |&| ", "|||", "?q", "!g", "!!g", "+b", "-+b(1)", "++b", "--b", "+<b", "{ +!g <- b }", "{ a; b }", "{ +a }", "{", "}", "if (a) ", "{ b }",
-            " else ", " elif (c) ", "for (a) ", "while (X < 3) ", "X = 3 + 2 * Y", "=..", "\"s\"", "ns::", "~", "[source(A)]", "@l", ":-", "**", " div ", "-",
-            ".\n", "true", "begin", "'q r'", ".5", "1.5e3", "_1", "<: ", ",", "{ end }", "{ begin namespace(x) }", "X > Y", "\\==", "/* c */",
+            "+!g(X)", "-b", "^!g", " : ", " <- ", "a", "X", "_", ".", "p(X,1)", ".print(X)", "[a|T]", "[1,b]", "(", ")", " & ", " | ",
+            "not ", ";",
+            " |&| ", "|||", "?q", "!g", "!!g", "+b", "-+b(1)", "++b", "--b", "+<b", "{ +!g <- b }", "{ a; b }", "{ +a }", "{", "}",
+            "if (a) ", "{ b }",
+            " else ", " elif (c) ", "for (a) ", "while (X < 3) ", "X = 3 + 2 * Y", "=..", "\"s\"", "ns::", "~", "[source(A)]", "@l", ":-",
+            "**", " div ", "-",
+            ".\n", "true", "begin", "'q r'", ".5", "1.5e3", "_1", "<: ", ",", "{ end }", "{ begin namespace(x) }", "X > Y", "\\==",
+            "/* c */",
         )
         var accepted = 0
         checkAll(20_000, Arb.list(part, 1..7)) { parts ->
@@ -71,7 +80,8 @@ class JasonParitySpec : FunSpec({
     }
 
     test("what Jason refuses for its form is mostly refused") {
-        listOf("a(.", "+!a <- .", "a b.", "+!a <- b; ; c.", "[a].", "+!a : .", "a :- .", "+ <- b.", "+!a <- (b.", "!X", "a()", "+!a <- x[.").forEach { text ->
+        listOf("a(.", "+!a <- .", "a b.", "+!a <- b; ; c.", "[a].", "+!a : .", "a :- .", "+ <- b.", "+!a <- (b.", "!X", "a()",
+            "+!a <- x[.").forEach { text ->
             withClue(text) {
                 (refusal(text) == null) shouldBe false
                 programOf(text).errors.isEmpty() shouldBe false

@@ -36,18 +36,18 @@ class NewCommandSpec : FunSpec({
         project.resolve("pom.xml").readText() shouldContain "argo-testkit.jar"
     }
 
-    test("a new project passes check-agent") {
+    test("a new project has nothing that check finds") {
         new("spotless").status shouldBe 0
-        argo("check-agent", "$folder/spotless") shouldBe Output(0, "5 files read: 0 things must change, 0 notes\n", "")
+        argo("check", "$folder/spotless") shouldBe Output(0, "4 files checked: 0 errors, 0 warnings, 0 hints\n", "")
     }
 
-    test("a new project of two boards has a sketch and a recording for each, and passes check-agent") {
+    test("a new project of two boards has a sketch and a recording for each, and nothing that check finds") {
         new("two-eyed", "--boards", "2", "--testkit-jar", "$kit").status shouldBe 0
         val project = folder.resolve("two-eyed")
         listOf("eyes", "lamp").forEach { project.resolve("sketch/two_eyed_$it/two_eyed_$it.ino").exists() shouldBe true }
         listOf("drive", "lamp").forEach { LineRecording.read(project.resolve("recordings/$it.rec")).isOfRequests shouldBe true }
         project.resolve("README.md").readText() shouldNotContain "@"
-        argo("check-agent", "$project").out shouldContain "0 things must change, 0 notes"
+        argo("check", "$project").out shouldContain "0 errors, 0 warnings, 0 hints"
     }
 
     test("a project of no boards, or three, is refused") {

@@ -1,4 +1,4 @@
-package argo.tools.migration
+package argo.check.rules
 
 /** The internal actions of ARGO, and the forms of their calls. */
 internal object ArgoActions {
@@ -16,6 +16,13 @@ internal object ArgoActions {
         "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port",
         "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_vocabulary",
         "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter", "bad_filter",
+    )
+
+    /** The errors that Jason's plans fail with. */
+    val JASON_ERRORS = setOf(
+        "no_relevant", "no_applicable", "no_option", "constraint_failed", "ia_failed", "action_failed", "internal_action", "unknown",
+        "wrong_arguments",
+        "deadline_reached", "testing_goal_failed", "no_agent",
     )
 
     /**

@@ -1,38 +1,27 @@
-package argo.tools.migration
+package argo.check.rules
 
-import argo.tools.argo
+import argo.check.findings.Level
 import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldStartWith
-import io.kotest.property.Arb
-import io.kotest.property.arbitrary.element
-import io.kotest.property.arbitrary.list
-import io.kotest.property.checkAll
-import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.jsonArray
-import kotlinx.serialization.json.jsonObject
-import kotlinx.serialization.json.jsonPrimitive
 import java.nio.file.Path
-import kotlin.io.path.createDirectories
 import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.useDirectoryEntries
-import kotlin.io.path.writeText
 
+/** Programs for other versions of ARGO: what behaves differently here is found. */
 class MigrationSpec : FunSpec({
     val root = tempdir().toPath()
-    fun folder(vararg files: Pair<String, String>): Path = root.resolve("p${root.useDirectoryEntries { it.count() }}").apply {
-        files.forEach { (name, text) -> resolve(name).apply { parent.createDirectories() }.writeText(text) }
-    }
-    fun advices(vararg files: Pair<String, String>) = Migration(listOf(folder(*files))).advices()
+    fun findings(vararg files: Pair<String, String>) = findingsIn(root, *files).filter { it.rule !in OF_ANY_PROGRAM }
 
-    /** Returns the advices on one line of an agent. */
-    fun of(line: String) = advices("a.asl" to line)
+    /** Returns the findings on one line of an agent. */
+    fun of(line: String) = findings("a.asl" to line)
 
     context("without differences there are no advices") {
         listOf(
@@ -43,7 +32,8 @@ class MigrationSpec : FunSpec({
             "+port(ttyACM0,on)[source(percept)] <- .print(x). +!s <- .argo.port(ttyACM0).",
             "+!s <- .send(bob, tell, port(1,2,3)); .my.act(x); .wait(1000).",
             "+!s <- argo.limit(1000); argo.limit(2000).",
-            "+!s : o(O) <- argo.port(P, O); argo.port(P, [baud(Rate), as(left), protocol(auto)]); argo.act(x, [urgent, timeout(T), port(P)]).",
+            "+!s : o(O) <- argo.port(P, O); argo.port(P, [baud(Rate), as(left), protocol(auto)]).",
+            "+!s : o(T) <- argo.act(x, [urgent, timeout(T), port(P)]).",
             "-!s[error(no_such_port)] <- true. -!t[error(E)] <- true. -!u[error(no_relevant)] <- .fail(error(mine)).",
         ).forEach { line -> test(line) { of(line).shouldBeEmpty() } }
     }
@@ -52,8 +42,8 @@ class MigrationSpec : FunSpec({
         listOf(
             "+!s <- .argo.port(ttyACM0, true)." to "the second argument of .argo.port is a list of options here, not true",
             "+!s <- .port(a, b, c)." to ".port has 3 arguments",
-            "+!s <- .port()." to ".port has 0 arguments",
-            "+!s <- .port(/dev/ttyACM0)." to "/dev/ttyACM0 is not a term that Jason reads as a port",
+            "+!s <- .port()." to "here should be a term, not )",
+            "+!s <- .port(/dev/ttyACM0)." to "here should be a term, not /",
             "+!s <- .argo.limit(1000000000)." to ".argo.limit(1000000000) is in milliseconds: one perception in 16667 minutes",
             "+!s <- .limit(0.5)." to "is a whole number of milliseconds from 0, not 0.5",
             "+!s <- .limit(-1)." to "is a whole number of milliseconds from 0, not -1",
@@ -69,7 +59,7 @@ class MigrationSpec : FunSpec({
             "+!s <- argo.Limit(50)." to "there is no internal action argo.Limit",
             "+!s <- .Port(ttyACM0)." to "there is no internal action .Port",
             "+!s <- .argo.Percepts(open)." to "there is no internal action .argo.Percepts",
-            "+!s <- Argo.act(front)." to "there is no internal action Argo.act",
+            "+!s <- Argo.act(front)." to "here should be a full stop, not .act",
             "+!s <- argo.port(P, [bawd(1)])." to "bawd is no option of argo.port",
             "+!s <- argo.port(P, [baud(115200), timeout(0)])." to "timeout of argo.port is a whole number from 1 to 600000, not 0",
             "+!s <- argo.port(P, [mode(sing)])." to "mode of argo.port is request or listen, not sing",
@@ -79,175 +69,126 @@ class MigrationSpec : FunSpec({
             "+!s <- argo.act(stop, [timeout(-5)])." to "timeout of argo.act is a whole number from 1 to 600000, not -5",
             "+!s <- argo.act(stop, [latest(1)])." to "latest of argo.act has no value, and here it is 1",
             "+port(P,S)[source(interoception)] <- true." to "no belief has source(interoception) here",
-            "+port(P,broken) <- true." to "a port is never broken here",
+            "+port(P,broken) <- true." to "a port is never broken",
             "+port(ttyUSB0,on) <- true. +!s <- .port(\"/dev/ttyUSB0\")." to "so that ttyUSB0 never matches",
         ).forEach { (line, what) ->
             test(line) {
-                val advices = advices("a.asl" to "// an agent\n\n$line\n").filter { it.must }
-                withClue(advices) {
-                    advices shouldHaveSize 1
-                    advices.single().what shouldContain what
-                    advices.single().line shouldBe 3
-                    Path.of(advices.single().file).name shouldBe "a.asl"
+                val found = findings("a.asl" to "// an agent\n\n$line\n").filter { it.level == Level.ERROR }
+                withClue(found) {
+                    found shouldHaveSize 1
+                    found.single().what shouldContain what
+                    found.single().place.begin.line shouldBe 3
+                    found.single().place.file.name shouldBe "a.asl"
                 }
             }
         }
     }
 
     test("an action whose name is nearly right is guessed") {
-        of("+!s <- argo.expain(d(1), W).").single().remedy shouldStartWith "probably argo.explain; the actions are argo.port"
-        of("+!s <- argo.Limit(50).").single().remedy shouldStartWith "probably argo.limit; "
+        of("+!s <- argo.expain(d(1), W).").single().remedy shouldBe "did you mean argo.explain?"
+        of("+!s <- argo.Limit(50).").single().remedy shouldBe "did you mean argo.limit?"
         of("+!s <- argo.sleep(3).").single().remedy shouldStartWith "the actions are argo.port"
     }
 
     context("what may matter is a note") {
         listOf(
-            "+!s <- argo.port(\"COM5\", [as(Left)])." to "Left is a variable to Jason; while it is unbound, argo.port fails",
-            "-!s[error(no_such_prt)] <- true." to "no action of ARGO fails with error(no_such_prt)",
+            "+!s <- argo.port(\"COM5\", [as(Left)])." to "Left is a variable to Jason",
             "+!s <- .port(COM5)." to "COM5 is a variable to Jason",
             "+!s <- .argo.limit(50); .argo.limit(1000); .argo.limit(2000)." to "one perception in 1000 ms",
             "+!s <- .act(\"led\")." to "the string \"led\" is sent without its quotes here",
             "+!s <- .port(ttyACM0); .port(ttyACM1)." to "ttyACM1 is another port than ttyACM0 before",
-            "+!s <- .change_filter(byValue)." to "there is no file of the filter byValue",
+            "+!s <- .change_filter(byValue)." to "the project has no file of the filter byValue",
         ).forEach { (line, what) ->
             test(line) {
-                of(line).single().must shouldBe false
+                of(line).single().level shouldBe Level.HINT
                 of(line).single().what shouldContain what
             }
         }
     }
 
     test("a wrong or missing architecture in a project file is reported") {
-        val advices = advices(
+        val found = findings(
             "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n" +
                 "  max;\n aslSourcePath: \"src\";\n}",
             "src/bob.asl" to "+!s <- .port(a).", "src/talker.asl" to "+!s <- .act(a).", "src/max.asl" to "+!s <- .filter(none).",
         )
-        advices.map { it.line to it.must } shouldBe listOf(2 to false, 4 to true, 5 to true)
-        advices[1].what shouldContain "jason.Argo belongs to another version"
-        advices[2].what shouldContain "agent eve calls internal actions of ARGO"
-        advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arch; }", "bob.asl" to "+!s <- .port(a).").shouldBeEmpty()
+        found.map { it.place.begin.line to it.level } shouldBe listOf(2 to Level.HINT, 4 to Level.ERROR, 5 to Level.ERROR)
+        found[1].what shouldContain "jason.Argo belongs to another version"
+        found[2].what shouldContain "agent eve calls internal actions of ARGO"
+        findings("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arch; }", "bob.asl" to "+!s <- .port(a).").shouldBeEmpty()
     }
 
     test("the architecture in the wrong case is found, since Java tells upper from lower case") {
-        val advice = advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.arch; }").single()
-        advice.must shouldBe true
+        val advice = findings("new.mas2j" to "MAS m { agents: bob agentArchClass argo.arch; }").single()
+        advice.level shouldBe Level.ERROR
         advice.what shouldContain "there is no class argo.arch"
         advice.remedy shouldBe "argo.Arch"
-        advices("p.jcm" to "mas m { agent b { ag-arch: Argo.Arch } }").single().what shouldContain "there is no class Argo.Arch"
+        findings("p.jcm" to "mas m { agent b { ag-arch: Argo.Arch } }").single().what shouldContain "there is no class Argo.Arch"
     }
 
     test("another class in the package of ARGO is noted, since it may be a slip, or one of the project") {
-        val advice = advices("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arc; }").single()
-        advice.must shouldBe false
+        val advice = findings("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arc; }").single()
+        advice.level shouldBe Level.HINT
         advice.what shouldBe "ARGO has no class argo.Arc; the project may have one"
-        advices("new.mas2j" to "MAS m { agents: bob agentArchClass robots.Arc; }").shouldBeEmpty()
+        findings("new.mas2j" to "MAS m { agents: bob agentArchClass robots.Arc; }").shouldBeEmpty()
     }
 
     test("options of the architecture that it does not have, or not with this value, are reported") {
-        fun of(options: String) = advices("new.mas2j" to "MAS m { agents: bob [$options] agentArchClass argo.Arch; }")
-        of("argo_sensng=every").single().run { must to remedy.substringBefore(';') } shouldBe (true to "probably argo_sensing")
+        fun of(options: String) = findings("new.mas2j" to "MAS m { agents: bob [$options] agentArchClass argo.Arch; }")
+        of("argo_sensng=every").single().run { level to remedy } shouldBe (Level.ERROR to "did you mean argo_sensing?")
         of("argo_percepts=abc").single().what shouldBe "argo_percepts of argo.Arch is a whole number from 1 to 2147483647, not abc"
         of("argo_view=99999999").single().what shouldBe "argo_view of argo.Arch is a whole number from 0 to 65535, not 99999999"
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
-        of("argo_diary=on").single().must shouldBe false
+        of("argo_diary=on").single().level shouldBe Level.HINT
         of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"robot:9090\"").shouldBeEmpty()
         of("argo_ros=9090").single().what shouldBe
             "argo_ros of argo.Arch is the address of a rosbridge_server, as \"robot:9090\", not 9090"
+        of("argo_ros=\"\"").single().what shouldContain "not "
+        of("argo_record=\"last(0)\"").single().what shouldContain "not last(0)"
     }
 
     test("NE is noted where a program may be for another version, and what has no effect everywhere") {
         val rule = "<filter><predicate>d</predicate><parameter operator=\"NE\" id=\"0\">f</parameter></filter>"
         fun of(agent: String, rules: String) =
-            advices("a.asl" to agent, "filters/front.xml" to "<PerceptionFilter>$rules</PerceptionFilter>").map { it.what }
+            findings("a.asl" to agent, "filters/front.xml" to "<PerceptionFilter>$rules</PerceptionFilter>").map { it.what }
         of("+!s <- argo.change_filter(front).", rule).shouldBeEmpty()
         of("+!s <- .change_filter(front).", rule).single() shouldStartWith "NE means differs"
         of("+!s <- argo.change_filter(front).", rule + rule).single() shouldStartWith "rule 2 (d where argument 0 is not f) has no effect"
     }
 
     test("projects of JaCaMo and Gradle that bring another version are found") {
-        val advices = advices(
+        val found = findings(
             "p.jcm" to "mas hello {\n agent bob: a.asl {\n  ag-arch: jason.Argo\n }\n" +
                 " uses package: argo \"com.github.chon-group:argo-jcm:1.1\"\n}",
             "build.gradle" to "// com.github.chon-group:Argo\nimplementation 'com.github.chon-group:Argo:1.0'",
         )
-        advices.map { it.line } shouldBe listOf(2, 3, 5)
+        found.map { it.place.begin.line } shouldContainExactly listOf(2, 3, 5)
         val other = "mas m { agent b { ag-arch: argo.Arch } uses package: mailer \"com.github.chon-group:mailer:1\" }"
-        advices("p.jcm" to other).shouldBeEmpty()
+        findings("p.jcm" to other).shouldBeEmpty()
     }
 
     test("filter files are read, those that an agent changes to and those that are given") {
-        val advices = advices(
+        val found = findings(
             "a.asl" to "+!s <- .change_filter(front).",
             "filters/front.xml" to "<PerceptionFilter>\n<filter><predicate>d</predicate>\n" +
                 "<parameter operator=\"NE\" id=\"0\">f</parameter></filter>\n" +
                 "<filter><predicate>d</predicate><anotation name=\"q\" operator=\"E\">fr.*</anotation></filter></PerceptionFilter>",
             "other.xml" to "<project/>",
         )
-        advices.map { it.line to it.must } shouldBe listOf(3 to false, 4 to true, 4 to false)
-        advices[1].what shouldContain "for a regular expression the operator is MATCHES"
-        advices[1].place shouldContain "front.xml:4:"
-    }
-
-    test("no text makes a check throw") {
-        val parts = Arb.element(
-            ".argo.port(", ".limit(", "percepts(", ".act(", ".filter(", "port(", "source(", "a", "X", "true", "9", "-", ",", ")", "[", "]",
-            "(", "\"s\"", "'", ";", ".", "\n", "agents:", "agentArchClass", "ag-arch:", "infrastructure:", "{", "}", "only",
-            "on", "Centralised",
-        )
-        checkAll(Arb.list(parts, 0..30)) {
-            val text = it.joinToString("")
-            AgentCheck(Path.of("a.asl"), text).advices()
-            ProjectCheck(Path.of("p.mas2j"), text).advices(setOf("a.asl"))
-        }
-    }
-
-    context("text that Jason cannot parse is reported alone") {
-        listOf(
-            "\u0000\u0001ELF" to "a.asl:1 this is no program of AgentSpeak: it contains the control character U+0000",
-            "+!s.\n+!s <- .act(x).\u001B" to "a.asl:2 this is no program of AgentSpeak: it contains the control character U+001B",
-            "<html>\n</html>\n" to "a.asl:2 no program of AgentSpeak ends like this",
-            "+!s <- .print(x).\n\n+!t <- .print(" to "a.asl:3 no program of AgentSpeak ends like this",
-            "+!s.\n+!t <- .print((x)." to "a.asl:2 Jason cannot read this: the bracket ( has no counterpart",
-            "+!s.\n+!t <- .print([x)." to "a.asl:2 Jason cannot read this: the bracket ) has no counterpart",
-            "class Foo { }" to "a.asl:1 this is no program of AgentSpeak: no belief, goal, plan or directive begins with class",
-            "a.\nimport java.util.List;\nclass Foo { int a; }" to "a.asl:2 this is no program of AgentSpeak",
-        ).forEach { (text, what) ->
-            test(what) {
-                val advice = advices("a.asl" to text).single()
-                advice.must shouldBe true
-                "${Path.of(advice.file).name}:${advice.line} ${advice.what}" shouldContain what
-            }
-        }
-        listOf("", "// nothing yet\n", "{ include(\"b.asl\") }", "!s. // and so on\n", NESTED).forEach { text ->
-            test("not \"${text.trim()}\"") { advices("a.asl" to text).shouldBeEmpty() }
-        }
+        val refused = found.single { it.level == Level.ERROR }
+        refused.what shouldContain "for a regular expression the operator is MATCHES"
+        "${refused.place}" shouldContain "front.xml:4:"
+        found.filter { it.level == Level.HINT }.map { it.place.begin.line } shouldContainExactly listOf(3)
     }
 
     test("filters that the project makes in Kotlin, or has as JSON, are there") {
         val agent = "+!s <- .change_filter(front); .change_filter(byDay); .change_filter(\"night.json\")."
         val source = "val f = keepFilter(\n  \"front\") { }"
-        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to source, "src/agt/filters/night.json" to "{}")
-        advices(*project).single().what shouldContain "there is no file of the filter byDay"
-        advices(*project, "src/agt/byDay.json" to "{}").shouldBeEmpty()
-        advices(*project, "build/F.kt" to "dropFilter(\"byDay\") { }").single().what shouldContain "byDay"
-    }
-
-    test("the command's exit status says whether something must change") {
-        val bad = folder("a.asl" to "+!s <- .argo.sleep(3).\n")
-        val said = argo("check-agent", "$bad")
-        said.status shouldBe 1
-        said.out shouldContain "a.asl:1: must change: there is no internal action .argo.sleep"
-        said.out shouldContain "1 file read: 1 thing must change, 0 notes"
-        val json = Json.parseToJsonElement(argo("check-agent", "$bad/a.asl", "--json").out).jsonArray.single().jsonObject
-        json.getValue("must").jsonPrimitive.content shouldBe "true"
-        argo("check-agent", "${folder("a.asl" to "+!s <- .port(COM5).")}").status shouldBe 0
-        val good = "+!s : argo.age(dist(f,_), Ms) & Ms < 200 <- argo.act(stop, [urgent, timeout(200)])."
-        argo("check-agent", "${folder("a.asl" to good)}").status shouldBe 0
-        argo("check-agent", "$bad/none.asl").err shouldBe "there is no file $bad/none.asl\n"
-        argo("check-agent", "$bad/../").status shouldBe 1
-        val empty = folder("a.txt" to "")
-        argo("check-agent", "$empty").err shouldBe "$empty has no file that can be checked, as .mas2j, .jcm, .gradle, .kts, .asl, .xml\n"
+        val project = arrayOf("src/agt/a.asl" to agent, "src/main/kotlin/F.kt" to source,
+            "src/agt/filters/night.json" to "{\"rules\": [{\"predicate\": \"dist\"}]}")
+        findings(*project).single().what shouldContain "the project has no file of the filter byDay"
+        findings(*project, "src/agt/byDay.json" to "{\"rules\": [{\"predicate\": \"dist\"}]}").shouldBeEmpty()
+        findings(*project, "build/F.kt" to "dropFilter(\"byDay\") { }").single().what shouldContain "byDay"
     }
 
     test("the actions that are known are those there are") {
@@ -268,10 +209,5 @@ class MigrationSpec : FunSpec({
     }
 })
 
-/** Plans within a plan, and directives. */
-private const val NESTED = """
-    a(1). { begin namespace(x) } b. !s.
-    +!s <: false { <- .print("}"). +!t <- if (true) { c }. }
-    { end }
-    @l +!u <: false { <- d. }
-"""
+/** What is found in these programs besides, as they are parts. */
+private val OF_ANY_PROGRAM = setOf("goal-without-plan", "plan-without-cause", "variable-once", "no-program")

@@ -1,0 +1,59 @@
+package argo.check.project
+
+import argo.check.findings.Place
+import argo.check.syntax.Directive
+import argo.check.syntax.Program
+import argo.check.syntax.Span
+import argo.check.syntax.StringTerm
+import argo.check.syntax.TokenKind
+import argo.check.syntax.Unread
+import argo.check.syntax.programOf
+import java.nio.file.Path
+
+/** A file with a program in AgentSpeak. */
+class AgentProgram(val path: Path, text: String) {
+    val program: Program = programOf(text)
+
+    val mentions: Mentions by lazy { MentionReader().read(program.components) }
+
+    /** Words in text that is left out behind an error: they may mean anything. */
+    val unread: Set<String> by lazy {
+        val spans = program.components.filterIsInstance<Unread>().map { it.span }
+        val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }
+        tokens.map { it.text }.toSet()
+    }
+
+    /** The files that this includes, as written. */
+    val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
+
+    /** True if a directive with an inner program may make plans of its own, as the patterns of Jason do. */
+    val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
+
+    /** The goals and beliefs in comments `argo: others may send goal/2, belief/1`; functors, with the number of arguments. */
+    val sentByOthers: Set<String> by lazy {
+        val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
+        lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
+    }
+
+    /** Returns whether a comment in [line], or in one of its own above, says that findings there are of no interest. */
+    fun isIgnored(line: Int): Boolean = line in ignoredLines
+
+    private val ignoredLines: Set<Int> by lazy {
+        comments().filter { (_, text) -> IGNORE.containsMatchIn(text) }.flatMap { (line, text) ->
+            if (program.lines.text(line).trim() == text.trim()) listOf(line, line + 1) else listOf(line)
+        }.toSet()
+    }
+
+    fun place(span: Span): Place = Place(path, program.lines.position(span.start), program.lines.position(span.end))
+
+    private fun directives(name: String) = program.nodes().filterIsInstance<Directive>().filter { it.call?.functor == name }.toList()
+
+    private fun comments() =
+        program.tokens.filter { it.kind == TokenKind.COMMENT }.map { program.lines.position(it.span.start).line to it.text }
+
+    private companion object {
+        val IGNORE = Regex("\\bargo: *ignore\\b")
+        val OTHERS = Regex("\\bargo: *others may send (.*)")
+        val WORD = Regex("[a-z]\\w*(/\\d+)?")
+    }
+}

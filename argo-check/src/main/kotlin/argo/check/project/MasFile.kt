@@ -1,0 +1,84 @@
+package argo.check.project
+
+import argo.check.syntax.Token
+import argo.check.syntax.TokenKind
+import java.nio.file.Path
+
+/** An option of an agent in a project file, as `argo_view=8080`. */
+class AgentOption(val name: Token, val value: Token?)
+
+/**
+ * An agent in a project file.
+ *
+ * @property source the program's path as written, with its ending
+ * @property architectures the names of its `agentArchClass`es
+ * @property hasOwnClass true if a class decides which events, options and intentions come first, or which beliefs there are
+ */
+class MasAgent(
+    val name: Token,
+    val source: String,
+    val options: List<AgentOption>,
+    val architectures: List<Token>,
+    val hasOwnClass: Boolean,
+    val number: Int,
+) {
+    val isArgo: Boolean get() = architectures.any { it.text == ARCHITECTURE }
+
+    /** The names of the running agents. */
+    val names: List<String> get() = if (number == 1) listOf(name.text) else (1..number).map { "${name.text}$it" }
+
+    companion object {
+        const val ARCHITECTURE = "argo.Arch"
+    }
+}
+
+/** A project file of Jason, `.mas2j`, as far as it can be read. */
+class MasFile(path: Path, text: String) : ProjectFile(path, text) {
+    val environment: Token? = after("environment").firstOrNull()
+
+    val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
+        .filter { it.kind == TokenKind.STRING }.map { it.text.trim('"') }
+
+    val agents: List<MasAgent> = entries().mapNotNull(::agent)
+
+    private fun after(section: String): List<Token> {
+        val start = tokens.indices.firstOrNull { tokens[it].text == section && tokens.getOrNull(it + 1)?.isSymbol(":") == true }
+        return if (start == null) emptyList() else tokens.drop(start + 2)
+    }
+
+    /** Returns the tokens of each agent, without the `;` behind it. */
+    private fun entries(): List<List<Token>> {
+        val entries = arrayListOf(ArrayList<Token>())
+        val all = after("agents")
+        for ((index, token) in all.withIndex()) {
+            if (token.isSymbol("}") || all.getOrNull(index + 1)?.isSymbol(":") == true && token.text in SECTIONS) break
+            if (token.isSymbol(";")) entries += ArrayList<Token>() else entries.last() += token
+        }
+        return entries.filter { it.isNotEmpty() }
+    }
+
+    private fun agent(entry: List<Token>): MasAgent? {
+        val name = entry.first().takeIf { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE } ?: return null
+        val file = entry.drop(1).takeWhile { !it.isSymbol("[") && it.text != "#" && it.text !in WORDS }
+        val written = if (file.isEmpty()) name.text else text.substring(file.first().span.start, file.last().span.end)
+        val behind = entry.zipWithNext()
+        return MasAgent(
+            name, if (written.endsWith(".asl")) written else "$written.asl", options(entry),
+            behind.filter { it.first.text == "agentArchClass" }.map { it.second },
+            entry.any { it.text == "agentClass" || it.text == "beliefBaseClass" },
+            behind.firstOrNull { it.first.text == "#" }?.second?.text?.toIntOrNull() ?: 1,
+        )
+    }
+
+    private fun options(entry: List<Token>): List<AgentOption> {
+        val start = entry.indexOfFirst { it.isSymbol("[") }
+        if (start < 0) return emptyList()
+        val list = entry.drop(start + 1).takeWhile { !it.isSymbol("]") }
+        return list.indices.filter { list.getOrNull(it + 1)?.isSymbol("=") == true }.map { AgentOption(list[it], list.getOrNull(it + 2)) }
+    }
+
+    private companion object {
+        val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
+        val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
+    }
+}

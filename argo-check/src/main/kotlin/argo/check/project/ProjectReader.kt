@@ -1,0 +1,142 @@
+package argo.check.project
+
+import javino.PerceptKind
+import java.io.IOException
+import java.nio.file.FileVisitResult
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.SimpleFileVisitor
+import java.nio.file.attribute.BasicFileAttributes
+import kotlin.io.path.extension
+import kotlin.io.path.name
+import kotlin.io.path.readBytes
+
+/**
+ * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with all below it, and programs that
+ * belong to no such folder are one together.
+ *
+ * @param overlay texts that take the place of files, as an editor has them, by absolute path
+ */
+class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
+    private val leftOut = LinkedHashMap<Path, String>()
+
+    /** Returns the projects in [place], a folder, a project file or a program; each file is in one. */
+    fun projectsIn(place: Path): List<Project> {
+        val start = place.toAbsolutePath().normalize()
+        if (!Files.isDirectory(start)) return listOf(projectOf(start))
+        val files = filesBelow(start)
+        val roots = files.filter { it.extension in PROJECT_FILES }.map { it.parent }.toSet()
+        return files.groupBy { file -> generateSequence(file.parent) { it.parent }.firstOrNull { it in roots } ?: start }
+            .filter { (_, inside) -> inside.any { it.extension == "asl" || it.extension in PROJECT_FILES } }
+            .map { (root, inside) -> read(root, inside) }.sortedBy { it.root }
+    }
+
+    /** Returns the project that [file] belongs to: that of the nearest folder above with a project file, or only the file's folder. */
+    fun projectOf(file: Path): Project {
+        val folder = file.toAbsolutePath().normalize().parent
+        val root = generateSequence(folder) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
+        return projectsIn(root ?: folder).let { all -> all.find { file.toAbsolutePath().normalize() in it.programs } ?: all.firstOrNull() }
+            ?: read(folder, listOf(file))
+    }
+
+    private fun hasProjectFile(folder: Path): Boolean = try {
+        Files.newDirectoryStream(folder, "*.{mas2j,jcm}").use { it.any() }
+    } catch (_: IOException) {
+        false
+    }
+
+    private fun filesBelow(folder: Path): List<Path> {
+        val found = ArrayList<Path>()
+        Files.walkFileTree(folder, object : SimpleFileVisitor<Path>() {
+            override fun preVisitDirectory(dir: Path, attrs: BasicFileAttributes): FileVisitResult {
+                val isOutput = dir != folder && (dir.name in OUTPUTS || dir.name.startsWith("."))
+                return if (isOutput) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
+            }
+
+            override fun visitFile(file: Path, attrs: BasicFileAttributes): FileVisitResult {
+                if (attrs.isRegularFile && (file.extension in READ || file.name == PERCEPTS)) found.add(file)
+                return if (found.size < MAX_FILES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
+            }
+
+            override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult = FileVisitResult.CONTINUE
+        })
+        if (found.size >= MAX_FILES) leftOut[folder] = "it has more than $MAX_FILES files, and the others are left out"
+        return (found.toList() + overlay.keys.filter { it.startsWith(folder) }).distinct().sorted()
+    }
+
+    private fun read(root: Path, files: List<Path>): Project {
+        val byKind = files.groupBy { it.extension }
+        val masFiles = byKind["mas2j"].orEmpty().map { MasFile(it, textOf(it)) }
+        val programs = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
+        val foreign = files.filter { it.extension in FOREIGN }.map { textOf(it) }
+        return Project(
+            root, programs.distinct().associateWith { AgentProgram(it, textOf(it)) },
+            masFiles + files.filter { it.extension in OTHER_PROJECT_FILES }.map { ProjectFile(it, textOf(it)) },
+            foreign.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
+            foreign.flatMap(::operationsIn).toSet(),
+            javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
+            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it)) },
+            robotIn(files), files.filter { it.name == PERCEPTS }.map { ProjectFile(it, textOf(it)) },
+            leftOut.filterKeys { it == root || it in files },
+        )
+    }
+
+    /** Returns a program that a project file names outside of the project's folder. */
+    private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
+        (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
+            .firstOrNull { it !in inside && Files.isRegularFile(it) }
+
+    private fun textOf(file: Path): String = overlay[file] ?: try {
+        val isSmall = Files.size(file) <= MAX_BYTES
+        if (isSmall) file.readBytes().toString(Charsets.UTF_8) else leaveOut(file, "it has more than $MAX_BYTES bytes")
+    } catch (unreadable: IOException) {
+        leaveOut(file, "it cannot be read: $unreadable")
+    }
+
+    private fun leaveOut(file: Path, why: String): String {
+        leftOut[file] = why
+        return ""
+    }
+
+    private fun operationsIn(text: String): List<String> =
+        STRING.findAll(text).flatMap { string -> WORD.findAll(string.value).map { it.value } }.toList() +
+            OPERATION.findAll(text).map { it.groupValues[1] }
+
+    /** Returns the internal actions that classes of the project are, by their names in a program; Jason's own package has none in front. */
+    private fun javaActions(files: List<Path>): Set<String> = files.filter { it.extension == "java" || it.extension == "kt" }.map {
+        "${it.parent.name.takeUnless(STDLIB::equals).orEmpty()}.${it.name.substringBeforeLast('.')}"
+    }.toSet()
+
+    /** Returns what sketches, boards in Python, mappings of ROS and files of percepts say. */
+    private fun robotIn(files: List<Path>): Robot {
+        val boards = files.filter { it.extension in BOARDS }.map { BoardProgram(textOf(it)) }
+        val mappings = files.filter { it.name.endsWith(".ros.yaml") }.map { RosMapping(textOf(it)) }
+        val described = files.filter { it.name == PERCEPTS }.flatMap { kindsIn(textOf(it)) }
+        return Robot(
+            described + boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts },
+            boards.flatMap { it.actions } + mappings.flatMap { it.robot.actions },
+            mappings.all { it.isComplete },
+        )
+    }
+
+    private companion object {
+        const val PERCEPTS = "percepts"
+        const val STDLIB = "stdlib"
+        const val MAX_FILES = 20_000
+        const val MAX_BYTES = 2_000_000L
+        const val MAX_HEIGHT = 5
+        val PROJECT_FILES = setOf("mas2j", "jcm")
+        val OTHER_PROJECT_FILES = setOf("jcm", "gradle", "kts")
+        val BOARDS = setOf("ino", "cpp", "py")
+        val FOREIGN = setOf("java", "kt", "py", "jcm", "ino", "cpp", "c", "h", "yaml", "yml", "properties")
+        val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts")
+        val OUTPUTS = setOf("build", "target", "bin", "node_modules")
+        val WORD = Regex("[a-z]\\w*")
+        val STRING = Regex("\"[^\"\n]*\"")
+        val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
+
+        /** Lines that describe no percepts are left out; `PerceptFileRules` tell of them. */
+        fun kindsIn(text: String): List<PerceptKind> = text.lines().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }
+            .mapNotNull { runCatching { PerceptKind.parse(it) }.getOrNull() }
+    }
+}

@@ -1,0 +1,57 @@
+package argo.check.project
+
+import javino.PerceptArgument
+import javino.PerceptKind
+
+/**
+ * What the mapping of a robot that speaks ROS, a file `.ros.yaml`, says of its percepts and commands.
+ *
+ * @property isComplete false if topics have the percepts that are usual for their type, which are not known here
+ */
+internal class RosMapping(text: String) {
+    private val percepts: List<String>
+    private val commands: List<String>
+
+    init {
+        val sections = HashMap<String, MutableList<String>>()
+        var section = ""
+        for (line in text.lines().map { it.substringBefore(" #").trimEnd() }) {
+            if (line.endsWith(":") && !line.startsWith(" ")) section = line.dropLast(1)
+            ITEM.matchEntire(line)?.let { sections.getOrPut(section, ::ArrayList) += it.groupValues[1] }
+        }
+        percepts = sections["percepts"].orEmpty()
+        commands = sections["commands"].orEmpty()
+    }
+
+    val isComplete: Boolean = percepts.all { ARROW in it }
+
+    val robot: Robot = Robot(
+        percepts.filter { ARROW in it }.mapNotNull { headOf(it.substringAfter(ARROW)) }.map { (name, arity) ->
+            PerceptKind(name, List(arity) { PerceptArgument.Anything() })
+        },
+        commands.mapNotNull { headOf(it.substringBefore(ARROW)) }.map { (name, arity) -> BoardAction(name, arity) },
+    )
+
+    /** Returns the functor and the number of arguments of the literal that [text] begins with. */
+    private fun headOf(text: String): Pair<String, Int>? {
+        val name = NAME.find(text.trim())?.value ?: return null
+        val rest = text.trim().removePrefix(name)
+        if (!rest.startsWith("(")) return name to 0
+        var depth = 0
+        var commas = 0
+        for (letter in rest) {
+            when (letter) {
+                '(' -> depth++
+                ')' -> if (--depth == 0) break
+                ',' -> if (depth == 1) commas++
+            }
+        }
+        return name to commas + 1
+    }
+
+    private companion object {
+        const val ARROW = " -> "
+        val ITEM = Regex("\\s*- +(.+)")
+        val NAME = Regex("^[a-z]\\w*")
+    }
+}

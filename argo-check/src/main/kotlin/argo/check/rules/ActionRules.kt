@@ -1,0 +1,43 @@
+package argo.check.rules
+
+import argo.check.project.Mention
+import argo.check.project.Role
+
+/** Actions of the environment that are nearly another that it has, or that the project uses. */
+internal object ActionRules : Rule {
+    override fun check(scene: Scene, report: Report) {
+        val often = scene.project.programs.values.flatMap { it.mentions[Role.ACTION] }.groupingBy { it.functor }.eachCount()
+        scene.program.mentions[Role.ACTION].forEach { action(it, often, scene, report) }
+    }
+
+    private fun action(action: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
+        if (action.functor in scene.project.foreignNames || action.functor in OF_ARTIFACTS || scene.isSentByOthers(action)) return
+        val goals = scene.mentions(Role.HANDLED).map { it.functor }
+        val others = often.filter { it.value > often.getValue(action.functor) }.keys + scene.project.operations + OF_ARTIFACTS
+        val meant = Names.near(action.functor, others)
+        val internal = "." + action.functor
+        val what = "no action of the environment is called ${action.functor}"
+        val why = "the action fails, and the plan with it"
+        when {
+            meant != null -> report.warning("action-unknown", action.span, what, why, "did you mean $meant?")
+            internal in InternalAction.ALL && action.functor !in KEPT ->
+                report.hint("action-unknown", action.span, what, why, "did you mean the internal action $internal?")
+            action.functor in goals && !scene.project.hasOwnJava ->
+                report.warning("action-unknown", action.span, "${action.functor} is a goal, and here it is an action", why,
+                    "did you mean !${action.functor}?")
+        }
+    }
+
+    /** Operations that each workspace of CArtAgO and each organisation of Moise has. */
+    private val OF_ARTIFACTS = setOf(
+        "makeArtifact", "lookupArtifact", "disposeArtifact", "focus", "stopFocus", "focusWhenAvailable", "joinWorkspace", "quitWorkspace",
+        "createWorkspace",
+        "linkArtifacts", "adoptRole", "leaveRole", "commitMission", "leaveMission", "createGroup", "createScheme", "addScheme",
+        "goalAchieved",
+        "setArgumentValue", "resetGoal", "goalFailed",
+    )
+
+    /** Internal actions whose names environments have for actions too. */
+    private val KEPT = setOf("print", "println", "send", "wait", "date", "time", "random", "count", "suspend", "resume", "perceive", "at",
+        "list", "string")
+}

@@ -1,0 +1,70 @@
+package argo.check.rules
+
+import argo.check.project.Mention
+import argo.check.project.Role
+
+/** Beliefs that are read or awaited and never believed, and those that are believed and never read, if a name is nearly another. */
+internal object BeliefRules : Rule {
+    private val READS = arrayOf(Role.READ, Role.EVENT, Role.DELETED, Role.ASKED)
+    private val SOURCES = arrayOf(Role.BELIEVED, Role.TOLD)
+
+    override fun check(scene: Scene, report: Report) {
+        val reads = scene.mentions(*READS)
+        val believed = scene.mentions(*SOURCES)
+        neverBelieved(scene, report, reads, believed)
+        neverRead(scene, report, reads, believed)
+    }
+
+    private fun neverBelieved(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
+        val known = believed.map { it.literal.indicator }.toSet()
+        val tests = scene.mentions(Role.TEST_HANDLED).map { it.literal.indicator }.toSet()
+        val often = scene.everyMention(*READS).groupingBy { it.functor }.eachCount()
+        val percepts = scene.project.robot.percepts.map { it.functor() }
+        for (mention in READS.flatMap { scene.program.mentions[it] }) {
+            val indicator = mention.literal.indicator
+            if (indicator in known || indicator in tests || mention.functor in percepts || scene.isKnownElsewhere(mention)) continue
+            val sameName = believed.filter { it.functor == mention.functor }.map { it.arity }.distinct()
+            val candidates = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations +
+                often.filter { (it.value > 1 || mention.role == Role.DELETED) && often[mention.functor] == 1 }.keys
+            val meant = Names.near(mention.functor, candidates.distinct())
+            val what = "${mention.functor}/${mention.arity} is ${wordFor(mention.role)} and never believed"
+            when {
+                sameName.isNotEmpty() -> report.warning(
+                    "belief-arity", mention.span,
+                    "$what: the agent believes ${sameName.sorted().joinToString(" and ") { "${mention.functor}/$it" }}",
+                    WHY_READ, "correct the arguments",
+                )
+                meant != null -> report.warning("belief-unknown", mention.span, what, WHY_READ, "did you mean $meant?")
+            }
+        }
+    }
+
+    private fun neverRead(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
+        val everyRead = scene.everyMention(*READS).map { it.functor }.toSet()
+        for (mention in scene.program.mentions[Role.TOLD]) {
+            if (mention.functor in everyRead || scene.isKnownElsewhere(mention)) continue
+            val meant = Names.near(mention.functor, everyRead) ?: continue
+            report.warning("belief-unread", mention.span, "no agent of the project reads ${mention.literal.indicator}",
+                "this message has no effect", "did you mean $meant?")
+        }
+        val known = (reads + scene.mentions(Role.TEST_HANDLED)).map { it.functor }.toSet()
+        val often = believed.groupingBy { it.functor }.eachCount()
+        for (mention in scene.program.mentions[Role.BELIEVED]) {
+            if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
+            val candidates = known + often.filter { it.value > 1 && often.getValue(mention.functor) == 1 }.keys
+            val meant = Names.near(mention.functor, candidates) ?: continue
+            val what = "${mention.literal.indicator} is believed and never read"
+            report.warning("belief-unread", mention.span, what, "this belief has no effect", "did you mean $meant?")
+        }
+    }
+
+    private fun wordFor(role: Role) = when (role) {
+        Role.EVENT -> "awaited"
+        Role.DELETED -> "deleted"
+        Role.ASKED -> "asked for"
+        else -> "read"
+    }
+
+    private val TRUTHS = listOf("true", "false", "jag_awaking", "jag_sleeping", "jag_shutting_down")
+    private const val WHY_READ = "it is never true, and causes no event"
+}

@@ -1,0 +1,31 @@
+package argo.check.rules
+
+/**
+ * What is known of an internal action.
+ *
+ * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
+ * term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything
+ */
+internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val since: String?) {
+    /** `3 to 5 arguments`, in words. */
+    val takes: String get() = when {
+        arities.last == Int.MAX_VALUE -> "${arities.first} arguments or more"
+        arities.first == arities.last -> if (arities.first == 1) "1 argument" else "${arities.first} arguments"
+        else -> "${arities.first} to ${arities.last} arguments"
+    }
+
+    companion object {
+        /** Jason's and ARGO's internal actions, by their names in a program. */
+        val ALL: Map<String, InternalAction> by lazy {
+            val text = InternalAction::class.java.getResource("internal-actions.txt")!!.readText()
+            text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map(::parse).associateBy { it.name }
+        }
+
+        private fun parse(line: String): InternalAction {
+            val parts = line.split(' ')
+            val last = if (parts[2] == "*") Int.MAX_VALUE else parts[2].toInt()
+            val kinds = parts.drop(3).filter { it.length == 1 }.map(String::single)
+            return InternalAction(parts[0], parts[1].toInt()..last, kinds, parts.last().substringAfter("since=", "").ifEmpty { null })
+        }
+    }
+}

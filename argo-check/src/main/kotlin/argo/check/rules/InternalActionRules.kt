@@ -1,0 +1,176 @@
+package argo.check.rules
+
+import argo.check.project.Mention
+import argo.check.project.Role
+import argo.check.syntax.Block
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
+import argo.check.syntax.NumberTerm
+import argo.check.syntax.Operation
+import argo.check.syntax.Prefixed
+import argo.check.syntax.StringTerm
+import argo.check.syntax.Term
+import argo.check.syntax.Variable
+import argo.check.syntax.withDescendants
+
+/** Internal actions that do not exist, or have other arguments. */
+internal object InternalActionRules : Rule {
+    private val PERFORMATIVES = setOf(
+        "tell", "untell", "achieve", "unachieve", "askOne", "askAll", "askHow", "tellHow", "untellHow", "signal", "untellAll", "ask",
+        "tellRule",
+    )
+
+    /** Functions that a formula may call like an internal action. */
+    private val FUNCTIONS = setOf(
+        "math.abs", "math.average", "math.max", "math.min", "math.random", "math.round", "math.sqrt", "math.std_dev", "math.sum",
+        "math.acos",
+        "math.asin", "math.atan", "math.ceil", "math.cos", "math.e", "math.floor", "math.log", "math.mean", "math.median", "math.pi",
+        "math.sin",
+        "math.tan", "system.time",
+    )
+
+    override fun check(scene: Scene, report: Report) {
+        val often = scene.project.programs.values.flatMap { it.mentions[Role.INTERNAL] }.groupingBy { it.functor }.eachCount()
+        for (call in scene.program.mentions[Role.INTERNAL]) {
+            val action = InternalAction.ALL[call.functor]
+            when {
+                ArgoActions.actionIn(call.functor) in ArgoCallRules.CHECKED -> {}
+                action != null -> arguments(call, action, scene, report)
+                call.functor in FUNCTIONS -> {}
+                call.functor.startsWith(".") && call.functor.count { it == '.' } == 1 ->
+                    if (call.functor !in scene.project.javaActions) unknown(call, report)
+                else -> foreign(call, often, scene, report)
+            }
+        }
+    }
+
+    private fun unknown(call: Mention, report: Report) {
+        if (ArgoActions.actionIn(call.functor) != null) return
+        val meant = Names.near(call.functor, InternalAction.ALL.keys.filter { it.startsWith(".") })
+        report.error(
+            "internal-action", call.span, "there is no internal action ${call.functor}", "the plan fails there",
+            meant?.let { "did you mean $it?" } ?: "a project's own actions have a package in front, as my.act",
+        )
+    }
+
+    /** An action of a library is not known here; of the project's own, the classes are. */
+    private fun foreign(call: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
+        if (call.functor in scene.project.javaActions || ArgoActions.actionIn(call.functor) != null) return
+        val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + FUNCTIONS +
+            InternalAction.ALL.keys
+        val meant = Names.near(call.functor, others) ?: return
+        report.warning("internal-action", call.span, "there is no internal action ${call.functor} in the project", "the plan fails there",
+            "did you mean $meant?")
+    }
+
+    private fun arguments(call: Mention, action: InternalAction, scene: Scene, report: Report) {
+        if (call.arity !in action.arities) {
+            report.error(
+                "internal-action-arguments", call.span, "${call.functor} has ${call.arity} arguments", "the plan fails there",
+                "it takes ${action.takes}",
+            )
+            return
+        }
+        if (action.since != null) {
+            val what = "${call.functor} is there since Jason ${action.since}"
+            report.hint("internal-action", call.span, what, "an older Jason fails there", "no change is needed for Jason ${action.since}")
+        }
+        action.kinds.zip(call.literal.arguments).forEachIndexed { index, (kind, argument) ->
+            if (kind == 'p') performative(call, index, argument, report) else if (!mayBe(kind, argument)) {
+                report.error(
+                    "internal-action-arguments", argument.span,
+                    "argument ${index + 1} of ${call.functor} is ${word(kind)}, not ${textOf(argument, scene)}",
+                    "the plan fails there", "correct the arguments, or their order",
+                )
+            }
+        }
+        if (call.functor == ".send") receiver(call, scene, report)
+        val (first, second) = call.literal.arguments.take(2).takeIf { it.size == 2 } ?: return
+        if (call.functor == ".member" && second is Variable && first is ListTerm && first.withDescendants().none { it is Variable }) {
+            report.warning(
+                "internal-action-arguments", call.span, "argument 1 of .member is a list, and argument 2 the variable ${second.name}",
+                "the first is looked for in the second", "correct the order of the arguments",
+            )
+        }
+    }
+
+    private fun performative(call: Mention, index: Int, argument: Term, report: Report) {
+        val written = (argument as? Literal)?.takeIf { it.arity == 0 }?.functor
+        if (written == null) {
+            if (argument is ListTerm || argument is NumberTerm || argument is Literal || argument is Block) {
+                report.error("performative", argument.span, "a performative is an atom, as tell or achieve", "the plan fails there",
+                    "correct the order of the arguments")
+            }
+            return
+        }
+        if (written in PERFORMATIVES) return
+        val content = call.literal.arguments.getOrNull(index + 1) as? Literal
+        if (content?.functor in PERFORMATIVES) {
+            report.warning(
+                "performative", argument.span, "$written is no performative of Jason, and ${content?.functor} behind it is one",
+                "the receiver takes no notice",
+                "correct the order of the arguments",
+            )
+        }
+        val meant = Names.near(written, PERFORMATIVES) ?: return
+        report.warning(
+            "performative", argument.span, "$written is no performative of Jason",
+            "the receiver takes no notice, unless it has plans for it",
+            "did you mean $meant?",
+        )
+    }
+
+    private fun receiver(call: Mention, scene: Scene, report: Report) {
+        val receiver = call.literal.arguments.first() as? Literal ?: return
+        if (receiver.functor in PERFORMATIVES && (call.literal.arguments[1] as? Literal)?.functor !in PERFORMATIVES) {
+            report.warning(
+                "internal-action-arguments", receiver.span, "argument 1 of .send is the receiver, and here ${receiver.functor}",
+                "the plan fails there",
+                "correct the order of the arguments",
+            )
+        }
+        val names = scene.project.masFiles.flatMap { mas -> mas.agents.flatMap { it.names + it.name.text } }
+        if (receiver.arity > 0 || receiver.functor in names || scene.project.masFiles.isEmpty()) return
+        val meant = Names.near(receiver.functor, names) ?: return
+        report.warning("receiver", receiver.span, "there is no agent ${receiver.functor}", "the message is lost", "did you mean $meant?")
+    }
+
+    /** Returns false if [argument] cannot be of [kind]; terms that may become another are of each. */
+    private fun mayBe(kind: Char, argument: Term): Boolean = when (kind) {
+        'l' -> !isNumber(argument) && argument !is StringTerm && !isAtom(argument) && !isStructure(argument)
+        'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument)
+        's' -> argument !is ListTerm && argument !is Block
+        'e' -> !isNumber(argument) && !isAtom(argument)
+        'v' -> argument is Variable
+        'a' -> argument !is StringTerm && argument !is ListTerm && argument !is NumberTerm
+        'd' -> !(argument is Operation && (argument.isOf("&") || argument.isOf("|")))
+        'f' -> argument !is NumberTerm && argument !is ListTerm
+        't' -> argument !is NumberTerm && argument !is ListTerm
+        else -> true
+    }
+
+    private fun isNumber(term: Term): Boolean =
+        term is NumberTerm || term is Operation && term.operators.all { it.text in ARITHMETIC } || term is Prefixed ||
+            term is Literal && term.functor in FUNCTIONS
+
+    private fun isAtom(term: Term) = term is Literal && term.arity == 0 && !term.isInternal
+
+    private fun isStructure(term: Term) = term is Literal && term.arity > 0 && !term.isInternal
+
+    private fun word(kind: Char) = when (kind) {
+        'l' -> "a list"
+        'n' -> "a number"
+        's' -> "a string"
+        'e' -> "a list or a string"
+        'v' -> "a variable"
+        'd' -> "a term, no formula"
+        'a' -> "an atom"
+        'f' -> "a formula"
+        else -> "a term in braces"
+    }
+
+    private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
+
+    private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
+    private const val MAX_TEXT = 40
+}

@@ -1,0 +1,28 @@
+package argo.check.rules
+
+import argo.check.findings.Finding
+import argo.check.findings.Level
+import argo.check.findings.Place
+import argo.check.syntax.Span
+
+/** Finds what is wrong in one program; what it reads is fixed, so that it can be run again for another text. */
+internal fun interface Rule {
+    fun check(scene: Scene, report: Report)
+}
+
+/** Collects what rules find in one file; [place] makes places of spans. */
+internal class Report(private val place: (Span) -> Place) {
+    private val collected = ArrayList<Finding>()
+
+    val findings: List<Finding> get() = collected
+
+    fun error(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.ERROR, span, what, why, remedy)
+
+    fun warning(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.WARNING, span, what, why, remedy)
+
+    fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
+
+    private fun add(rule: String, level: Level, span: Span, what: String, why: String, remedy: String) {
+        collected += Finding(rule, level, place(span), what, why, remedy)
+    }
+}

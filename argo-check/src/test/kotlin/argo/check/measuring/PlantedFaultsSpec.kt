@@ -1,0 +1,85 @@
+package argo.check.measuring
+
+import argo.check.ProjectCheck
+import argo.check.findings.Finding
+import argo.check.findings.Level
+import argo.check.project.AgentProgram
+import argo.check.project.Project
+import argo.check.project.ProjectReader
+import io.kotest.core.annotation.Tags
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.doubles.shouldBeGreaterThanOrEqual
+import io.kotest.matchers.doubles.shouldBeLessThanOrEqual
+import io.kotest.matchers.ints.shouldBeGreaterThanOrEqual
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.writeText
+import kotlin.random.Random
+
+/**
+ * Measures how many slips in programs of others are found, and how many findings unchanged programs have. `-Dargo.corpus=FOLDER` names the
+ * folder with their repositories; nothing of them is in this project.
+ */
+@Tags("Thorough")
+class PlantedFaultsSpec : FunSpec({
+    test("slips are found in their lines, and unchanged programs have few findings").config(enabled = CORPUS != null) {
+        val projects = Path.of(CORPUS!!).listDirectoryEntries().sorted().flatMap { ProjectReader().projectsIn(it) }
+        val programs = projects.flatMap { project -> project.programs.values.filter { isWhole(it) }.map { project to it } }
+            .distinctBy { it.second.program.text }
+        val unchanged = programs.associate { (project, program) -> program to ProjectCheck.check(project, program) }
+        val planting = Planting(Random(SEED))
+        val faults = generateSequence { programs[planting.next(programs.size)] }
+            .mapNotNull { (project, program) -> planting.faultIn(program)?.let { project to it } }
+            .filter { (_, fault) -> AgentProgram(fault.program.path, fault.planted).program.errors.isEmpty() }.take(FAULTS).toList()
+        val found = faults.map { (project, fault) -> fault to levelOf(project, fault, unchanged.getValue(fault.program)) }
+
+        val lines = programs.sumOf { it.second.program.lines.count }
+        val findings = unchanged.values.flatten()
+        val alarms = findings.filter { it.level != Level.HINT }
+        val share = found.count { it.second != null } * 100.0 / found.size
+        val rate = alarms.size * 1000.0 / lines
+        val report = Path.of("target", "planted").createDirectories()
+        report.resolve("missed.txt").writeText(
+            found.filter { it.second == null }.joinToString("\n") { (fault, _) ->
+                "${fault.kind}: ${fault.program.path}:${fault.line} ${fault.description}"
+            },
+        )
+        report.resolve("findings.txt").writeText(findings.joinToString("\n", transform = ::line))
+        val planted = faults.map { it.second.program }.distinct().size
+        println("${programs.size} programs of ${projects.size} projects, $lines lines; ${found.size} faults in $planted programs")
+        found.groupBy { it.first.kind }.toSortedMap().forEach { (kind, all) ->
+            println("  $kind: ${all.count { it.second != null }} of ${all.size} found")
+        }
+        val graver = found.count { it.second == Level.ERROR || it.second == Level.WARNING }
+        println("  all: %.1f %% found in the right line, $graver of them by an error or a warning".format(share))
+        println("unchanged: ${alarms.size} errors and warnings, %.2f in 1,000 lines; ${findings.size - alarms.size} hints".format(rate))
+        findings.groupingBy { "${it.level} ${it.rule}" }.eachCount().toSortedMap().forEach { (rule, count) -> println("  $rule: $count") }
+
+        planted shouldBeGreaterThanOrEqual 50
+        share shouldBeGreaterThanOrEqual LEAST_SHARE
+        rate shouldBeLessThanOrEqual GREATEST_RATE
+    }
+})
+
+private val CORPUS: String? = System.getProperty("argo.corpus")
+
+/** What `docs/check.md` tells is better than these; a rule that is worse fails. */
+private const val LEAST_SHARE = 85.0
+private const val GREATEST_RATE = 2.0
+private const val SEED = 30L
+private const val FAULTS = 500
+private const val MIN_LINES = 5
+
+private fun line(finding: Finding) = "${finding.level} ${finding.rule} ${finding.place}: ${finding.what}; ${finding.remedy}"
+
+private fun isWhole(program: AgentProgram) = program.program.errors.isEmpty() && program.program.lines.count >= MIN_LINES
+
+/** Returns the gravest level of the new findings in the line of [fault]; null: there are none. */
+private fun levelOf(project: Project, fault: Fault, before: List<Finding>): Level? {
+    val planted = project.with(fault.program.path, fault.planted)
+    val after = ProjectCheck.check(planted, planted.programs.getValue(fault.program.path))
+    val old = before.map { Triple(it.rule, it.place.begin.line, it.what) }.toSet()
+    val new = after.filter { it.place.begin.line == fault.line && Triple(it.rule, it.place.begin.line, it.what) !in old }
+    return new.minOfOrNull { it.level }
+}

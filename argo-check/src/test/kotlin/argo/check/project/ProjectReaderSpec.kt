@@ -1,0 +1,90 @@
+package argo.check.project
+
+import argo.check.ProjectCheck
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.maps.shouldBeEmpty
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createDirectories
+import kotlin.io.path.name
+import kotlin.io.path.writeText
+
+class ProjectReaderSpec : FunSpec({
+    val root = tempdir().toPath()
+    fun folder(vararg files: Pair<String, String>): Path = Files.createTempDirectory(root, "folder").toRealPath().apply {
+        files.forEach { (name, text) -> resolve(name).apply { parent.createDirectories() }.writeText(text) }
+    }
+
+    test("each folder with a project file is a project, and programs elsewhere are one together") {
+        val folder = folder(
+            "a/a.mas2j" to "MAS a { agents: bob; }", "a/src/asl/bob.asl" to "", "b/b.jcm" to "mas b {}", "b/eve.asl" to "", "c.asl" to "",
+            "d/e.asl" to "", "build/f.asl" to "",
+        )
+        val found = ProjectReader().projectsIn(folder).map { project -> project.root.name to project.programs.keys.map { it.name } }
+        found shouldContainExactly listOf(folder.name to listOf("c.asl", "e.asl"), "a" to listOf("bob.asl"), "b" to listOf("eve.asl"))
+        ProjectReader().projectOf(folder.resolve("a/src/asl/bob.asl")).root shouldBe folder.resolve("a")
+    }
+
+    test("an agent's program is found on the source path, and programs that it includes are parts of it") {
+        val folder = folder(
+            "a.mas2j" to
+                "MAS a {\n agents: bob x.asl [argo_view=8080, verbose=1] agentArchClass argo.Arch #2; eve;\n aslSourcePath: \"agents\";\n}",
+            "agents/x.asl" to "{ include(\"parts/y.asl\") }", "agents/parts/y.asl" to "{ include(\"z.asl\") }", "agents/parts/z.asl" to "",
+            "agents/eve.asl" to "{ include(\"\$jar/none.asl\") }",
+        )
+        val project = ProjectReader().projectsIn(folder).single()
+        val (bob, eve) = project.masFiles.single().agents
+        bob.names shouldContainExactly listOf("bob1", "bob2")
+        bob.options.map { "${it.name}=${it.value}" } shouldContainExactly listOf("argo_view=8080", "verbose=1")
+        bob.isArgo shouldBe true
+        val parts = project.partsOf(folder.resolve("agents/parts/z.asl"))
+        parts.programs.map { it.path.name }.sorted() shouldContainExactly listOf("x.asl", "y.asl", "z.asl")
+        parts.isOpen shouldBe false
+        project.agentsOf(folder.resolve("agents/parts/z.asl")) shouldContainExactly listOf(bob)
+        project.partsOf(checkNotNull(project.sourceOf(project.masFiles.single(), eve))).isOpen shouldBe true
+    }
+
+    test("a text that an editor has takes the place of the file") {
+        val folder = folder("a.mas2j" to "MAS a { agents: bob; }", "bob.asl" to "a.")
+        val project = ProjectReader(mapOf(folder.resolve("bob.asl") to "b.")).projectsIn(folder).single()
+        project.programs.getValue(folder.resolve("bob.asl")).program.text shouldBe "b."
+    }
+
+    test("what a sketch and a board in Python say of the robot is known") {
+        val robot = ProjectReader().projectsIn(
+            folder(
+                "a.asl" to "",
+                "a/b.ino" to "javino.describe(F(\"dist(cm 0..400)\")); javino.act[\"stop\"] = stop; javino.onAction(\"say\", say);",
+                "c.py" to "board.on_action(\"speed\", f, 1)\nboard.perceive(look, \"light(0..1023)\", \"ready\")",
+            ),
+        ).single().robot
+        robot.percepts.map { "$it" } shouldContainExactly listOf("dist(cm 0..400)", "light(0..1023)", "ready")
+        robot.actions.map { "$it" } shouldContainExactly listOf("stop/0", "say/*", "speed/1")
+    }
+
+    test("what a mapping of ROS says of the robot is known, except for what is usual for a type") {
+        fun robot(battery: String) = ProjectReader().projectsIn(
+            folder(
+                "a.asl" to "",
+                "robot.ros.yaml" to "percepts:\n  - /sonar sensor_msgs/Range -> dist(f, round(range*100, 1)) if range < 3\n$battery" +
+                    "commands: # of the robot\n  - move(V, W) -> /cmd_vel geometry_msgs/Twist\n" +
+                    "  - stop -> service /stop std_srvs/Trigger # now\n",
+            ),
+        ).single().robot
+        robot("").percepts.map { "$it" } shouldContainExactly listOf("dist(_, _)")
+        robot("").actions.map { "$it" } shouldContainExactly listOf("move/2", "stop/0")
+        robot("").isComplete shouldBe true
+        robot("  - /battery sensor_msgs/BatteryState\n").isComplete shouldBe false
+    }
+
+    test("a file that is too large is left out, and told of") {
+        val folder = folder("a.asl" to "a.", "big.py" to "# ${"x".repeat(2_000_001)}")
+        val project = ProjectReader().projectsIn(folder).single()
+        ProjectCheck.check(project).single().run { rule shouldBe "left-out"; what shouldContain "more than 2000000 bytes" }
+        ProjectReader().projectsIn(folder("a.asl" to "a.")).single().leftOut.shouldBeEmpty()
+    }
+})

@@ -1,0 +1,88 @@
+package argo.check.rules
+
+import argo.check.findings.Level
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainExactly
+
+class RobotRulesSpec : FunSpec({
+    val root = tempdir().toPath()
+    val mas = "robot.mas2j" to "MAS robot { agents: robot agentArchClass argo.Arch; }"
+    val percepts = "percepts" to "# a robot\ndist(front|back, cm 0..400)\nlight(f|b, % 0..100)\ntemp(-40..125)\nready\n"
+    val sketch = "robot.ino" to
+        "javino.act[\"front\"] = front;\njavino.act[\"stop\"] = stop;\n" +
+        "javino.onAction(\"speed\", speed, 1);\njavino.onAction(\"say\", say);"
+    fun found(agent: String, vararg others: Pair<String, String>) =
+        findingsIn(root, mas, percepts, sketch, "robot.asl" to agent, *others).filter { it.level != Level.HINT }.map { it.inShort }
+
+    test("the old fault of the robot with four wheels: its light is in percent, and its agent's lamp goes on above 100") {
+        val agent = "+light(f,Level) : Level > 100 <- argo.act(speed(Level))."
+        found(agent) shouldContainExactly listOf(
+            "1:19 percept-range: Level is % 0..100$NEVER",
+        )
+        found(agent.replace("> 100", "> 90")).shouldBeEmpty()
+    }
+
+    context("what the board does not have is found") {
+        listOf(
+            "+dits(front,D) <- .print(D)." to "1:2 belief-unknown: dits/2 is awaited and never believed; did you mean dist?",
+            "+dist(D) <- .print(D)." to
+                "1:2 percept-arity: the board has dist(front|back, cm 0..400), and here dist has 1 arguments; correct the arguments",
+            "+dist(fornt,D) <- .print(D)." to
+                "1:7 percept-value: argument 1 of dist is fornt, none of front, back: the board has $DIST; correct it",
+            "+dist(front,500) <- .print(x)." to
+                "1:13 percept-value: argument 2 of dist is 500, more than 400: the board has $DIST; correct it",
+            "+temp(T) <- if (200 < T) { .print(T) }." to
+                "1:17 percept-range: T is -40..125$NEVER",
+            "+humidity(H) <- .print(H)." to
+                "1:2 percept-unknown: no board of the project has the percept humidity/1, and no agent believes or sends it; " +
+                "the boards have dist, light, temp, ready",
+            "+ready <- argo.act(sotp)." to "1:20 action-unregistered: no board of the project has the action sotp/0; did you mean stop?",
+            "+ready <- argo.act(speed)." to "1:20 action-unregistered: no board of the project has the action speed/0; there is speed/1",
+        ).forEach { (agent, finding) -> test(agent) { withClue(found(agent)) { found(agent) shouldContainExactly listOf(finding) } } }
+    }
+
+    context("what the board has is not told of") {
+        listOf(
+            "+dist(front,D) : D < 40 <- argo.act(stop).",
+            "+temp(T) : T > 30 & ready <- argo.act(speed(T)); argo.act(say(a,b)).",
+            "+ready : temp(T) & (T < -3 | T > 100) <- argo.act(\"speed(3)\").",
+            "+left::dist(front,D) : D < 40 <- .print(D).",
+            "+port(P,S) <- .print(P,S). +stale(P) <- .print(P).",
+        ).forEach { agent -> test(agent) { found(agent).shouldBeEmpty() } }
+    }
+
+    test("a reflex that no board knows is found, in the line of the filter") {
+        val filter = "<PerceptionFilter>\n<critical reflex=\"sotp\">\n<predicate>dist</predicate></critical></PerceptionFilter>"
+        found("+ready <- argo.change_filter(near).", "filters/near.xml" to filter) shouldContainExactly
+            listOf("2:1 reflex: no board of the project has the action sotp; did you mean stop?")
+    }
+
+    test("a filter that drops what a plan waits for is found, if no other of the agent's filters lets it through") {
+        val front = "filters/front.xml" to
+            "<PerceptionFilter><filter><predicate>temp</predicate></filter><filter><predicate>dist</predicate>" +
+            "<parameter operator=\"NE\" id=\"0\">front</parameter></filter></PerceptionFilter>"
+        val agent = "+ready <- argo.change_filter(front).\n+dist(back,D) <- .print(D).\n+dist(S,D) <- .print(S,D).\n+temp(T) <- .print(T)."
+        found(agent, front) shouldContainExactly listOf(
+            "2:2 filter-drops: filter front drops dist/2, which this plan waits for; change the filter, or remove the plan",
+            "4:2 filter-drops: filter front drops temp/1, which this plan waits for; change the filter, or remove the plan",
+        )
+        found("$agent\n-ready <- argo.change_filter(none).", front).shouldBeEmpty()
+    }
+
+    test("a line of a file of percepts that cannot be read is told of") {
+        findingsIn(root, mas, "robot.asl" to "",
+            "percepts" to "# a comment\ndist(cm 0..400)\nlight[1]\n").map { "${it.place.begin} ${it.rule}" } shouldContainExactly
+            listOf("3:1 percepts-file")
+    }
+
+    test("an option of the architecture without the architecture is found") {
+        findingsIn(root, "a.mas2j" to "MAS a { agents: a [argo_view=8080]; }", "a.asl" to "").map { it.inShort } shouldContainExactly
+            listOf("1:20 no-architecture: argo_view has no effect; a … agentArchClass argo.Arch;")
+    }
+})
+
+private const val DIST = "dist(front|back, cm 0..400)"
+private const val NEVER = " as the board describes it, so that this is never true; compare with a number in the range"
