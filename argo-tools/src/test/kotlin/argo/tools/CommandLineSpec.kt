@@ -38,7 +38,7 @@ class CommandLineSpec : FunSpec({
 
     context("wrong arguments are refused with a reason and exit status 2") {
         listOf(
-            "" to "name a command: ports, describe",
+            "" to "name a command: ports, describe, monitor",
             "fly" to "there is no command 'fly'; there are: ports",
             "port" to "there is no command 'port'; did you mean ports? there are: ports",
             "chekc x" to "there is no command 'chekc'; did you mean check? there are: ports",

@@ -14,6 +14,8 @@ import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.types.shouldBeInstanceOf
 import kotlin.time.Duration.Companion.seconds
 
+private val thorough = setOf(NamedTag("Thorough"))
+
 /** The reasons of an agent's actions, as its replay shows them. */
 class WhySpec : FunSpec({
     val driving = """
@@ -63,7 +65,7 @@ class WhySpec : FunSpec({
         answer.cause.shouldNotBeNull().root() shouldBe BeginningCause("start", "agent.asl", 1)
     }
 
-    test("a belief whose step is forgotten among ten thousand others is not said to be from the beginning").config(tags = setOf(NamedTag("Thorough"))) {
+    test("a belief whose step is forgotten among ten thousand others is not said to be from the beginning").config(tags = thorough) {
         val answer = whyOf(
             """
             !start.

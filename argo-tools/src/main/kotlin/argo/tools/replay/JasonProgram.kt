@@ -28,8 +28,11 @@ internal fun tellAbsent(classPath: String?, err: PrintWriter) {
     if (absent.isNotEmpty()) err.println("of --class-path there is no ${absent.joinToString(" and no ")}")
 }
 
-/** Returns the class path of this program with [classPath] and Jason; null: there is no Jason. */
-internal fun classPathWithJason(classPath: String?): String? {
+/**
+ * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` stands for the jars of
+ * a folder.
+ */
+fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
     if (classPath == null && jason == null && !hasJason()) return null
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
