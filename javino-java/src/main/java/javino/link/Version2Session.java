@@ -39,8 +39,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
     private int rules; // number of rules that the board can hold, in this session
     private volatile int actionsLost;
-    private Throwable
-            failure; // failure of commands that are out when the session is closed; null: they are unconfirmed
+    private Throwable failure; // of the commands that are out when the session is closed; null: they are unconfirmed
     private boolean hasDropped; // no answer has come since one was dropped
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
