@@ -5,7 +5,7 @@
 #ifndef JAVINO_LINK_H
 #define JAVINO_LINK_H
 
-#include "javino_frame.h"
+#include "javino_decoder.h"
 
 #ifdef __cplusplus
 extern "C" {

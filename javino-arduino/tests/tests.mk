@@ -152,7 +152,7 @@ fuzz: $(BUILD)/fuzz/decoder
 # ---- sizes on AVR ----
 
 # The core alone, without what links it away.
-CORE := $(BUILD)/avr/javino_frame.o $(BUILD)/avr/javino_link.o
+CORE := $(BUILD)/avr/javino_frame.o $(BUILD)/avr/javino_decoder.o $(BUILD)/avr/javino_link.o
 $(CORE): $(BUILD)/avr/%.o: src/%.c $(HEADERS)
 	@mkdir -p $(@D)
 	avr-gcc -mmcu=atmega328p -std=c99 -Os $(WARNINGS) -c $< -o $@

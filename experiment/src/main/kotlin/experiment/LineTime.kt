@@ -31,13 +31,14 @@ internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condi
 
 /** Returns the number of bytes of a request and its answer; in version 2 the computer knows [known] texts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
-    val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM)
+    val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }
     if (!trial.condition.isVersion2) {
-        val frames = (all.length + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
-        return PerceptsRequest.ALL.length + all.length + (1 + frames) * Frame.HEADER_LENGTH
+        val bytes = all.sumOf { it.length }
+        val frames = (bytes + Frame.MAX_PAYLOAD - 1) / Frame.MAX_PAYLOAD
+        return PerceptsRequest.ALL.length + bytes + (1 + frames) * Frame.HEADER_LENGTH
     }
     val asked = trial.view.functors
-    val texts = all.split(';').filter { it.isNotEmpty() && (asked == null || it.substringBefore('(') in asked) }.map { "$it;" }
+    val texts = all.filter { asked == null || it.substringBefore('(') in asked }
     val writer = PerceptWriter(MAX_KNOWN)
     writer.items(texts, 0) // from then on the writer knows the shapes of the texts
     val items = writer.items(texts, known)

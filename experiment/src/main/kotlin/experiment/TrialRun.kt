@@ -3,9 +3,8 @@ package experiment
 import javino.LineClock
 import javino.sim.SimulatedBoard
 import javino.sim.SimulatedBoards
+import javino.sim.Sketch
 import samples.board.FieldBoard
-import samples.board.LibraryBoard
-import samples.board.Sketch
 import samples.collision.Course
 import samples.collision.Robot
 import samples.collision.Sensors
@@ -83,8 +82,8 @@ internal class SimulatedLaboratory(
 
     private fun board(trial: Trial, sketch: Sketch): SimulatedBoard =
         when (trial.condition) {
-            Condition.REFLEX -> SimulatedBoard { LibraryBoard(sketch, clock, rules = 1).run(it) }
-            Condition.VERSION_2 -> SimulatedBoard { LibraryBoard(sketch, clock).run(it) }
+            Condition.REFLEX -> SimulatedBoard { sketch.run(it, clock, 1) }
+            Condition.VERSION_2 -> SimulatedBoard { sketch.run(it, clock, 0) }
             else -> SimulatedBoard { FieldBoard(sketch, clock).run(it) }
         }
 
@@ -115,7 +114,7 @@ internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it)
 internal class RecordedSketch(
     private val robot: Robot, private val record: RecordWriter, private val begin: Long, private val clock: LineClock,
 ) : Sketch {
-    override val actions get() = robot.actions
+    override fun actions() = robot.actions()
 
     /** The number of commands that took effect so far; any thread may ask. */
     val commands = AtomicInteger()
@@ -123,18 +122,17 @@ internal class RecordedSketch(
     /** The number of answers so far. */
     val frames = AtomicInteger()
 
-    override fun percepts(): String {
+    override fun percepts(): List<String> {
         val now = clock.nanos()
         return robot.percepts().also {
             frames.incrementAndGet()
-            record.write(Entry.Frame(now - begin, it, robot.course.distanceAt(now)))
+            record.write(Entry.Frame(now - begin, it.joinToString("") { percept -> "$percept;" }, robot.course.distanceAt(now)))
         }
     }
 
-    override fun sensors(): String = robot.percepts() // several percepts a frame; no computer receives them here
+    override fun sensors() = robot.percepts() // several percepts a frame; no computer receives them here
 
-    override fun act(command: String) {
-        robot.act(command)
+    override fun act(command: String) = robot.act(command).also {
         commands.incrementAndGet()
         val now = clock.nanos()
         record.write(Entry.Command(now - begin, command, robot.course.distanceAt(now)))

@@ -23,12 +23,12 @@ public final class Services {
     /** The providers of {@code service}; none creates its service yet. A provider that both class loaders see comes twice. */
     public static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
         List<ServiceLoader.Provider<T>> found = new ArrayList<>();
-        addAll(found, ServiceLoader.load(service), service);
-        addAll(found, ServiceLoader.load(service, service.getClassLoader()), service);
+        addAll(found, ServiceLoader.load(service));
+        addAll(found, ServiceLoader.load(service, service.getClassLoader()));
         return found;
     }
 
-    private static <T> void addAll(List<ServiceLoader.Provider<T>> found, ServiceLoader<T> loader, Class<T> service) {
+    private static <T> void addAll(List<ServiceLoader.Provider<T>> found, ServiceLoader<T> loader) {
         Iterator<ServiceLoader.Provider<T>> providers = loader.stream().iterator();
         while (true) {
             try {
@@ -37,7 +37,7 @@ public final class Services {
                 }
                 found.add(providers.next());
             } catch (ServiceConfigurationError e) {
-                warn(service, e); // the loader goes on with the next provider
+                warn(e); // the loader goes on with the next provider
             }
         }
     }
@@ -47,14 +47,17 @@ public final class Services {
         try {
             return provider.get();
         } catch (ServiceConfigurationError e) {
-            warn(provider.type(), e);
+            warn(e);
             return null;
         }
     }
 
-    private static void warn(Class<?> service, ServiceConfigurationError e) {
-        if (TOLD.add(service.getName() + ' ' + e.getMessage())) {
-            LOG.log(System.Logger.Level.WARNING, "a " + service.getName() + " cannot be used", e);
+    private static void warn(ServiceConfigurationError e) {
+        if (TOLD.add(e.getMessage())) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "a service is left out, since it cannot be used: " + e.getMessage(),
+                    e);
         }
     }
 

@@ -6,12 +6,13 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 
 /** The messages of the logger [name], and of those below it, while [work] is done. */
-internal fun logged(name: String = "javino", work: () -> Unit): List<String> {
+internal fun logged(name: String = "javino", meanwhile: () -> Unit = {}, work: () -> Unit): List<String> {
     val messages = CopyOnWriteArrayList<String>()
     val logger = Logger.getLogger(name)
     val handler = object : Handler() {
         override fun publish(record: LogRecord) {
             messages += record.message
+            meanwhile()
         }
 
         override fun flush() = Unit

@@ -5,6 +5,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import javino.sim.MemoryLine
 import javino.sim.SimulatedBoard
 import javino.sim.SimulatedBoards
@@ -111,14 +112,19 @@ class TransportsSpec : FunSpec({
         }
     }
 
-    test("a service that cannot be loaded leaves the others") {
-        withServices(
-            TransportProvider::class.java.name to
-                "no.such.Provider\n${UnusableProvider::class.java.name}\n${NowhereProvider::class.java.name}",
-            SimulatedBoard::class.java.name to "no.such.Board\n${ParrotBoard::class.java.name}",
-        ) {
-            Transports.open("nowhere:there", line).use { it.name() shouldBe "nowhere:there" }
-            Transports.ports() shouldContain "sim:parrotboard"
+    test("a service that cannot be loaded leaves the others, with one line of log") {
+        val warnings = logged("javino.Services") {
+            withServices(
+                TransportProvider::class.java.name to
+                    "no.such.Provider\n${UnusableProvider::class.java.name}\n${NowhereProvider::class.java.name}",
+                SimulatedBoard::class.java.name to "no.such.Board\n${ParrotBoard::class.java.name}",
+            ) {
+                Transports.open("nowhere:there", line).use { it.name() shouldBe "nowhere:there" }
+                repeat(2) { Transports.ports() shouldContain "sim:parrotboard" }
+            }
+        }
+        for (unusable in listOf("no.such.Provider", "javino.UnusableProvider", "no.such.Board")) {
+            warnings.single { unusable in it } shouldStartWith "a service is left out, since it cannot be used: "
         }
     }
 

@@ -7,7 +7,6 @@ import argo.connecting.PortStatus
 import argo.filters.CriticalRule
 import argo.links.BoardMessage
 import argo.links.Wish
-import argo.platform.RateLimitedWarning
 import argo.platform.foreignText
 import argo.sensing.Instants
 import argo.sensing.Sensing
@@ -17,7 +16,6 @@ import javino.PortException
 import javino.PortTimeoutException
 import javino.link.BoardListener
 import javino.wire.ReflexOutcome
-import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 
 /** The users of one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
@@ -29,7 +27,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     /** The kinds of percepts that the board describes. */
     val described = DescribedPercepts(port)
 
-    private val warnings = ConcurrentHashMap<String, RateLimitedWarning>() // by the rule whose reports are left out
+    private val warning = agent.rateLimitedWarning() // by the rule whose reports are left out
 
     /** The critical rules that the board watches. */
     val rules = BoardRules(
@@ -82,7 +80,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     /** Logs that a report is left out: the board sent it before it knew that the agent no longer wants it. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
-        warnings.computeIfAbsent(of) { agent.rateLimitedWarning() }.report(of) {
+        warning.report(of) {
             val reflex = if (outcome == ReflexOutcome.CARRIED_OUT) ". It has carried the reflex out" else ""
             "the board on port ${port.link.port} reports ${foreignText(percept)} by the critical rule on $of, which is watched no more, " +
                 "so the report is left out$reflex"

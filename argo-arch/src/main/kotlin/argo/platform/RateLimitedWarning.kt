@@ -5,30 +5,37 @@ import kotlin.concurrent.withLock
 
 /**
  * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not fill
- * the log. It ends after [QUIET_MS] without an occurrence. Safe for use by several threads.
+ * the log. It ends after [QUIET_MS] without an occurrence. Of more than [MAX_KINDS] conditions at a time the log tells only that there are
+ * others. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param warn takes the message
  */
 internal class RateLimitedWarning(private val nowMs: () -> Long, private val warn: (String) -> Unit) {
     private val lock = ReentrantLock()
-    private var lastKind: String? = null
-    private var lastMs = 0L
+    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds for which there was no room
 
-    /** Notes that the condition occurs now; another [kind] than before is a new condition. */
+    /** Notes that the condition occurs now; each [kind] is a condition of its own. */
     fun report(kind: String, message: () -> String) {
-        val isNew = lock.withLock {
+        val more = lock.withLock {
             val now = nowMs()
-            (kind != lastKind || now - lastMs > QUIET_MS).also {
-                lastKind = kind
-                lastMs = now
+            if (kind !in lastMs) lastMs.values.removeIf { now - it > QUIET_MS }
+            val place = kind.takeIf { it in lastMs || lastMs.size < MAX_KINDS }
+            val before = lastMs.put(place, now)
+            when {
+                before != null && now - before <= QUIET_MS -> return
+                place == null -> "; others like this are not reported while there are so many"
+                else -> ""
             }
         }
-        if (isNew) warn(message())
+        warn(message() + more)
     }
 
     companion object {
         /** The time without an occurrence after which a condition has ended, in ms. */
         const val QUIET_MS = 60_000L
+
+        /** The most conditions at a time that are told apart. */
+        const val MAX_KINDS = 100
     }
 }

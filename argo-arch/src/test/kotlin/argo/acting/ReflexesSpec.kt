@@ -200,6 +200,18 @@ class ReflexesSpec : FunSpec({
         "${reflexes.beliefs()}" shouldBe "[reflex(stop,done)]"
     }
 
+    test("things that come in turn are told once each, and of more than a hundred at a time only that there are others") {
+        val warning = RateLimitedWarning({ nowMs }) { warnings += it }
+        fun inTurn(things: Int) = repeat(5) { repeat(things) { nowMs += 10; warning.report("$it") { "$it" } } }
+        inTurn(100)
+        warnings shouldBe List(100) { "$it" }
+        inTurn(150)
+        warnings.drop(100) shouldBe listOf("100; others like this are not reported while there are so many")
+        nowMs += RateLimitedWarning.QUIET_MS + 1
+        inTurn(2)
+        warnings.drop(101) shouldBe listOf("0", "1")
+    }
+
     test("a thing that goes on is told once, and again when it had ended for a minute or is another") {
         val warning = RateLimitedWarning({ nowMs }) { warnings += it }
         repeat(1_000) { nowMs += 50_000; warning.report("a") { "a at $nowMs" } }

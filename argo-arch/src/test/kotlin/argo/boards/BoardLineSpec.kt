@@ -32,7 +32,7 @@ import java.util.logging.LogRecord
 import java.util.logging.Logger
 
 /** The link to a board that holds rules and says nothing but by its [listener]. */
-private class RuleLink(override val port: String) : BoardLink {
+internal class RuleLink(override val port: String) : BoardLink {
     lateinit var listener: BoardListener
     override val isOpen get() = true
     override val isPaced get() = false // nobody senses it

@@ -145,7 +145,7 @@ class HostileBoardsSpec : FunSpec({
                     .filterNot { it in setOf("act_timeout", "act_unconfirmed") }.shouldBeEmpty()
                 (waiting.filterNot { it.startsWith("argo-bob-") }).shouldBeEmpty()
                 bytes.filterKeys { !it.startsWith("argo-bob-") }.values.sum() shouldBeLessThanOrEqual LIMIT_BYTES
-                eventually(LIMIT) { mas.log.lines().filter { "the far end does not read" in it }.size shouldBe 1 }
+                eventually(LIMIT) { mas.log.lines().filter { "does not read; this is not reported again" in it }.size shouldBe 1 }
             }
         } finally {
             talking.interrupt()

@@ -47,8 +47,7 @@ sealed interface TermTest {
      * Holds for a term whose whole text matches the regular expression [pattern]. The text is that of [GroundTerm.toString]: strings
      * have their quotes, structures no blanks.
      *
-     * Matching takes time linear in the length of the text, whatever the pattern: patterns have RE2's syntax, without look-around and back
-     * references.
+     * Matching takes time linear in the length of the text, whatever the pattern: RE2's syntax has no look-around and no back references.
      *
      * @throws IllegalArgumentException if [pattern] is not in RE2's syntax, or is too large
      */

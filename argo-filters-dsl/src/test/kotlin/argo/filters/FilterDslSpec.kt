@@ -220,7 +220,8 @@ class FilterDslSpec : StringSpec({
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { argument(0) isIn listOf(true) } } }.message shouldContain
             "is no value"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(-1) } } }
-        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain "the arity 1 already"
+        shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { arity(1); arity(2) } } }.message shouldContain
+            "the arity 1 already"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop(Distance) { everyMs(10); everyMs(20) } } }.message shouldContain
             "the interval 10 ms already"
         shouldThrow<IllegalArgumentException> { dropFilter("x") { drop("d") { deadband(1); deadband(2) } } }.message shouldContain

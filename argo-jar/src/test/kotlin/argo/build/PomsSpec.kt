@@ -115,7 +115,8 @@ class PomsSpec : FunSpec({
         val build = "<build><resources><resource><directory>src/main/resources</directory></resource>" +
             "<resource><directory>\${project.basedir}</directory><includes><include>demo/**</include></includes></resource>" +
             "<resource><directory>rules</directory><targetPath>filters</targetPath></resource><resource><directory>../docs</directory>" +
-            "<includes><include>a.md</include></includes><targetPath>pages</targetPath></resource></resources><plugins><plugin><executions>" +
+            "<includes><include>a.md</include></includes><targetPath>pages</targetPath></resource></resources>" +
+            "<plugins><plugin><executions>" +
             execution("compile", "src/main/kotlin", "src/more/kotlin") + execution("test-compile", "src/test/kotlin", "../m1/src/shared") +
             "</executions></plugin></plugins></build>"
         val read = read(tree(build, ""))

@@ -60,7 +60,7 @@ class LayersSpec : FunSpec({
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.tools",
-            "argo.ros",
+            "argo.lsp", "argo.ros",
             "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.mcap", "argo.recording.storage", "javino", "javino.link",
             "javino.serial", "javino.tcp", "javino.sim",
         )
@@ -186,6 +186,20 @@ class LayersSpec : FunSpec({
         test("know filters, and of the architecture nothing") {
             noClasses().that().resideInAPackage("argo.check..").should()
                 .dependOnClassesThat(productBut("argo.check..", "argo.filters..", "javino")).check(product)
+        }
+    }
+
+    context("the language server") {
+        test("knows what is checked, filters, what a tool is and how Jason is found") {
+            noClasses().that().resideInAPackage("argo.lsp..").should()
+                .dependOnClassesThat(
+                    productBut("argo.lsp..", "argo.check..", "argo.filters..", "argo.tools.command", "argo.tools.replay", "javino"),
+                ).check(product)
+        }
+        test("is known by nobody, and knows no Jason") {
+            noClasses().that().resideOutsideOfPackage("argo.lsp..").should()
+                .dependOnClassesThat().resideInAPackage("argo.lsp..").check(product)
+            noClasses().that().resideInAPackage("argo.lsp..").should().dependOnClassesThat().resideInAPackage("jason..").check(product)
         }
     }
 

@@ -42,7 +42,7 @@ class McapReader(path: Path) : Closeable {
     /** The range from the earliest to the latest log time; null: there is no message. */
     val times: LongRange? get() = contents.times
 
-    /** The parts of the file that cannot be read: one sentence for a person for each, and only the first hundred. */
+    /** The parts of the file that cannot be read: one sentence for a person for each of the first hundred, and one if there are others. */
     val problems: List<String> get() = contents.problems
 
     /** True if the writer closed the file, and all of it can be read. */

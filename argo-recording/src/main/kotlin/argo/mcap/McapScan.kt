@@ -34,6 +34,7 @@ internal class McapContents {
 
     fun problem(text: String) {
         if (problems.size < MAX_PROBLEMS) problems += text
+        else if (problems.size == MAX_PROBLEMS) problems += "there are others, which are not listed"
     }
 
     private companion object {
@@ -67,7 +68,7 @@ internal class McapScan(private val input: McapInput) {
             }
             at += RECORD_HEAD_BYTES + length
             if (op == Op.FOOTER) {
-                if (!isMagic(at)) contents.problem("the end of the file is damaged; everything before was read")
+                checkEnd(at)
                 return contents
             }
         }
@@ -84,8 +85,14 @@ internal class McapScan(private val input: McapInput) {
         if (differing.isNotEmpty()) throw McapException("${input.path} is no MCAP file: it does not begin as one")
     }
 
-    private fun isMagic(at: Long) =
-        input.size - at >= MAGIC.size && ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)
+    private fun checkEnd(at: Long) {
+        val behind = input.size - at - MAGIC.size
+        if (behind < 0 || !ByteArray(MAGIC.size).also { input.read(at, it.size.toLong()).get(it) }.contentEquals(MAGIC)) {
+            contents.problem("the end of the file is damaged; everything before was read")
+        } else if (behind > 0) {
+            contents.problem("the recording ends $behind bytes before the end of the file; they were not read, be they another recording")
+        }
+    }
 
     /** Returns the length of the content of the record at [at]; null: the record is not whole. */
     private fun lengthOf(at: Long): Long? {

@@ -100,6 +100,22 @@ class DamagedFileSpec : FunSpec({
         problems.first() shouldContain "the record at byte $index was left out: it is a message outside of chunks"
     }
 
+    test("of more than a hundred problems it is told that there are others") {
+        val records = RecordBytes()
+        repeat(150) { records.record(Op.MESSAGE) { u16(3).u32(0).u64(10).u64(0).bytes("{}".encodeToByteArray()) } }
+        file.writeBytes(bytes.copyOf(MAGIC.size) + records.array().copyOf(records.size))
+        val problems = read(file).second
+        problems.size shouldBe 101
+        problems.last() shouldBe "there are others, which are not listed"
+    }
+
+    test("bytes behind the end of a recording are told, since a second recording there is not read") {
+        file.writeBytes(bytes + bytes)
+        val (messages, problems) = read(file)
+        messages shouldBe parts.last().messages
+        problems.single() shouldContain "the recording ends ${bytes.size} bytes before the end of the file; they were not read"
+    }
+
     test("messages outside of chunks are read, as other writers leave them") {
         val records = RecordBytes().schema(McapSchema(1, "S", "jsonschema", "{}"))
             .channel(McapChannel(3, "/robot/x", McapSchema(1, "S", "jsonschema", "{}"), "json"))

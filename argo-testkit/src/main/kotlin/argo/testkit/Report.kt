@@ -10,7 +10,7 @@ import kotlin.time.Duration.Companion.nanoseconds
 internal fun TestAgent.report(): String {
     val found = listOf(
         "sent" to accounted(), "boards" to boards(), "believes" to beliefs, "intends" to intentions, "said" to said,
-        "log" to newest(entries),
+        (if (entries.size > LOGGED) "log, the newest $LOGGED lines and the errors of ${entries.size}" else "log") to newest(entries),
     )
     val state = if (isRunning) "" else ", stopped"
     return found.joinToString("\n", "after ${now.inWholeMilliseconds} ms$state\n") { (what, lines) ->
@@ -47,7 +47,9 @@ private fun TestAgent.boards(): List<String> {
         val state = listOfNotNull(port?.status ?: "never opened", "not perceived".takeIf { port?.isPerceived == false })
         val shown = board.shown
         val fates = shown.orEmpty().take(MOST_PERCEPTS).mapNotNull { fate(agent, it, port?.filter != null) }
-        listOf("$name (${state.joinToString()}) shows ${shown?.joinToString()?.ifEmpty { null } ?: "nothing"}") + fates.map { "  $it" }
+        val rest = if (shown.orEmpty().size > MOST_PERCEPTS) listOf("  what becomes of the others is not described") else emptyList()
+        listOf("$name (${state.joinToString()}) shows ${shown?.joinToString()?.ifEmpty { null } ?: "nothing"}") +
+            fates.map { "  $it" } + rest
     }
 }
 

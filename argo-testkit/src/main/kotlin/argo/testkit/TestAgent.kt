@@ -227,4 +227,4 @@ internal fun nanos(duration: Duration): Long {
 
 private val LONGEST = 3650.days
 
-private fun described(message: Message) = "${message.ilForce}(${message.receiver},${message.propCont})".filterNot(Char::isWhitespace)
+internal fun described(message: Message) = "${message.ilForce}(${message.receiver},${message.propCont})".filterNot(Char::isWhitespace)

@@ -8,6 +8,7 @@ import jason.asSyntax.Trigger
 import jason.asSyntax.Trigger.TEOperator
 import jason.asSyntax.Trigger.TEType
 import java.nio.file.Path
+import java.util.logging.Logger
 import kotlin.time.Duration
 
 /**
@@ -20,6 +21,7 @@ class TestMas internal constructor() : AutoCloseable {
     internal val log = AgentLog(time)
     private val agents = LinkedHashMap<String, TestAgent>() // by name: the last agent that had it
     private val made = ArrayList<TestAgent>()
+    private val strangers = HashSet<Pair<String, String>>() // a sender, and a receiver that does not run here
     private var closed = false
 
     /** The time that a message from one agent of the test to another takes; asked when it is sent. */
@@ -102,7 +104,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Takes [message] to its receiver; if that is not in the test, the message is lost. */
+    /** Takes [message] to its receiver; if that is not in the test, the sender's log tells so once. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)
@@ -110,7 +112,13 @@ class TestMas internal constructor() : AutoCloseable {
     }
 
     private fun receive(message: Message) {
-        find(message.receiver)?.infra?.receive(message)
+        val receiver = find(message.receiver)
+        if (receiver != null) return receiver.infra.receive(message)
+        if (!strangers.add(message.sender to message.receiver)) return
+        Logger.getLogger("${javaClass.name}.${message.sender}").warning(
+            "no agent ${message.receiver} runs in this test, so messages to it are only kept in said, as this one: " +
+                "${described(message)}. In a real system, Jason fails the plan that sends to an agent that does not exist",
+        )
     }
 
     /** Takes [message] to all but its sender. */

@@ -11,6 +11,7 @@ import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
+import io.kotest.matchers.string.shouldNotContain
 import javino.sim.LineRecording
 import javino.sim.MemoryLine
 import java.util.concurrent.CompletableFuture
@@ -245,13 +246,27 @@ class AgentSpec : FunSpec({
         }
     }
 
-    test("what others say is heard, and what the agent says is kept") {
+    test("what others say is heard, and what the agent says is kept; messages to agents outside of the test are told") {
         agentOf("+!greet(A)[source(S)] <- .send(A, tell, hello(1, x)); .broadcast(untell, alone).").use { robot ->
             robot.hears("boss", "achieve", "greet(bob)")
             robot.shouldSay("tell(bob, hello(1,x))").shouldSay("untell(everybody,alone)")
             robot.hears("boss", "tell", "home(3)").shouldBelieve("home(3)[source(boss)]")
             robot.said shouldBe listOf("tell(bob,hello(1,x))", "untell(everybody,alone)")
+            robot.hears("boss", "achieve", "greet(bob)").after(1.seconds)
+            robot.log.single { "WARNING" in it } shouldContain "no agent bob runs in this test, so messages to it are only kept in said, " +
+                "as this one: tell(bob,hello(1,x))"
             shouldThrow<IllegalArgumentException> { robot.hears("boss", "shout", "x") }.message shouldContain "achieve"
+        }
+    }
+
+    test("what fails tells of how many lines of the log it has the newest, and that it describes few percepts of many") {
+        agentOf("!start.\n+!start <- argo.port(ttyACM0); argo.percepts(open); for (.range(I,1,30)) { .print(line(I)) }.").use { robot ->
+            robot.perceivesRaw((1..30).joinToString("") { "p$it(X);" })
+            val message = shouldThrow<AssertionError> { robot.shouldSend("stop") }.message.orEmpty()
+            message shouldContain Regex("log, the newest 20 lines and the errors of \\d+: ")
+            message shouldContain "      p24(X) is left out"
+            message shouldNotContain "      p25(X) is left out"
+            message shouldContain "what becomes of the others is not described"
         }
     }
 

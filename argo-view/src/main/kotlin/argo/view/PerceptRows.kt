@@ -11,18 +11,22 @@ import java.util.concurrent.TimeUnit
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
     private var port: String? = null
-    private val more = HashMap<String, Int>() // number of percepts without a row, by port
+    private val sizes = HashMap<String, Int>() // number of percepts in the newest message, by port
     private val newest = HashMap<String, Long>() // time of the newest message, by port
 
     /** The time of the last byte of the newest message, by the agent's clock; null: there was none. */
     var newestNanos: Long? = null
         private set
 
+    /** The number of sensors that [courses] has left out. */
+    var moreCourses = 0
+        private set
+
     /** Takes in the next message. @param isAlone whether the agent perceives no other board: then the rows of other boards go */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()
-            more.clear()
+            sizes.clear()
             newest.clear()
         }
         port = message.portName
@@ -41,7 +45,7 @@ internal class PerceptRows {
             course.add(NUMBER.findAll(words).take(MAX_NUMBERS).map { it.value.toDouble() }.toList(), message.receivedNanos)
             rows[key] = Row(message, words, fate(text, message.unreadable, kept, shape in standIns), since, course)
         }
-        more[message.portName] = maxOf(0, message.texts.size - MAX_ROWS)
+        sizes[message.portName] = message.texts.size
         while (rows.size > MAX_ROWS) rows.remove(rows.minBy { it.value.seenNanos }.key)
     }
 
@@ -62,7 +66,9 @@ internal class PerceptRows {
         now: Long, kindsOf: (String) -> List<PerceptKind> = { emptyList() }, isSilent: (String) -> Boolean,
     ): Pair<List<PerceptState>, Int> {
         val silent = rows.values.map { it.port }.distinct().filter(isSilent)
-        rows.values.removeIf { (if (it.port in silent) newest.getValue(it.port) else now) - it.seenNanos > FORGOTTEN_NANOS }
+        fun isForgotten(port: String, nanos: Long) = (if (port in silent) newest.getValue(port) else now) - nanos > FORGOTTEN_NANOS
+        rows.values.removeIf { isForgotten(it.port, it.seenNanos) }
+        sizes.keys.removeIf { isForgotten(it, newest.getValue(it)) }
         val kinds = rows.values.map { it.port }.distinct().associateWith(kindsOf)
         val shown = rows.map { (key, row) ->
             val described = kinds.getValue(row.port).takeIf { it.isNotEmpty() }?.let { DescribedPercept.of(row.text, it) }
@@ -70,12 +76,15 @@ internal class PerceptRows {
                 key, row.board, row.text, row.fate, row.port in silent, ms(now - row.seenNanos), ms(now - row.sinceNanos), described,
             )
         }
-        return shown to more.values.sum()
+        return shown to sizes.values.sum() - rows.values.count { it.seenNanos == newest[it.port] }
     }
 
     /** Returns the courses of the first [MAX_COURSES] sensors with numbers until [now]: [RecentNumbers.values] by their keys. */
-    fun courses(now: Long): Map<String, List<List<Double?>>> =
-        rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }.entries.take(MAX_COURSES).associate { it.toPair() }
+    fun courses(now: Long): Map<String, List<List<Double?>>> {
+        val all = rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }
+        moreCourses = maxOf(0, all.size - MAX_COURSES)
+        return all.entries.take(MAX_COURSES).associate { it.toPair() }
+    }
 
     private class Row(message: PerceivedMessage, val text: String, val fate: String, val sinceNanos: Long, val course: RecentNumbers) {
         val port = message.portName

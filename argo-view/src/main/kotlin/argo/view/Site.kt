@@ -15,8 +15,11 @@ internal class Site {
 
     fun remove(page: AgentPage) = pages.remove(page)
 
-    /** Returns the tabs of all agents in the order of their names, [MAX_TABS] at most. */
-    fun tabs(): List<AgentTab> = pages.distinctBy { it.path }.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() }
+    /** Returns the tabs of the first [MAX_TABS] agents in the order of their names, and the number of the others. */
+    fun tabs(): Pair<List<AgentTab>, Int> {
+        val all = pages.distinctBy { it.path }
+        return all.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() } to maxOf(0, all.size - MAX_TABS)
+    }
 
     /** Finds the page, if any, to which [path] belongs, and the path within that page. [path] is still URL-encoded. */
     fun find(path: String): Found {

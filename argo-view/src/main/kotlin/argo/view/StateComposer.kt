@@ -12,18 +12,22 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Level
 import java.util.logging.Logger
 
-/** Composes the states that the page shows. For the view's thread only; any thread may set [picture]. */
+/**
+ * Composes the states that the page shows. For the view's thread only; any thread may set [picture].
+ *
+ * @param tabs returns the tabs of all agents, and the number of those left out
+ */
 internal class StateComposer(
     private val agent: ObservedAgent,
     private val record: AgentRecord,
-    private val tabs: () -> List<AgentTab>,
+    private val tabs: () -> Pair<List<AgentTab>, Int>,
     private val log: Logger,
 ) {
     private val rows = PerceptRows()
     private val meter = RateMeter()
     private var shownVersion = -1L
     private var shownMind: MindWatch.Seen? = null
-    private var shownTabs: List<AgentTab> = emptyList()
+    private var shownTabs = emptyList<AgentTab>() to 0
     private var coursesNanos: Long? = null
     private var shownPicture: Picture? = null
     private var shownRules: List<WatchedRule> = emptyList()
@@ -80,6 +84,7 @@ internal class StateComposer(
             ended = isLast,
             filter = recorded.filter?.let(::filterState),
             critical = shownRules.take(MAX_RULES).map { criticalState(it, recorded.reflexes[it.rule], now) },
+            moreCritical = maxOf(0, shownRules.size - MAX_RULES),
             ports = ports.map { portState(it, recorded.ports[it.name], now) },
             sensors = sensors(ports, recorded.lastPerception, now),
             beliefs = beliefs(shownMind, now),
@@ -89,7 +94,8 @@ internal class StateComposer(
             intentions = IntentionsState(shownMind?.mind?.intended ?: 0, shownMind?.mind?.intentions.orEmpty()),
             printed = recorded.printed,
             courses = if (isFull || isCourseDue(now)) rows.courses(now).also { coursesNanos = now } else null,
-            agents = shownTabs,
+            agents = shownTabs.first,
+            moreAgents = shownTabs.second,
         )
     }
 
@@ -134,6 +140,7 @@ internal class StateComposer(
             delayMs = last?.let { ms(it.delayNanos) },
             percepts = percepts,
             more = more,
+            moreCourses = rows.moreCourses,
         )
     }
 

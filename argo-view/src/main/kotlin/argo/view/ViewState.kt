@@ -8,9 +8,10 @@ import kotlinx.serialization.Serializable
  * @property intervalMs the sensing interval of boards without one of their own
  * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
  * @property printed the lines that the agent has printed, the latest first
- * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: as in the state
- * before
- * @property agents all agents whose views this server has
+ * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
+ * @property moreCritical the number of critical rules left out of [critical]
+ * @property agents the agents whose views this server has
+ * @property moreAgents the number of agents left out of [agents]
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -24,6 +25,7 @@ internal data class ViewState(
     val ended: Boolean,
     val filter: FilterState?,
     val critical: List<CriticalState>,
+    val moreCritical: Int,
     val ports: List<PortState>,
     val sensors: SensorState,
     val beliefs: BeliefsState,
@@ -34,6 +36,7 @@ internal data class ViewState(
     val printed: List<LineState>,
     val courses: Map<String, List<List<Double?>>>?,
     val agents: List<AgentTab>,
+    val moreAgents: Int,
 )
 
 @Serializable
@@ -91,6 +94,7 @@ internal data class PortState(
  * @property handedOverAgeMs the time since the agent last perceived a message; null: it has not
  * @property delayMs the age of that message when the agent perceived it
  * @property more the number of percepts left out of [percepts]
+ * @property moreCourses the number of sensors with numbers whose course is not shown
  */
 @Serializable
 internal data class SensorState(
@@ -99,6 +103,7 @@ internal data class SensorState(
     val delayMs: Long?,
     val percepts: List<PerceptState>,
     val more: Int,
+    val moreCourses: Int,
 )
 
 /**

@@ -42,7 +42,7 @@ function drawRange(svg, values, range, low, high) {
   drawn('path', { class: 'beyond', d: coursePath(beyond, low, high), 'vector-effect': 'non-scaling-stroke' }, svg);
 }
 
-/** Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has what is said of each number, or null. */
+/** Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has the range of each number; null: none. */
 function showCourse(box, numbers, ranges = []) {
   const key = JSON.stringify([numbers || [], ranges]);
   if (box.dataset.shown === key) return;

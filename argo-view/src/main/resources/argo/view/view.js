@@ -150,6 +150,7 @@ function showFilters(shown) {
 
 function showCritical(shown, since) {
   $('critical').hidden = !shown.critical.length;
+  showOrHide($('critical-words'), shown.moreCritical && `${shown.moreCritical} more critical rules are not shown.`);
   rows($('critical'), shown.critical.map((rule, i) => [String(i), rule]), ([key]) => key, () => row(), (line, [, rule]) => fill(
     line, rule.rule, `the ${rule.watcher} watches`, rule.watcher === 'board' ? 'good' : '',
     rule.ageMs === null ? '' : age(rule.ageMs + since),
@@ -199,12 +200,16 @@ function perceptRow({ key }) {
 }
 
 function showSensors(shown, since) {
-  const { percepts, more } = shown.sensors;
+  const { percepts, more, moreCourses } = shown.sensors;
   const isPast = shown.perceiving && percepts.length > 0 && percepts.every(percept => percept.silent);
   const kept = percepts.filter(percept => percept.fate === 'kept').length;
   text($('sensors-count'), percepts.length ? `${kept} of ${percepts.length} ${isPast ? 'reached' : 'reach'} the agent` : '');
-  text($('sensors-words'), !shown.perceiving ? 'Percepts are blocked: the agent goes on believing what it perceived last.'
-    : percepts.length ? 'Press a percept to read why it is kept or dropped.' : '');
+  const hint = percepts.length ? 'Press a percept to read why it is kept or dropped.' : '';
+  text($('sensors-words'), [
+    !shown.perceiving ? 'Percepts are blocked: the agent goes on believing what it perceived last.' : more ? '' : hint,
+    more && `${more} more percepts are not shown.`,
+    moreCourses && `The courses of ${moreCourses} more sensors are not shown.`,
+  ].filter(Boolean).join(' '));
   rows($('sensors'), percepts, percept => percept.key, perceptRow, (line, percept) => {
     const [words, kind] = FATES[percept.fate] || [percept.fate, ''];
     const why = explained.get(percept.key)?.why;
@@ -219,7 +224,6 @@ function showSensors(shown, since) {
     line.children[0].setAttribute('aria-expanded', String(Boolean(why)));
     line.children[2].title = `the same for ${age(percept.sameMs + since)}`;
   }, shown.perceiving ? 'No message has come from the board yet.' : 'Nothing is perceived.');
-  if (more) text($('sensors-words'), `${more} more percepts are not shown.`);
 }
 
 const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
@@ -287,15 +291,17 @@ function showPrinted({ printed }, since) {
   }, 'The agent has printed nothing.');
 }
 
-function showAgents({ agent, agents }) {
+function showAgents({ agent, agents, moreAgents }) {
   $('agents').hidden = agents.length < 2;
   if (agents.length < 2) return;
-  rows($('agents'), agents, ({ name }) => name, ({ name }) => {
+  const tabs = moreAgents ? [...agents, { name: '' }] : agents;
+  rows($('agents'), tabs, ({ name }) => name, ({ name }) => {
+    if (!name) return element('span');
     const link = element('a');
     link.href = `../${encodeURIComponent(name)}/`;
     return link;
   }, (link, { name, silent }) => {
-    text(link, silent ? `${name}: board silent` : name);
+    text(link, !name ? `… ${moreAgents} more, each at its own /NAME/` : silent ? `${name}: board silent` : name);
     link.className = silent ? 'silent' : '';
     if (name === agent) link.setAttribute('aria-current', 'page'); else link.removeAttribute('aria-current');
   });
@@ -472,8 +478,7 @@ $('send').addEventListener('submit', event => {
   if (!$('send-button').disabled) send();
 });
 
-// A hidden page closes its connection: so it causes the agent no work, and leaves the browser's few connections to an address to other
-// pages.
+// A hidden page closes its connection: so it causes the agent no work, and leaves the few connections of a browser to other pages.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

@@ -76,6 +76,34 @@ class PageSpec : FunSpec({
         }
     }
 
+    test("of critical rules, courses and agents that are too many to be shown the page tells the number")
+        .config(tags = thorough, enabledOrReasonIf = browser) {
+            FakeBoard.plugIn("robot").use { board ->
+                board.lenient().version2().whenAsked("getPercepts").answer((1..70).joinToString("") { "s$it($it);" })
+                ViewedMas().use { mas ->
+                    val rules = (1..60).joinToString("") { "<critical><predicate>near$it</predicate></critical>" }
+                    mas.file("front.xml", "<PerceptionFilter>$rules</PerceptionFilter>")
+                    mas.agent("bob", AGENT)
+                    chromium.show(mas.viewOf("bob")) {
+                        await { texts("#critical li").size == 50 && texts(".course svg").size == 60 }
+                        text("#critical-words") shouldBe "10 more critical rules are not shown."
+                        text("#sensors-words") shouldEndWith "The courses of 10 more sensors are not shown."
+                        run<Any?>(
+                            """
+                            state.agents = [...Array(200).keys()].map(i => ({ name: i ? `scout${'$'}{i}` : 'bob' }));
+                            state.moreAgents = 5;
+                            document.getElementById('freeze').click();
+                            """,
+                        )
+                        await { texts("#agents span") == listOf("… 5 more, each at its own /NAME/") }
+                        size(1280, 2600)
+                        run<Any?>("document.getElementById('agents').scrollTop = 9999")
+                        picture("more")
+                    }
+                }
+            }
+        }
+
     test("units and ranges that the board describes are shown, and a percept that is not as described is marked").config(
         tags = thorough, enabledOrReasonIf = browser,
     ) {

@@ -109,6 +109,21 @@ class PerceptRowsSpec : FunSpec({
         more shouldBe 4800
         shown.forEach { it.text.length shouldBeLessThan 400 }
     }
+
+    test("percepts of several boards for which there is no room are counted, until their board has long said nothing else") {
+        val rows = PerceptRows()
+        listOf("left" to 0L, "right" to 5000L).forEach { (port, ms) ->
+            rows.add(frame((1..150).map { "$port$it" }, atMs = ms, port = port), isAlone = false)
+        }
+        rows.state(6000 * MS) { false }.run { first.size to second } shouldBe (200 to 100)
+        rows.state(11_000 * MS) { false }.run { first.size to second } shouldBe (150 to 0)
+    }
+
+    test("courses that are too many are counted") {
+        val rows = PerceptRows()
+        rows.add(frame((1..70).map { "s$it(1)" } + "lamp"), isAlone = true)
+        rows.courses(0).size to rows.moreCourses shouldBe (60 to 10)
+    }
 })
 
 private class Message(

@@ -1,5 +1,6 @@
 package argo.view
 
+import argo.observing.ObservedAgent
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
@@ -311,6 +312,13 @@ class ViewSpec : FunSpec({
             address.post("command", """{"command":"last"}""").statusCode() shouldBe 200
             board.received() shouldNotContain "stop"
         }
+    }
+
+    test("of more agents than there is room for, the number is told") {
+        val site = Site()
+        (1..203).forEach { site.add(AgentPage(object : ObservedAgent by Nobody { override val name = "scout$it" })) }
+        val (tabs, more) = site.tabs()
+        tabs.size to more shouldBe (200 to 3)
     }
 
     test("agents with the same port share it, each with a page of its own that names the others") {

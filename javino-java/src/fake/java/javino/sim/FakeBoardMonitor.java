@@ -34,8 +34,7 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. This function is called under the lock, about every millisecond since it may also depend on
-     * other state.
+     * Waits until {@code reached} is true. It is called under the lock, about every millisecond, since it may depend on other state.
      *
      * @param what completes "interrupted while ..."
      * @return false if it does not become true within {@code timeoutMillis}

@@ -85,8 +85,12 @@ final class Command implements SessionCommand {
         return options.urgent();
     }
 
+    boolean isLatest() {
+        return options.latest();
+    }
+
     boolean replaces(Command earlier) {
-        return options.latest()
+        return isLatest()
                 && earlier.isWaiting()
                 && earlier.rule == null
                 && functorOf(text()).equals(functorOf(earlier.text()));

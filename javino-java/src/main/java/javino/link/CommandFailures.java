@@ -19,11 +19,6 @@ final class CommandFailures {
         this.session = session;
     }
 
-    PortException takesNoRules() {
-        return new ActionRefusedException(
-                port, "the board at port " + port + " speaks version 1, in which it takes no rules");
-    }
-
     /** The exception for an outcome; null if the board has carried the command out. */
     PortException of(Command command, CommandOutcome outcome) {
         String text = command.text();

@@ -22,11 +22,6 @@ import javino.wire.CommandItem;
  * once. Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of dependents end no thread.
  */
 final class CommandLoop {
-    /** Returns when the board can be sent a command. */
-    interface Start {
-        void await() throws PortException;
-    }
-
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
     private static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(FrameWriter.PATIENCE_MILLIS);
 
@@ -35,12 +30,20 @@ final class CommandLoop {
     private final FrameWriter writer;
     private final SessionLine line;
     private final LineClock clock;
-    private final Start start;
+    private final Monitor.Change<PortException> start;
     private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
 
-    /** @param monitor the monitor of the writer and of the line */
+    /**
+     * @param monitor the monitor of the writer and of the line
+     * @param start returns when the board can be sent a command
+     */
     CommandLoop(
-            Monitor monitor, Transport transport, FrameWriter writer, SessionLine line, LineClock clock, Start start) {
+            Monitor monitor,
+            Transport transport,
+            FrameWriter writer,
+            SessionLine line,
+            LineClock clock,
+            Monitor.Change<PortException> start) {
         port = transport.name();
         this.monitor = monitor;
         this.writer = writer;
@@ -60,7 +63,8 @@ final class CommandLoop {
     }
 
     private Command submit(Command command, SendOptions options) {
-        String trouble = line.vocabulary()
+        String trouble = line.session()
+                .vocabulary()
                 .filter(actions -> command.rule() == null)
                 .map(actions -> ActionCheck.trouble(command.text(), actions))
                 .orElse(null);
@@ -94,7 +98,7 @@ final class CommandLoop {
             return writer.isWritableNow() ? line.nextAtOnce() : null;
         });
         replaced.forEach(earlier -> fail(earlier, replaced(earlier, command)));
-        line.write(frame);
+        line.write(frame, 0);
     }
 
     void run() throws PortException {
@@ -117,7 +121,7 @@ final class CommandLoop {
             return;
         }
         try {
-            start.await();
+            start.run();
             line.hasAsked();
         } catch (PortTimeoutException
                 | RuntimeException
@@ -155,14 +159,16 @@ final class CommandLoop {
             LOG.log(
                     System.Logger.Level.WARNING,
                     "port " + port + ": commands that have waited for " + FrameWriter.PATIENCE_MILLIS + " ms fail, "
-                            + stuck.size() + " of them now: " + line.noSession().orElseGet(writer::whyNoTime)
+                            + stuck.size() + " of them now: "
+                            + line.board().noSession().orElseGet(writer::whyNoTime)
                             + "; this is not reported again until one gets through");
         }
         stuck.forEach(command -> fail(command, stuck(command)));
     }
 
     private PortTimeoutException stuck(Command command) {
-        return line.noSession()
+        return line.board()
+                .noSession()
                 .map(why -> new PortTimeoutException(port, why))
                 .orElseGet(() -> writer.noTime(command.frame().length(), FrameWriter.PATIENCE_MILLIS));
     }

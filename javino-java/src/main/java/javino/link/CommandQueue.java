@@ -1,64 +1,37 @@
 package javino.link;
 
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
+import java.util.LinkedList;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.Queue;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /** The commands that wait for a line: urgent ones first, else in the order of their submission. Guarded by its user's lock. */
 final class CommandQueue {
-    private Deque<Command> urgent = new ArrayDeque<>();
-    private Deque<Command> ordinary = new ArrayDeque<>();
+    // commands are taken in front, and added in the middle
+    private final LinkedList<Command> urgent = new LinkedList<>();
+    private final LinkedList<Command> ordinary = new LinkedList<>();
     private long submitted;
     private long finished;
 
     /** Queues a command, in place of the first equally urgent one that it replaces. Returns the commands that it replaces. */
     List<Command> add(Command command) {
-        List<Command> replaced = new ArrayList<>();
-        urgent = without(urgent, command, replaced, command.isUrgent());
-        ordinary = without(ordinary, command, replaced, !command.isUrgent());
+        List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
+        List<Command> its = command.isUrgent() ? urgent : ordinary;
+        int place = replaced.stream()
+                .filter(earlier -> earlier.isUrgent() == command.isUrgent())
+                .mapToInt(its::indexOf)
+                .findFirst()
+                .orElse(its.size());
+        its.add(place, command);
+        if (!replaced.isEmpty()) {
+            urgent.removeIf(Command::isWithdrawn);
+            ordinary.removeIf(Command::isWithdrawn);
+        }
         submitted++;
         command.submitted(submitted);
         return replaced;
-    }
-
-    /**
-     * Returns the queue without the commands that {@code command} replaces, and withdraws these. The result holds {@code command} if that
-     * belongs to this queue ({@code isIts}).
-     */
-    private static Deque<Command> without(
-            Deque<Command> queue, Command command, List<Command> replaced, boolean isIts) {
-        if (!replacesOneOf(queue, command)) {
-            if (isIts) {
-                queue.add(command);
-            }
-            return queue;
-        }
-        Deque<Command> rest = new ArrayDeque<>();
-        for (Command earlier : queue) {
-            if (!command.replaces(earlier)) {
-                rest.add(earlier);
-                continue;
-            }
-            earlier.withdraw();
-            replaced.add(earlier);
-            if (isIts && !rest.contains(command)) {
-                rest.add(command);
-            }
-        }
-        return rest;
-    }
-
-    private static boolean replacesOneOf(Deque<Command> queue, Command command) {
-        for (Command earlier : queue) {
-            if (command.replaces(earlier)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** The command whose turn is next; null: none waits. */
@@ -67,7 +40,7 @@ final class CommandQueue {
         return first != null ? first : firstWaiting(ordinary);
     }
 
-    private static Command firstWaiting(Deque<Command> queue) {
+    private static Command firstWaiting(Queue<Command> queue) {
         while (!queue.isEmpty() && !queue.peek().isWaiting()) {
             queue.remove();
         }
@@ -92,7 +65,7 @@ final class CommandQueue {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }
 
-    private static boolean haveBegun(Deque<Command> queue, long count) {
+    private static boolean haveBegun(List<Command> queue, long count) {
         for (Command command : queue) {
             if (command.isWaiting() && command.number() <= count) {
                 return false;

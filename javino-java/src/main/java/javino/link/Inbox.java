@@ -51,16 +51,16 @@ final class Inbox {
     private final WireDecoder version2;
     private final LocalEchoFilter localEchoes = new LocalEchoFilter();
     private final StrayBytes.Gatherer stray = new StrayBytes.Gatherer();
+    private final KnownBoard board;
     private final Listener listener;
     private boolean isBeingRead;
-    private Protocol protocol;
     private volatile long lastByteNanos;
 
-    Inbox(Monitor monitor, Transport transport, LineClock clock, Protocol protocol, Listener listener) {
+    Inbox(Monitor monitor, Transport transport, LineClock clock, KnownBoard board, Listener listener) {
         this.monitor = monitor;
         this.transport = transport;
         this.clock = clock;
-        this.protocol = protocol;
+        this.board = board;
         this.listener = listener;
         long timeout = FrameDecoder.interByteTimeoutNanos(transport.line());
         version1 = new FrameDecoder(timeout, this::keep);
@@ -68,14 +68,9 @@ final class Inbox {
         lastByteNanos = clock.nanos();
     }
 
-    /** Sets the version that is read from now on, or both. When version 1 is read no more, threads that wait for its messages go on. */
-    void read(Protocol value) {
-        monitor.change(() -> protocol = value);
-    }
-
     /**
      * Returns the next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; it does not wait if
-     * that time has passed. Returns null also as soon as only version 2 is read.
+     * that time has passed. Returns null also as soon as the board speaks version 2.
      */
     Reply next(long deadlineNanos) throws PortException {
         return monitor.get(() -> {
@@ -97,11 +92,7 @@ final class Inbox {
     }
 
     private long nanosToWait(long deadlineNanos) {
-        return protocol == Protocol.V2 ? 0 : Math.max(0, deadlineNanos - clock.nanos());
-    }
-
-    boolean isReadingVersion1() {
-        return monitor.get(() -> protocol != Protocol.V2);
+        return board.speaks2() ? 0 : Math.max(0, deadlineNanos - clock.nanos());
     }
 
     boolean hasMessage() {
@@ -199,10 +190,10 @@ final class Inbox {
         stray.add(buffer, count);
         long corrupt = version2.corrupt();
         listener.receiving(count, now);
-        if (protocol != Protocol.V1) {
+        if (board.maySpeak2()) {
             version2.acceptUnbroken(buffer, 0, count, now);
         }
-        if (protocol != Protocol.V2) {
+        if (!board.speaks2()) {
             version1.acceptUnbroken(buffer, 0, count, now);
         }
         if (version2.corrupt() > corrupt) {

@@ -66,6 +66,7 @@ public final class Link implements AutoCloseable {
     private final LineClock clock;
     private final FrameWriter writer;
     private final SessionLine line;
+    private final KnownBoard board;
     private final RequestChannel channel; // used by the thread that holds reading
     private final CommandLoop commands;
     private volatile long exchangeNanos; // duration of the last exchange
@@ -81,6 +82,7 @@ public final class Link implements AutoCloseable {
         Monitor monitor = new Monitor(clock, transport.name());
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
         line = new SessionLine(monitor, transport, clock, writer, settings);
+        board = line.board();
         channel = new RequestChannel(line, writer, clock, settings);
         answeredNanos = clock.nanos();
         commands = new CommandLoop(monitor, transport, writer, line, clock, this::awaitStart);
@@ -143,7 +145,7 @@ public final class Link implements AutoCloseable {
 
     /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
     public Protocol protocol() {
-        return line.protocol();
+        return board.protocol();
     }
 
     /**
@@ -151,7 +153,7 @@ public final class Link implements AutoCloseable {
      * any thread; does not wait.
      */
     public Optional<List<BoardAction>> vocabulary() {
-        return line.vocabulary();
+        return line.session().vocabulary();
     }
 
     /**
@@ -179,7 +181,7 @@ public final class Link implements AutoCloseable {
 
     /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */
     public int actionsLost() {
-        return line.actionsLost();
+        return line.session().actionsLost();
     }
 
     /**
@@ -187,7 +189,7 @@ public final class Link implements AutoCloseable {
      * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
      */
     public void onBoardEvents(BoardListener listener) {
-        line.onBoardEvents(Objects.requireNonNull(listener, "listener"));
+        line.session().onBoardEvents(Objects.requireNonNull(listener, "listener"));
     }
 
     /** Frames of version 2 that have arrived with a wrong checksum and were dropped. */
@@ -213,7 +215,7 @@ public final class Link implements AutoCloseable {
     public Reply request(String message, int timeoutMillis) throws PortException {
         Frame request = Frame.of(message);
         requireTime(timeoutMillis);
-        if (line.protocol() == Protocol.V1 && !line.mustAsk()) {
+        if (board.protocol() == Protocol.V1 && !board.mustAsk()) {
             writer.awaitCommandsSoFar(TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         return isCommand(message) ? answerToCommand(message, timeoutMillis) : exchange(request, timeoutMillis);
@@ -251,7 +253,7 @@ public final class Link implements AutoCloseable {
      * Waits at most {@code nanos} until the commands so far are over; in version 2, which carries both ways at once, until they have begun.
      */
     private void giveWay(long nanos) throws PortException {
-        if (line.isVersion2()) {
+        if (board.speaks2()) {
             line.await(writer.commandsSoFarHaveBegun(), clock.nanos() + nanos, false);
         } else {
             writer.awaitCommandsSoFar(nanos);
@@ -260,12 +262,12 @@ public final class Link implements AutoCloseable {
 
     /** Returns whether the board speaks version 2, as far as is known, and takes {@code message} for a command. */
     private boolean isCommand(String message) {
-        return line.isVersion2() && !PerceptsRequest.isIn(message);
+        return board.speaks2() && !PerceptsRequest.isIn(message);
     }
 
     /** In version 2 only percepts are requested. Any other message is a command, and the next message of the board is its answer. */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
-        line.forgetHeard();
+        line.session().takeHeard(); // the board says what is awaited behind the command
         sendAndAwait(message, timeoutMillis);
         return listen(timeoutMillis);
     }
@@ -288,7 +290,7 @@ public final class Link implements AutoCloseable {
     /** Returns the likely reason of a silence: there can be no session, bytes came in place of a message, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
-        return line.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
+        return board.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
     }
 
     /** The bytes that have come since the last message and are no message so far. Safe on any thread; does not wait. */
@@ -419,7 +421,6 @@ public final class Link implements AutoCloseable {
     public void check() throws PortException {
         noticing(() -> {
             line.inbox().look();
-            line.report();
             return null;
         });
     }
@@ -454,7 +455,7 @@ public final class Link implements AutoCloseable {
             return;
         }
         try {
-            if (!reading.tryLock(Math.max(line.start().nanosLeft(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
+            if (!reading.tryLock(Math.max(board.nanosToStart(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
                 // another call waited for it meanwhile, or listens for so long that the action must not wait for it
                 return;
             }
@@ -474,12 +475,8 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    private interface LineWork<T> {
-        T run() throws PortException;
-    }
-
     /** Does work that reads the line, in turn with others that read it. */
-    private <T> T reading(LineWork<T> work) throws PortException {
+    private <T> T reading(Monitor.Work<T, PortException> work) throws PortException {
         try {
             reading.lockInterruptibly();
         } catch (InterruptedException e) {
@@ -493,7 +490,7 @@ public final class Link implements AutoCloseable {
     }
 
     /** Does work, and gives the port back if the line turns out to be gone. */
-    private <T> T noticing(LineWork<T> work) throws PortException {
+    private <T> T noticing(Monitor.Work<T, PortException> work) throws PortException {
         try {
             writer.requireLine();
             return lookingAtLast(work);
@@ -506,7 +503,7 @@ public final class Link implements AutoCloseable {
     }
 
     /** Does work, and looks at the line if its time is over: a thread that has waited for its turn has not read the line. */
-    private <T> T lookingAtLast(LineWork<T> work) throws PortException {
+    private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();
         } catch (PortTimeoutException e) {

@@ -23,22 +23,17 @@ final class Negotiation {
     private final SessionLine line;
     private final FrameWriter writer;
     private final Version1Requests version1;
-    private final BoardStart start;
+    private final KnownBoard board;
     private final LineClock clock;
     private final long helloNanos;
     private boolean hasNoise; // bytes came in place of WELCOME
 
     Negotiation(
-            SessionLine line,
-            FrameWriter writer,
-            Version1Requests version1,
-            BoardStart start,
-            LineClock clock,
-            LinkSettings settings) {
+            SessionLine line, FrameWriter writer, Version1Requests version1, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.writer = writer;
         this.version1 = version1;
-        this.start = start;
+        board = line.board();
         this.clock = clock;
         helloNanos = Math.max(HELLO_NANOS, HELLO_BYTES * settings.line().byteNanos());
     }
@@ -50,14 +45,14 @@ final class Negotiation {
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        boolean mayBeStarting = start.nanosLeft() > 0;
-        long giveUp = clock.nanos() + Math.max(start.nanosLeft(), timeoutNanos);
+        boolean mayBeStarting = board.nanosToStart() > 0;
+        long giveUp = clock.nanos() + Math.max(board.nanosToStart(), timeoutNanos);
         hasNoise = false;
         if (sayHello(timeoutMillis)) {
             return null;
         }
-        if (start.hasHeard() || line.inbox().hasMessage()) {
-            line.agreeOnVersion1();
+        if (board.hasHeard() || line.inbox().hasMessage()) {
+            board.agreeOnVersion1();
             return null;
         }
         while (true) {
@@ -69,10 +64,10 @@ final class Negotiation {
                 if (isWelcomed(hasNoise ? HELLOS_BEHIND_NOISE : mayBeStarting ? 1 : 0, timeoutMillis)) {
                     return null;
                 }
-                line.agreeOnVersion1();
+                board.agreeOnVersion1();
                 return answer;
             }
-            if (line.isVersion2() || giveUp - clock.nanos() <= 0 || isWelcomed(timeoutMillis)) {
+            if (board.speaks2() || giveUp - clock.nanos() <= 0 || isWelcomed(timeoutMillis)) {
                 return null;
             }
         }
@@ -97,8 +92,8 @@ final class Negotiation {
                 FrameWriter.Kind.ACTION,
                 WireFrame.OVERHEAD,
                 timeoutMillis,
-                () -> line.isVersion2() ? null : line.hello()); // a further HELLO would end a session
-        boolean isWelcomed = line.await(line::isVersion2, left + helloNanos, true);
+                () -> board.speaks2() ? null : line.session().hello()); // a further HELLO would end a session
+        boolean isWelcomed = line.await(board::speaks2, left + helloNanos, true);
         hasNoise |= !isWelcomed && line.inbox().strayBytes().count() > 0;
         return isWelcomed;
     }

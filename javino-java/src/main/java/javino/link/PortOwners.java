@@ -11,8 +11,8 @@ import javino.PortInterruptedException;
 import javino.Transports;
 
 /**
- * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the whole program, since the devices belong to
- * the machine.
+ * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the program, since devices belong to the
+ * machine.
  */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
@@ -31,11 +31,6 @@ final class PortOwners {
         private Claim(String canonicalName, String owner) {
             this.canonicalName = canonicalName;
             this.owner = owner;
-        }
-
-        /** The port's canonical name, which does not depend on the name that it was opened under. */
-        String canonicalName() {
-            return canonicalName;
         }
 
         /** Notes that the port is about to be given back: the next owner waits until it is free. Idempotent. */

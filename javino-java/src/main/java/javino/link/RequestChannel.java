@@ -21,7 +21,8 @@ final class RequestChannel {
 
     private final SessionLine line;
     private final LineClock clock;
-    private final BoardStart start;
+    private final KnownBoard board;
+    private final Version2Session session;
     private final Version1Requests version1;
     private final Negotiation negotiation;
     private final Lock negotiating;
@@ -31,9 +32,10 @@ final class RequestChannel {
     RequestChannel(SessionLine line, FrameWriter writer, LineClock clock, LinkSettings settings) {
         this.line = line;
         this.clock = clock;
-        start = line.start();
-        version1 = new Version1Requests(line.inbox(), writer, clock, start);
-        negotiation = new Negotiation(line, writer, version1, start, clock, settings);
+        board = line.board();
+        session = line.session();
+        version1 = new Version1Requests(line.inbox(), writer, clock, board);
+        negotiation = new Negotiation(line, writer, version1, clock, settings);
         negotiating = clock.newLock(false);
         byteNanos = settings.line().byteNanos();
     }
@@ -43,19 +45,21 @@ final class RequestChannel {
      * run is sent no request, only HELLO.
      */
     void awaitStart() throws PortException {
-        if (!line.mustAsk()) {
+        if (!board.mustAsk()) {
             return;
         }
         version1.askForAction(true);
         try {
-            if (line.protocol() == Protocol.AUTO && !line.mustAnswer()) {
+            if (board.protocol() == Protocol.AUTO && !board.mustAnswer()) {
                 sayHello();
-            } else if (line.protocol() == Protocol.AUTO) {
-                negotiateOnce();
+            } else if (board.protocol() == Protocol.AUTO) {
+                negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             } else {
-                version1.askUntil(clock.nanos() + start.nanosLeft(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
+                version1.askUntil(
+                        clock.nanos() + board.nanosToStart(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
+            board.saidHello(); // if that has failed, the commands behind go out unasked
             version1.askForAction(false);
         }
     }
@@ -67,7 +71,7 @@ final class RequestChannel {
      * @return whether HELLO has been said
      */
     boolean sayHelloToListener() throws PortException {
-        if (!isListening || line.protocol() != Protocol.AUTO || line.mustAnswer()) {
+        if (!isListening || board.protocol() != Protocol.AUTO || board.mustAnswer()) {
             return false;
         }
         sayHello();
@@ -77,11 +81,11 @@ final class RequestChannel {
     private void sayHello() throws PortException {
         negotiating.lock();
         try {
-            if (!start.hasSaidHello()) {
+            if (!board.hasSaidHello()) {
                 negotiation.sayHello(Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            start.saidHello();
+            board.saidHello();
             negotiating.unlock();
         }
     }
@@ -90,19 +94,10 @@ final class RequestChannel {
         negotiating.lock();
         try {
             Reply answer = negotiation.run(request, timeoutMillis);
-            start.saidHello();
+            board.saidHello();
             return answer;
         } finally {
             negotiating.unlock();
-        }
-    }
-
-    /** Negotiates for a command. If that fails, later commands go out without asking again. */
-    private void negotiateOnce() throws PortException {
-        try {
-            negotiate(READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
-        } finally {
-            start.saidHello();
         }
     }
 
@@ -111,27 +106,24 @@ final class RequestChannel {
      * is damaged. Returns null as well if the board turns out to speak version 2, in which only percepts are requested.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
-        if (line.isVersion2()) {
+        if (board.speaks2()) {
             return requestInVersion2(request, timeoutMillis);
         }
         Reply answer = null;
-        if (line.protocol() == Protocol.AUTO) {
+        if (board.protocol() == Protocol.AUTO) {
             answer = negotiate(request, timeoutMillis);
         }
-        if (answer == null && line.protocol() == Protocol.V1) {
+        if (answer == null && board.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
         }
-        return answer == null && line.isVersion2() ? requestInFoundVersion2(request, timeoutMillis) : answer;
+        return answer == null && board.speaks2() // its session has a request's time to begin, if it has not begun
+                ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
+                : answer;
     }
 
     /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or gives no answer in time. */
     Reply requestKinds(int timeoutMillis) throws PortException {
-        return line.isVersion2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
-    }
-
-    /** Asks a board that has just been found to speak version 2: if its session has not begun, this waits as long again for that. */
-    private Reply requestInFoundVersion2(Frame request, int timeoutMillis) throws PortException {
-        return requestInVersion2(request, line.isOpen() ? timeoutMillis : 2L * timeoutMillis);
+        return board.speaks2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
 
     private Reply requestInVersion2(Frame request, long waitMillis) throws PortException {
@@ -139,11 +131,19 @@ final class RequestChannel {
             return null;
         }
         long wait = Math.max(
-                line.isOpen() ? 0 : start.nanosLeft(),
+                session.isOpen() ? 0 : board.nanosToStart(),
                 TimeUnit.MILLISECONDS.toNanos(waitMillis) + REQUEST_BYTES * byteNanos);
-        Reply answer = line.request(request.text().substring(PerceptsRequest.ALL.length()), clock.nanos() + wait);
+        long deadline = clock.nanos() + wait;
+        line.inbox().look(); // messages that came before the question are no answer to it
+        session.request(request.text().substring(PerceptsRequest.ALL.length()));
+        try {
+            line.await(() -> session.answer() != null || !board.speaks2(), deadline, true);
+        } finally {
+            session.cancelRequest();
+        }
+        Reply answer = session.answer();
         if (answer != null) {
-            start.answered();
+            board.answered();
         }
         return answer;
     }
@@ -153,8 +153,12 @@ final class RequestChannel {
         long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         isListening = true;
         try {
-            Reply message = line.isVersion2() ? null : version1.listen(deadline);
-            return message == null && line.isVersion2() ? line.listen(deadline) : message;
+            Reply message = board.speaks2() ? null : version1.listen(deadline);
+            if (message == null && board.speaks2()) {
+                line.await(() -> session.hasHeard() || !board.speaks2(), deadline, true);
+                message = session.takeHeard();
+            }
+            return message;
         } finally {
             isListening = false;
         }

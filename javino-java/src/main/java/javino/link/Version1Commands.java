@@ -1,7 +1,7 @@
 package javino.link;
 
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
+import javino.ActionRefusedException;
 
 /**
  * Takes commands to a board of version 1, which acknowledges nothing: one at a time is under way, and has arrived when its last byte has
@@ -12,7 +12,10 @@ final class Version1Commands {
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private final FrameWriter writer;
-    private final BooleanSupplier mustAsk;
+    private final Inbox inbox;
+    private final KnownBoard board;
+    private final LineReports reports;
+    private final String port;
     private Command underWay;
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
@@ -20,15 +23,16 @@ final class Version1Commands {
     // only urgent commands went out when this one began (SilentBoardHold), so its arrival says nothing of the others
     private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board should be asked for something before
+    private boolean hasToldSlowBoard;
     private volatile long movedNanos;
 
-    /**
-     * @param now the time at which the line was opened
-     * @param mustAsk whether the board has to be asked for something before it is sent a command
-     */
-    Version1Commands(FrameWriter writer, long now, BooleanSupplier mustAsk) {
+    /** @param now the time at which the line was opened */
+    Version1Commands(FrameWriter writer, Inbox inbox, KnownBoard board, LineReports reports, String port, long now) {
         this.writer = writer;
-        this.mustAsk = mustAsk;
+        this.inbox = inbox;
+        this.board = board;
+        this.reports = reports;
+        this.port = port;
         movedNanos = now;
     }
 
@@ -45,19 +49,23 @@ final class Version1Commands {
     /** Returns whether the command whose turn is next waits until the board has been asked for something. */
     boolean mustAskFirst() {
         Command next = underWay == null ? writer.head() : null;
-        return next != null && !isUnasked && mustAsk.getAsBoolean();
+        return next != null && !isUnasked && board.mustAsk();
     }
 
-    /** Lets the command whose turn is next go out although the board could not be asked. */
-    void goUnasked() {
-        isUnasked = writer.head() != null;
+    /** Records that commands can get through from {@code now} on, or that the next may go out although the board did not answer. */
+    void hasAsked(long now) {
+        if (!board.mustAsk()) {
+            movedNanos = now;
+        } else if (!board.hasLapsed()) {
+            isUnasked = writer.head() != null;
+        }
     }
 
     long nanosUntilBegin() {
         return underWay != null || mustAskFirst() ? Monitor.FOREVER : writer.nanosUntilCommand();
     }
 
-    /** Nanoseconds until {@link #takeArrived} has a command, or {@link #mustLook} is true. */
+    /** Nanoseconds until {@link #endArrived} ends a command, or {@link #mustLook} is true. */
     long nanosUntilArrived(long now) {
         if (!isWritten) {
             return Monitor.FOREVER;
@@ -65,8 +73,8 @@ final class Version1Commands {
         return underWay.isOver() ? 0 : Math.max(0, Math.min(leavesAt - now, lookAt - now));
     }
 
-    /** Begins the command whose turn has come; null: there is none. {@link #written} or {@link #takeUnderWay} follows. */
-    Command begin() {
+    /** The command whose turn has come; null: there is none. {@link #written} or {@link #fail} follows. */
+    SessionLine.Outgoing next() {
         if (nanosUntilBegin() > 0) {
             return null;
         }
@@ -74,21 +82,32 @@ final class Version1Commands {
         isHeldBack = writer.isHeldBack();
         writer.begin();
         isUnasked = false;
-        return underWay;
+        if (underWay.rule() != null) {
+            end(new ActionRefusedException(
+                    port, "the board at port " + port + " speaks version 1, in which it takes no rules"));
+            return null;
+        }
+        warnOfSlowBoard();
+        inbox.sends(underWay.frame());
+        return new SessionLine.Outgoing(underWay.frame().toBytes(), underWay);
+    }
+
+    private void warnOfSlowBoard() {
+        if (writer.isBoardSlow() && !hasToldSlowBoard) {
+            hasToldSlowBoard = true;
+            reports.warn("the board at port " + port + " begins its answers more than " + LoopTime.MAX_MILLIS
+                    + " ms late: a board of version 1 loses commands that come while its loop() does something else;"
+                    + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
+        }
     }
 
     /** Records that a command was written by {@code now}, and when its last byte leaves. */
     void written(Command command, long left, long now) {
-        if (isUnderWay(command)) {
+        if (command == underWay) { // nobody else has failed it
             isWritten = true;
             leavesAt = left;
             lookAt = now + WATCH_NANOS;
         }
-    }
-
-    /** Returns whether a command is still under way, and nobody else has failed it. */
-    boolean isUnderWay(Command command) {
-        return command == underWay;
     }
 
     /** Returns whether to look now if the device is still there, for a command that takes long to leave. */
@@ -98,20 +117,31 @@ final class Version1Commands {
         return isTime;
     }
 
-    /** Takes the command under way if its last byte has left by {@code now}, or nobody waits for that any more; else null. */
-    Command takeArrived(long now) {
-        if (!isWritten || leavesAt - now > 0 && !underWay.isOver()) {
-            return null;
+    /** Ends the command under way if its last byte has left by {@code now}, or if nobody waits for its outcome any more. */
+    void endArrived(long now) {
+        if (isWritten && (leavesAt - now <= 0 || underWay.isOver())) {
+            movedNanos = isHeldBack ? movedNanos : now;
+            end(null);
         }
-        movedNanos = isHeldBack ? movedNanos : now;
-        return takeUnderWay();
     }
 
-    /** Takes the command under way, since it has failed; null: there is none. */
-    Command takeUnderWay() {
-        Command taken = underWay;
+    /** Ends a command that has failed, unless somebody else has. */
+    void fail(Command command, Throwable failure) {
+        if (command == underWay) {
+            end(failure);
+        }
+    }
+
+    /** Ends the command under way, if there is one, since the line has failed. */
+    void abandon(Throwable failure) {
+        if (underWay != null) {
+            end(failure);
+        }
+    }
+
+    private void end(Throwable failure) {
+        reports.ended(underWay, failure);
         underWay = null;
         isWritten = false;
-        return taken;
     }
 }

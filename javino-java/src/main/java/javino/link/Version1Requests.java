@@ -18,17 +18,17 @@ final class Version1Requests {
     private final Inbox inbox;
     private final FrameWriter writer;
     private final LineClock clock;
-    private final BoardStart start;
+    private final KnownBoard board;
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
     private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
     private Reply overheard; // the answer to such a request, for a caller that listens; null: none
 
-    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, BoardStart start) {
+    Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
         this.writer = writer;
         this.clock = clock;
-        this.start = start;
+        this.board = board;
     }
 
     /** Sets whether requests from now on are only made before an action. */
@@ -40,7 +40,7 @@ final class Version1Requests {
     Reply request(Frame request, int timeoutMillis) throws PortException {
         overheard = null;
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
-        long starting = start.nanosLeft();
+        long starting = board.nanosToStart();
         if (starting > 0) {
             return askUntil(clock.nanos() + Math.max(starting, timeoutNanos), request, timeoutMillis);
         }
@@ -57,7 +57,7 @@ final class Version1Requests {
         long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
         Reply answer = null;
         for (long left = giveUp - clock.nanos();
-                answer == null && left > 0 && inbox.isReadingVersion1();
+                answer == null && left > 0 && !board.speaks2();
                 left = giveUp - clock.nanos()) {
             long sent = ask(request, timeoutMillis);
             answer = awaitAnswer(sent, sent + Math.min(left, repeatNanos), giveUp);
@@ -71,13 +71,13 @@ final class Version1Requests {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (!inbox.isReadingVersion1()) { // a request would end the session that WELCOME has begun meanwhile
+            if (board.speaks2()) { // a request would end the session that WELCOME has begun meanwhile
                 return null;
             }
             inbox.sends(request);
             return request.toBytes();
         });
-        if (inbox.isReadingVersion1()) {
+        if (!board.speaks2()) {
             owed.asked(sent);
         }
         return sent;
@@ -85,7 +85,7 @@ final class Version1Requests {
 
     /** Ends an exchange whose first message has come, and returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
-        start.heard();
+        board.heard();
         Reply answer = last(first, timeoutMillis);
         if (isForAction && isListening) {
             overheard = answer;
@@ -102,7 +102,7 @@ final class Version1Requests {
         if (message == null) {
             return null;
         }
-        start.heard();
+        board.heard();
         writer.answered(clock.nanos()); // a board that speaks is not busy with a request that nobody waits for any more
         return newest(message);
     }
@@ -117,7 +117,7 @@ final class Version1Requests {
     }
 
     private boolean isComing(long sent) {
-        return inbox.isReadingVersion1()
+        return !board.speaks2()
                 && inbox.lastByteNanos() - sent > 0
                 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
     }
@@ -147,7 +147,7 @@ final class Version1Requests {
         long giveUp = now + timeoutNanos;
         long settlingNanos = owed.settlingNanos(now, timeoutNanos);
         Reply last = first;
-        while (giveUp - clock.nanos() > 0 && inbox.isReadingVersion1()) {
+        while (giveUp - clock.nanos() > 0 && !board.speaks2()) {
             long left = Math.min(inbox.lastByteNanos() + settlingNanos, giveUp) - clock.nanos();
             Reply later = inbox.next(clock.nanos() + left);
             if (later != null) {

@@ -180,10 +180,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /**
-     * Closes the port, which ends a waiting write. Returns false if the driver takes too long; true if it is done or the calling thread is
-     * interrupted.
-     */
+    /** Closes the port, which ends a waiting write. Returns false if the driver takes too long; true if closed or interrupted. */
     private boolean closePort() {
         Thread closing = new Thread(port::closePort, "close " + name());
         closing.setDaemon(true);

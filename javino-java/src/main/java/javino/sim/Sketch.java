@@ -1,9 +1,11 @@
 package javino.sim;
 
 import java.util.List;
+import javino.LineClock;
 import javino.PerceptKind;
 import javino.PortException;
 import javino.Transport;
+import javino.wire.BoardAction;
 
 /**
  * A board in a program, as two functions: one returns percepts, one carries out commands. It speaks both versions of the protocol.
@@ -36,9 +38,29 @@ public interface Sketch extends SimulatedBoard {
      */
     boolean act(String command);
 
+    /** Returns its actions, by which computers check commands: {@link BoardProgram#vocabulary}. Unless overridden, it tells none. */
+    default List<BoardAction> actions() {
+        return List.of();
+    }
+
+    /** Returns the percepts that rules on the board are compared with, every few milliseconds; unless overridden, {@link #percepts}. */
+    default List<String> sensors() {
+        return percepts();
+    }
+
     /** Answers and acts until the port is closed. */
     @Override
     default void run(Transport line) throws PortException, InterruptedException {
-        new SketchProgram(this, line).run();
+        run(line, LineClock.system(), 0);
+    }
+
+    /**
+     * Like {@link #run(Transport)}, for a board that watches critical rules, or on a line with a clock of its own.
+     *
+     * @param clock the line's
+     * @param rules the number of rules that the board can watch, 0 to 255
+     */
+    default void run(Transport line, LineClock clock, int rules) throws PortException, InterruptedException {
+        new SketchProgram(this, line, clock, rules).run();
     }
 }

@@ -8,20 +8,27 @@ import javino.PerceptKind;
 import javino.PerceptTerm;
 import javino.PerceptsRequest;
 import javino.PortException;
+import javino.Protocol;
 import javino.Transport;
+import javino.wire.BoardAction;
 
 /** Runs a {@link Sketch} for one opening of its port. */
 final class SketchProgram implements BoardProgram {
     private final Sketch sketch;
     private final BoardLoop loop;
 
-    SketchProgram(Sketch sketch, Transport line) {
+    SketchProgram(Sketch sketch, Transport line, LineClock clock, int rules) {
         this.sketch = sketch;
-        loop = new BoardLoop(line, this, LineClock.system());
+        loop = new BoardLoop(line, this, Protocol.AUTO, BoardSession.Capacity.FULL.withRules(rules), clock);
     }
 
     void run() throws PortException, InterruptedException {
         loop.run();
+    }
+
+    @Override
+    public List<BoardAction> vocabulary() {
+        return sketch.actions();
     }
 
     @Override
@@ -37,11 +44,20 @@ final class SketchProgram implements BoardProgram {
     @Override
     public String percepts(String request) throws PortException, InterruptedException {
         Set<String> functors = PerceptsRequest.functorsIn(request);
-        String answer = sketch.percepts().stream()
+        return loop.sayBeginning(message(sketch.percepts(), functors));
+    }
+
+    @Override
+    public String sensors() {
+        return message(sketch.sensors(), Set.of());
+    }
+
+    /** The message of the percepts of some functors; none: of all. */
+    private static String message(List<String> percepts, Set<String> functors) {
+        return percepts.stream()
                 .map(percept -> percept + ";")
                 .filter(percept -> functors.isEmpty()
                         || functors.contains(PerceptTerm.of(percept).functor()))
                 .collect(Collectors.joining());
-        return loop.sayBeginning(answer);
     }
 }

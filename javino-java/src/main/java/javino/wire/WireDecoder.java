@@ -36,10 +36,7 @@ public final class WireDecoder {
         this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, nonce, found);
     }
 
-    /**
-     * Like the other constructor; a frame with a payload longer than {@code longestPayload} counts as damaged as soon as its length has
-     * come.
-     */
+    /** Like the other constructor; a frame with a payload longer than {@code longestPayload} counts as damaged once its length has come. */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;

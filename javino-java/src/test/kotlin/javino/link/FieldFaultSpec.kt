@@ -69,7 +69,7 @@ class FieldFaultSpec : FunSpec({
                 val whole = HashSet<Int>() // the numbers of the messages that came undamaged
                 var delivered = 0
                 EventLine(FAST, Talker(EXCHANGES, gap) { if (faults.intact) intact += it }, toComputer = faults).use { line ->
-                    val inbox = Inbox(Monitor(line.clock, "field"), line.transport, line.clock, Protocol.V1) { _, _ -> }
+                    val inbox = inboxOn(line.transport, line.clock)
                     for (message in generateSequence { inbox.next(line.clock.nanos() + 2_000_000_000) }) {
                         delivered++
                         val number = message.text().substringAfter('(').substringBefore(')').toIntOrNull()

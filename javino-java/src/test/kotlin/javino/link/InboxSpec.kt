@@ -18,12 +18,18 @@ import java.util.concurrent.TimeUnit
 
 private const val PAST = Long.MIN_VALUE / 4
 
+/** An inbox that reads version 1. */
+internal fun inboxOn(line: Transport, clock: LineClock, listener: Inbox.Listener = Inbox.Listener { _, _ -> }): Inbox {
+    val monitor = Monitor(clock, line.name())
+    return Inbox(monitor, line, clock, KnownBoard(monitor, clock, LinkSettings.defaults().withProtocol(Protocol.V1)), listener)
+}
+
 /** An inbox on a line in memory, whose far end a test holds. */
 private class InboxProbe {
     val clock = JumpingClock()
     private val line = MemoryLine.unlimited("probe", LineSettings.defaults(), clock)
     val receivedAt = mutableListOf<Long>()
-    val inbox = Inbox(Monitor(clock, "probe"), line.computer(), clock, Protocol.V1) { _, now -> receivedAt.add(now) }
+    val inbox = inboxOn(line.computer(), clock) { _, now -> receivedAt.add(now) }
 
     fun arrives(bytes: String) = line.board().write(bytes.toByteArray(Charsets.ISO_8859_1), 0, bytes.length, 0)
 
@@ -103,7 +109,7 @@ class InboxSpec : FunSpec({
                 return count
             }
         }
-        val inbox = Inbox(Monitor(clock, "probe"), computer, clock, Protocol.V1) { _, _ -> }
+        val inbox = inboxOn(computer, clock)
         arrives("fffe05he")
         inbox.look()
         inbox.look()
@@ -135,7 +141,7 @@ class InboxSpec : FunSpec({
                 return 0
             }
         }
-        val inbox = Inbox(Monitor(LineClock.system(), "slow"), line, LineClock.system(), Protocol.V1) { _, _ -> }
+        val inbox = inboxOn(line, LineClock.system())
         val clearing = async { inbox.clear() }
         reading.await()
         async { inbox.next(LineClock.system().nanos() + 1_000_000) }.get(20, TimeUnit.SECONDS).shouldBeNull()

@@ -21,6 +21,7 @@ import javino.FrameDecoder
 import javino.PortTimeoutException
 import javino.Protocol
 import javino.Transport
+import javino.async
 import javino.logged
 import javino.sim.FakeBoard
 import javino.sim.VirtualBoard2
@@ -31,6 +32,7 @@ import javino.wire.FrameKind
 import javino.wire.Welcome
 import javino.wire.WireDecoder
 import javino.wire.WireFrame
+import java.util.concurrent.TimeUnit
 
 private const val REQUEST = "getPercepts"
 
@@ -419,7 +421,7 @@ class LinkVersionSpec : FunSpec({
 
     test("a board of an older draft of version 2 is spoken to in version 1, and the log says what to do") {
         val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) olderDraft(it) else it) } }
-        val warnings = logged("javino.link.SessionLine") {
+        val warnings = logged("javino.link.LineReports") {
             bench(board, LinkSettings.defaults().withBootMillis(0)).use { bench ->
                 bench.link.request(REQUEST, 500).text() shouldBe "1;"
                 bench.link.protocol() shouldBe Protocol.V1
@@ -460,7 +462,7 @@ class LinkVersionSpec : FunSpec({
 
     test("actions that found no room on a board are told once, however many sessions there are") {
         val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) actionsLost(it) else it) } }
-        val warnings = logged("javino.link.SessionLine") {
+        val warnings = logged("javino.link.LineReports") {
             bench(board).use { bench ->
                 bench.link.actionsLost() shouldBe 0
                 repeat(3) {
@@ -473,9 +475,17 @@ class LinkVersionSpec : FunSpec({
         warnings.single() shouldContain "51 actions of the board's program found no room"
     }
 
+    test("a warning is logged outside of the lock of the line, which other threads can take meanwhile") {
+        val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.WELCOME) actionsLost(it) else it) } }
+        bench(board).use { bench ->
+            val onAnotherThread = { check(async { bench.link.strayBytes().count() }.get(20, TimeUnit.SECONDS) >= 0) }
+            logged("javino.link.LineReports", onAnotherThread) { bench.link.request(REQUEST, 500) }.size shouldBe 1
+        }
+    }
+
     test("frames that arrive whole and cannot be read are told once") {
         val board = VirtualBoard2().apply { posting = { listOf(if (it.kind() == FrameKind.VOCABULARY) cut(it) else it) } }
-        val warnings = logged("javino.link.SessionLine") {
+        val warnings = logged("javino.link.LineReports") {
             bench(board).use { bench ->
                 repeat(40) {
                     bench.link.request(REQUEST, 500)
@@ -493,7 +503,7 @@ class LinkVersionSpec : FunSpec({
         val board = VirtualBoard2(actions = listOf(BoardAction("stop", 0))).apply {
             posting = { listOf(if (it.kind() == FrameKind.VOCABULARY) empty(it) else it) }
         }
-        val warnings = logged("javino.link.SessionLine") {
+        val warnings = logged("javino.link.LineReports") {
             bench(board).use { bench ->
                 repeat(40) {
                     bench.link.request(REQUEST, 500)
@@ -508,7 +518,7 @@ class LinkVersionSpec : FunSpec({
 
     test("of a simulated board's actions the first 126 are known, and it is told that there are others") {
         FakeBoard.plugIn("many").version2().lenient().knows(*Array(130) { "a$it" }).use { board ->
-            val warnings = logged("javino.link.SessionLine") {
+            val warnings = logged("javino.link.LineReports") {
                 Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
                     link.request(REQUEST, 20_000)
                     link.sendAndAwait("a125", 20_000)
@@ -524,7 +534,7 @@ class LinkVersionSpec : FunSpec({
 
     test("a simulated board leaves out an action whose name fits on no page, and has the others") {
         FakeBoard.plugIn("long").version2().lenient().knows("n".repeat(251), "stop").use { board ->
-            val warnings = logged("javino.link.SessionLine") {
+            val warnings = logged("javino.link.LineReports") {
                 Link.open(board.port(), Bench.FAST.withProtocol(Protocol.V2), "the test").use { link ->
                     link.request(REQUEST, 20_000)
                     while (link.vocabulary().isEmpty) link.request(REQUEST, 20_000)

@@ -6,6 +6,7 @@ import javino.CommandWithdrawnException
 import javino.Frame
 import javino.LineSettings
 import javino.LineTime
+import javino.PerceptsRequest
 import javino.PortGoneException
 import javino.Protocol
 import javino.Transport
@@ -108,7 +109,7 @@ private class Session {
         if (it) command.outcome().completeExceptionally(CommandWithdrawnException(transport.name(), "it was withdrawn"))
     }
 
-    fun request() = line.request("", LIMIT_NANOS)?.text()
+    fun request() = RequestChannel(line, writer, time, settings).request(Frame.of(PerceptsRequest.ALL), LIMIT_MS)?.text()
 
     fun listen() = line.await({ false }, LIMIT_NANOS, true)
 

@@ -5,6 +5,7 @@ import javino.FrameDecoder
 import javino.LineClock
 import javino.PerceptsRequest
 import javino.Transport
+import javino.sim.Sketch
 import java.util.concurrent.TimeUnit
 import kotlin.math.ceil
 import kotlin.time.Duration.Companion.milliseconds
@@ -66,8 +67,11 @@ class FieldBoard(
     }
 
     private fun handle(message: String, line: Transport, unread: Unread) {
-        if (message != PerceptsRequest.ALL) return sketch.act(message)
-        val answer = messages(perceptsOf(sketch.percepts())).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
+        if (message != PerceptsRequest.ALL) {
+            sketch.act(message)
+            return
+        }
+        val answer = messages(sketch.percepts()).map { Frame.of(it).toBytes() }.reduce(ByteArray::plus)
         line.write(answer, 0, answer.size, WRITE_LIMIT_MS)
         unread.lookAwayUntil(clock.nanos() + answer.size * line.line().byteNanos())
     }
@@ -77,6 +81,12 @@ class FieldBoard(
         unread.lookAwayUntil(clock.nanos() + TimeUnit.MILLISECONDS.toNanos(startMs.toLong()))
         unread.forget()
         decoder.reset()
+    }
+
+    /** Puts [percepts] into as few messages as can hold them, at least one; none is cut in two. */
+    private fun messages(percepts: List<String>) = percepts.fold(listOf("")) { messages, percept ->
+        if (messages.last().length + percept.length >= Frame.MAX_PAYLOAD) messages + "$percept;"
+        else messages.dropLast(1) + "${messages.last()}$percept;"
     }
 
     private companion object {

@@ -1,10 +1,8 @@
 package samples.carrier
 
 import javino.LineClock
-import javino.Transport
-import javino.sim.SimulatedBoard
-import samples.board.LibraryBoard
-import samples.board.Sketch
+import javino.sim.Sketch
+import javino.wire.BoardAction
 import samples.carrier.Carrier.Direction
 import kotlin.math.roundToInt
 
@@ -12,17 +10,24 @@ import kotlin.math.roundToInt
 private val carrier by lazy { Carrier(LineClock.system()) }
 
 /** A simulated board of the robot with a [sketch], which logs its actions. */
-abstract class CarrierBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    private val logged = object : Sketch by sketch {
-        override fun act(command: String) {
-            System.getLogger("samples.$name").log(System.Logger.Level.INFO, command)
-            sketch.act(command)
-        }
-    }
-
+abstract class CarrierBoard internal constructor(private val name: String, private val sketch: Sketch) : Sketch {
     final override fun name() = name
 
-    final override fun run(line: Transport) = LibraryBoard(logged).run(line)
+    final override fun actions(): List<BoardAction> = sketch.actions()
+
+    final override fun percepts(): List<String> = sketch.percepts()
+
+    final override fun act(command: String): Boolean {
+        System.getLogger("samples.$name").log(System.Logger.Level.INFO, command)
+        return sketch.act(command)
+    }
+}
+
+/** A board of the robot that has the actions [deeds], by their names. */
+internal abstract class Part(private vararg val deeds: Pair<String, () -> Unit>) : Sketch {
+    final override fun actions() = deeds.map { BoardAction(it.first, 0) }
+
+    final override fun act(command: String): Boolean = deeds.toMap()[command]?.invoke() != null
 }
 
 /** `sim:wheels`, the board of the sample `three-boards` that drives. */
@@ -35,35 +40,22 @@ class SensorsBoard : CarrierBoard("sensors", Eyes(carrier))
 class ArmBoard : CarrierBoard("arm", Arm(carrier))
 
 /** Actions `forward`, `backward`, `halt`; percepts `moving(forward)`, `moving(backward)` or `moving(no)`, and `way(Cm)` from the start. */
-internal class Wheels(private val carrier: Carrier) : Sketch {
-    override val actions = listOf("forward", "backward", "halt")
-
-    override fun percepts() = "moving(${carrier.direction.word});way(${carrier.way.roundToInt()});"
-
-    override fun act(command: String) = when (command) {
-        "forward" -> carrier.move(Direction.FORWARD)
-        "backward" -> carrier.move(Direction.BACKWARD)
-        "halt" -> carrier.move(Direction.NO)
-        else -> Unit
-    }
+internal class Wheels(private val carrier: Carrier) : Part(
+    "forward" to { carrier.move(Direction.FORWARD) }, "backward" to { carrier.move(Direction.BACKWARD) },
+    "halt" to { carrier.move(Direction.NO) },
+) {
+    override fun percepts() = listOf("moving(${carrier.direction.word})", "way(${carrier.way.roundToInt()})")
 }
 
 /** Percept `dist(front,Cm)`. */
-internal class Eyes(private val carrier: Carrier) : Sketch {
-    override fun percepts() = "dist(front,${carrier.free.roundToInt()});"
-
-    override fun act(command: String) = Unit
+internal class Eyes(private val carrier: Carrier) : Part() {
+    override fun percepts() = listOf("dist(front,${carrier.free.roundToInt()})")
 }
 
 /** Actions `grip`, `release`, `halt`; percept `hand(open)`, `hand(closed)` or `hand(full)`. */
-internal class Arm(private val carrier: Carrier) : Sketch {
-    override val actions = listOf("grip", "release", "halt")
-
-    override fun percepts() = "hand(${carrier.grasp.word});"
-
-    override fun act(command: String) = when (command) {
-        "grip" -> carrier.grip()
-        "release" -> carrier.release()
-        else -> Unit // a hand that moves at once has nothing to halt
-    }
+internal class Arm(private val carrier: Carrier) : Part(
+    "grip" to { carrier.grip() }, "release" to { carrier.release() },
+    "halt" to {}, // a hand that moves at once has nothing to halt
+) {
+    override fun percepts() = listOf("hand(${carrier.grasp.word})")
 }

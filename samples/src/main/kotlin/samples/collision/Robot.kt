@@ -1,7 +1,8 @@
 package samples.collision
 
 import javino.LineClock
-import samples.board.Sketch
+import javino.sim.Sketch
+import javino.wire.BoardAction
 import java.util.concurrent.atomic.AtomicReference
 import kotlin.random.Random
 
@@ -32,15 +33,15 @@ class Robot(
     var lamps: Set<String> = emptySet()
         private set
 
-    override val actions get() = ACTIONS
+    override fun actions() = ACTIONS.map { BoardAction(it, 0) }
 
-    override fun percepts(): String {
+    override fun percepts(): List<String> {
         val now = clock.nanos()
         notice(now)
         return sensors.frame(course.distanceAt(now))
     }
 
-    override fun act(command: String) {
+    override fun act(command: String): Boolean {
         val now = clock.nanos()
         when (command) {
             "front" -> way.set(course.drive(now))
@@ -51,6 +52,7 @@ class Robot(
             "ledTempOff" -> lamps -= "temp"
         }
         notice(now)
+        return command in ACTIONS
     }
 
     @Synchronized // the sensors may be on a board of their own, with a thread of its own

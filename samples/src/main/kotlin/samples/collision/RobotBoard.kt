@@ -3,8 +3,8 @@ package samples.collision
 import javino.LineClock
 import javino.Transport
 import javino.sim.SimulatedBoard
+import javino.sim.Sketch
 import samples.board.FieldBoard
-import samples.board.Sketch
 import kotlin.random.Random
 
 /** `sim:robot`, the robot and the wall of the collision experiment. The robot outlives its port: opened again, it stands where it stood. */
@@ -32,9 +32,9 @@ class RobotBoard internal constructor(private val name: String, private val sket
 
 /** The wheels and lamps of [robot]. */
 private class Motion(private val robot: Robot) : Sketch {
-    override val actions get() = robot.actions
+    override fun actions() = robot.actions()
 
-    override fun percepts() = ""
+    override fun percepts() = emptyList<String>()
 
     override fun act(command: String) = robot.act(command)
 }
@@ -43,7 +43,7 @@ private class Motion(private val robot: Robot) : Sketch {
 private class Senses(private val robot: Robot) : Sketch {
     override fun percepts() = robot.percepts()
 
-    override fun act(command: String) = Unit
+    override fun act(command: String) = false
 }
 
 private fun log(course: Course, state: Course.State) = System.getLogger("samples.robot").log(

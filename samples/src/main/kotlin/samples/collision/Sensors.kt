@@ -24,12 +24,12 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
     }
 
     /**
-     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123);…temp(l,25);`.
+     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123)` to `temp(l,25)`.
      */
-    fun frame(distance: Double): String = buildString {
+    fun frame(distance: Double): List<String> = buildList {
         for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
             val place = if (set == 1) "$side" else "$side$set"
-            append(kind.functor, '(', place, ',', read(kind, place, kind.level(side, distance)), ");")
+            add("${kind.functor}($place,${read(kind, place, kind.level(side, distance))})")
         }
     }
 

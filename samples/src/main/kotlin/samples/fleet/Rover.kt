@@ -3,8 +3,8 @@ package samples.fleet
 import javino.LineClock
 import javino.Transport
 import javino.sim.SimulatedBoard
+import javino.sim.Sketch
 import samples.board.FieldBoard
-import samples.board.Sketch
 
 /**
  * The firmware of a robot that drives to ordered places: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later it is
@@ -16,13 +16,13 @@ class Rover(private val clock: LineClock) : Sketch {
     private var place = "home"
     private var arrivesAt = clock.nanos()
 
-    override fun percepts() = if (clock.nanos() - arrivesAt >= 0) "at($place);" else "driving($place);"
+    override fun percepts() = listOf(if (clock.nanos() - arrivesAt >= 0) "at($place)" else "driving($place)")
 
-    override fun act(command: String) {
-        val goal = GOTO.matchEntire(command)?.groupValues?.get(1) ?: return
-        if (goal == place) return
+    override fun act(command: String): Boolean {
+        val goal = GOTO.matchEntire(command)?.groupValues?.get(1) ?: return false
+        if (goal != place) arrivesAt = clock.nanos() + TRAVEL_MS * 1_000_000L
         place = goal
-        arrivesAt = clock.nanos() + TRAVEL_MS * 1_000_000L
+        return true
     }
 
     companion object {

@@ -1,6 +1,6 @@
 package samples.lamp
 
-import samples.board.Sketch
+import javino.sim.Sketch
 
 /**
  * The firmware of a board with one LED: `ledOn` and `ledOff` switch it, and the board reports it as `led(Name,on)` or
@@ -12,17 +12,17 @@ import samples.board.Sketch
 class Lamp(private val name: String, private val switched: (on: Boolean) -> Unit) : Sketch {
     private var on = false
 
-    override fun percepts(): String = "led($name,${if (on) "on" else "off"});"
+    override fun percepts() = listOf("led($name,${if (on) "on" else "off"})")
 
     override fun act(command: String) = when (command) {
         "ledOn" -> switch(true)
         "ledOff" -> switch(false)
-        else -> Unit
+        else -> false
     }
 
-    private fun switch(on: Boolean) {
-        if (on == this.on) return
+    private fun switch(on: Boolean): Boolean {
+        if (on != this.on) switched(on)
         this.on = on
-        switched(on)
+        return true
     }
 }

@@ -8,6 +8,7 @@ import javino.LineSettings
 import javino.PortGoneException
 import javino.Transport
 import javino.sim.MemoryLine
+import javino.sim.Sketch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
@@ -16,13 +17,13 @@ import kotlin.time.Duration.Companion.seconds
 private const val DEADLINE_S = 120L
 
 /** A board on a line at 9600 baud, which notes its commands. */
-private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseable {
+private class Bench(private vararg val percepts: String, loopMs: Int = 0) : AutoCloseable {
     private val line = MemoryLine.paced("bench", LineSettings.defaults())
     val computer: Transport = line.computer()
     val commands = LinkedBlockingQueue<String>()
     private val sketch = object : Sketch {
-        override fun percepts() = this@Bench.percepts
-        override fun act(command: String) = commands.put(command)
+        override fun percepts() = this@Bench.percepts.toList()
+        override fun act(command: String) = commands.add(command)
     }
     val field = FieldBoard(sketch, loopMs = loopMs)
     private val board = thread(name = "board") {
@@ -59,7 +60,7 @@ private class Bench(private val percepts: String, loopMs: Int = 0) : AutoCloseab
 
 class FieldBoardSpec : FunSpec({
     test("a request is answered with the percepts, anything else is a command") {
-        Bench("light(f,40);").use { bench ->
+        Bench("light(f,40)").use { bench ->
             bench.send("getPercepts")
             bench.receive(18) shouldBe "fffe0Clight(f,40);"
             bench.send("speed(120)")
@@ -68,7 +69,7 @@ class FieldBoardSpec : FunSpec({
     }
 
     test("commands that arrive while it reads are done one after the other") {
-        Bench("").use { bench ->
+        Bench().use { bench ->
             bench.send("one", "two", "three")
             List(3) { bench.nextCommand() } shouldBe listOf("one", "two", "three")
         }
@@ -78,7 +79,7 @@ class FieldBoardSpec : FunSpec({
         val percepts = "x".repeat(200)
         Bench(percepts).use { bench ->
             bench.send("getPercepts", "one", "two") // the answer takes 215 ms, the two commands 19 ms
-            bench.receive(206) shouldBe "fffeC8$percepts"
+            bench.receive(207) shouldBe "fffeC9$percepts;"
             bench.nextCommand() shouldBe "two"
             bench.send("three")
             bench.nextCommand() shouldBe "three"
@@ -89,7 +90,7 @@ class FieldBoardSpec : FunSpec({
         Bench("x".repeat(200)).use { bench ->
             bench.send("getPercepts", "one")
             bench.write("fff") // arrives while the board answers
-            bench.receive(206)
+            bench.receive(207)
             eventually(20.seconds) { bench.field.restarts shouldBe 1 }
             eventually(20.seconds) {
                 bench.send("two")
@@ -99,14 +100,14 @@ class FieldBoardSpec : FunSpec({
     }
 
     test("a board that looks seldom forgets a message that a whole one follows") {
-        Bench("", loopMs = 200).use { bench ->
+        Bench(loopMs = 200).use { bench ->
             bench.send("one", "two", "three")
             bench.nextCommand() shouldBe "three"
         }
     }
 
     test("noise before a message does not cost the message") {
-        Bench("").use { bench ->
+        Bench().use { bench ->
             bench.write("xfff")
             bench.send("one")
             bench.nextCommand() shouldBe "one"

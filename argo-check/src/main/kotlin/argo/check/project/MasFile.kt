@@ -1,7 +1,11 @@
 package argo.check.project
 
+import argo.check.syntax.Belief
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
+import argo.check.syntax.programOf
 import java.nio.file.Path
 
 /** An option of an agent in a project file, as `argo_view=8080`. */
@@ -22,6 +26,11 @@ class MasAgent(
     val hasOwnClass: Boolean,
     val number: Int,
 ) {
+    /** The beliefs and goals with which its options have it begin: `[beliefs="limit(20)", goals="drive"]`. */
+    val initial: List<Mention> by lazy {
+        options.flatMap { option -> INITIAL[option.name.text]?.let { role -> literalsIn(option).map { Mention(role, it) } }.orEmpty() }
+    }
+
     val isArgo: Boolean get() = architectures.any { it.text == ARCHITECTURE }
 
     /** The names of the running agents. */
@@ -29,6 +38,14 @@ class MasAgent(
 
     companion object {
         const val ARCHITECTURE = "argo.Arch"
+        private val INITIAL = mapOf("beliefs" to Role.BELIEVED, "goals" to Role.POSTED)
+
+        /** Returns the literals of an option's value, which Jason reads as the elements of a list. */
+        private fun literalsIn(option: AgentOption): List<Literal> {
+            val text = option.value?.text.orEmpty().removeSurrounding("\"").replace("\\\"", "\"")
+            val holder = programOf("initial([$text]).").components.singleOrNull() as? Belief
+            return ((holder?.head as? Literal)?.arguments?.singleOrNull() as? ListTerm)?.items.orEmpty().filterIsInstance<Literal>()
+        }
     }
 }
 

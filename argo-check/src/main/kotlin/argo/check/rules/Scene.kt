@@ -13,7 +13,7 @@ internal class Scene(val project: Project, val program: AgentProgram) {
 
     val agents: List<MasAgent> = project.agentsOf(program.path.toAbsolutePath().normalize())
 
-    private val ownMentions: List<Mention> = parts.programs.flatMap { it.mentions.all }
+    private val ownMentions: List<Mention> = parts.programs.flatMap { it.mentions.all } + agents.flatMap { it.initial }
     private val sentMentions: List<Mention> = project.programs.values.flatMap { it.mentions.all }.filter { it.role in SENT }
     private val byRole: Map<Role, List<Mention>> = ownMentions.groupBy { it.role }
     private val sent: Map<Role, List<Mention>> = sentMentions.groupBy { it.role }

@@ -54,6 +54,13 @@ class RobotRulesSpec : FunSpec({
         ).forEach { agent -> test(agent) { found(agent).shouldBeEmpty() } }
     }
 
+    test("beliefs and goals of the project file are known") {
+        val initial = "robot.mas2j" to "MAS robot { agents: robot [beliefs=\"limit(2), says(\\\"a,b\\\")\", goals=\"go\"] agentArchClass argo.Arch; }"
+        val agent = "robot.asl" to "+!go : limit(L) & says(T) <- .print(L,T)."
+        findingsIn(root, initial, percepts, sketch, agent).shouldBeEmpty()
+        findingsIn(root, mas, percepts, sketch, agent).map { it.rule } shouldContainExactly listOf("percept-unknown", "percept-unknown")
+    }
+
     test("a reflex that no board knows is found, in the line of the filter") {
         val filter = "<PerceptionFilter>\n<critical reflex=\"sotp\">\n<predicate>dist</predicate></critical></PerceptionFilter>"
         found("+ready <- argo.change_filter(near).", "filters/near.xml" to filter) shouldContainExactly

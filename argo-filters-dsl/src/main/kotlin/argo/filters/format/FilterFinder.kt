@@ -43,8 +43,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters, sorted. Places that cannot be listed add none, and a file in the list may turn out to be no valid
-     * filter.
+     * Returns the names of all filters, sorted. Places that cannot be listed add none, and a file in the list may prove to be no filter.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */

@@ -110,10 +110,7 @@ internal class CompiledTest(private val test: TermTest) {
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /**
-     * Returns true if a term meets the test. [isEqual]: the term equals one of the test's values; [number]: the term's number, NaN if it is
-     * none.
-     */
+    /** Returns true if a term meets the test. [isEqual]: it equals one of the test's values; [number]: the term's number, else NaN. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual

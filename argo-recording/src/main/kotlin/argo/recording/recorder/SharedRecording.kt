@@ -22,11 +22,11 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
      */
     private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 
-    /** Writes a ring to a file, on a thread of its own. Does nothing to a recording that goes to a file anyway. */
-    fun save() {
+    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing to a recording that goes to a file anyway. */
+    fun save(folder: Path = Path.of("")) {
         val ring = sink as? RecordingRing ?: return
         Thread({
-            val file = Path.of("recording-${LocalDateTime.now().format(STAMP)}.mcap")
+            val file = folder.resolve("recording-${LocalDateTime.now().format(STAMP)}.mcap")
             try {
                 ring.save(file)
                 log.info("the last minutes are recorded in $file")

@@ -72,7 +72,8 @@ class Recording(private val file: Path) : AutoCloseable {
         }.toList()
 
     /**
-     * The parts of the file that cannot be read: one sentence for a person for each, and only the first hundred. The rest can be replayed.
+     * The parts of the file that cannot be read: one sentence for a person for each of the first hundred, and one if there are others. The
+     * rest can be replayed.
      */
     val problems: List<String> get() = reader.problems
 

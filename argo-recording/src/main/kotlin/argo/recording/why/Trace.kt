@@ -63,7 +63,11 @@ internal class Trace(
 
     private val origins = IdentityHashMap<Event, Cause>()
     private val adopted = WeakHashMap<IntendedMeans, Adopted>()
-    private val notes = HashMap<String, Cause>()
+    private var hasForgottenNotes = false
+    private val notes = object : LinkedHashMap<String, Cause>() {
+        override fun removeEldestEntry(eldest: Map.Entry<String, Cause>) =
+            (size > MAX_NOTES).also { hasForgottenNotes = hasForgottenNotes || it }
+    }
     private val mail = ArrayList<MessageCause>()
     private var pending: Pair<Option, Adopted>? = null
     private var event: Event? = null
@@ -243,13 +247,13 @@ internal class Trace(
         val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
         val key = normal(keyOf(literal))
         notes.remove(key) // the newest note comes last
-        if (notes.size >= MAX_NOTES) notes.clear()
         notes[key] = step
     }
 
     private fun originOf(belief: Literal): Cause = when {
         belief.hasSource(jason.bb.BeliefBase.APercept) -> percepts.of(belief) ?: UnknownCause(keyOf(belief), "it was perceived before")
-        else -> notes[normal(keyOf(belief))] ?: tellOrigin(belief) ?: beginning(belief)
+        else -> notes[normal(keyOf(belief))] ?: tellOrigin(belief)
+            ?: if (hasForgottenNotes) UnknownCause(keyOf(belief), FORGOTTEN) else beginning(belief)
     }
 
     private fun tellOrigin(belief: Literal): Cause? =
@@ -292,6 +296,7 @@ internal class Trace(
     companion object {
         private const val BEFORE = "that was before the replay begins, in a part that this recording has lost"
         private const val MAX_NOTES = 10_000
+        private const val FORGOTTEN = "it was there from the beginning, or plans have noted more than $MAX_NOTES beliefs since it was"
 
         /** The largest number of causes from a step to the root of its intention. */
         private const val MAX_DEPTH = 60

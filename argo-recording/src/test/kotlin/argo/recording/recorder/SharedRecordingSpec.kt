@@ -4,10 +4,41 @@ import argo.mcap.McapReader
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.string.shouldStartWith
 import java.nio.file.Path
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
 
 class SharedRecordingSpec : FunSpec({
+    test("the last minutes that cannot be written are told by the log, with the file and the reason") {
+        val lines = LinkedBlockingQueue<String>()
+        val log = Logger.getAnonymousLogger().apply {
+            useParentHandlers = false
+            addHandler(object : Handler() {
+                override fun publish(record: LogRecord) {
+                    lines += record.message
+                }
+
+                override fun flush() = Unit
+                override fun close() = Unit
+            })
+        }
+        val recording = SharedRecording.join("last(1)", log)
+        val folder = tempdir().toPath().resolve("gone")
+        recording.save(folder)
+        lines.poll(20, TimeUnit.SECONDS).shouldNotBeNull().run {
+            this shouldStartWith "the last minutes cannot be written to $folder"
+            this shouldContain "NoSuchFileException"
+        }
+        recording.leave()
+    }
+
     test("of a program that is ended from outside, as by Ctrl-C, all is there").config(blockingTest = true) {
         val path = tempdir().toPath().resolve("drive.mcap")
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()

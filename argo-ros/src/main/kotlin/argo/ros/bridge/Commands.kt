@@ -55,10 +55,7 @@ internal class Commands(
     private val session = "argo-${UUID.randomUUID()}" // begins each command's id, so that no other client's answer is taken
     private val number = AtomicLong()
 
-    /**
-     * Returns the messages to the bridge before the first command: a publisher needs subscribers by then, and a result needs a
-     * subscription.
-     */
+    /** Returns the messages to the bridge before any command: publishers need subscribers by then, and results a subscription. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))

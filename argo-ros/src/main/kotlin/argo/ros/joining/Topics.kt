@@ -25,10 +25,7 @@ internal class Topics(private val warn: (String) -> Unit) {
     /** The types of all topics, by their names. */
     val types: Map<String, String> get() = synchronized(this) { topics.mapValues { it.value.type } }
 
-    /**
-     * Publishes [messages], which are true at the same time. A topic keeps the type of its first message, and there are [MAX_TOPICS]
-     * topics.
-     */
+    /** Publishes [messages] of one moment. A topic keeps the type of its first message, and there are [MAX_TOPICS] topics. */
     fun publish(name: String, type: String, messages: List<JsonObject>) {
         synchronized(this) {
             val topic = topics[name] ?: Topic(type).takeIf { topics.size < MAX_TOPICS }?.also { topics[name] = it }

@@ -6,11 +6,15 @@ import argo.recording.replay.RecordingException
 import argo.testkit.AgentSetUp
 import argo.testkit.TestAgent
 import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import io.kotest.matchers.types.shouldBeInstanceOf
 import kotlin.time.Duration.Companion.seconds
+
+private val thorough = setOf(NamedTag("Thorough"))
 
 /** The reasons of an agent's actions, as its replay shows them. */
 class WhySpec : FunSpec({
@@ -59,6 +63,20 @@ class WhySpec : FunSpec({
         val answer = driven { answer("forward") }
         answer.frame shouldBe null
         answer.cause.shouldNotBeNull().root() shouldBe BeginningCause("start", "agent.asl", 1)
+    }
+
+    test("a belief whose step is forgotten among ten thousand others is not said to be from the beginning").config(tags = thorough) {
+        val answer = whyOf(
+            """
+            !start.
+            +!start <- +old; argo.port(ttyACM0); for (.range(I,1,11)) { for (.range(J,1,1000)) { +note(I,J) }; .wait(10) }; !go.
+            +!go : old <- argo.act(stop).
+            """.trimIndent(),
+            drive = { shouldSend("stop", within = 60.seconds) },
+        ) { answer("stop") }
+        val cause = answer.cause.shouldNotBeNull().plan.conditions.single().causes.single()
+        cause.shouldBeInstanceOf<UnknownCause>().why shouldContain
+            "it was there from the beginning, or plans have noted more than 10000 beliefs"
     }
 
     test("a message of another agent") {

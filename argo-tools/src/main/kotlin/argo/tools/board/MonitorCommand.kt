@@ -158,8 +158,10 @@ internal class MonitorCommand : DataCommand() {
             }
             out.println("${paint.aside("${time(ms)} ${rate.padStart(RATE_WIDTH)}")}  ${shown.ifEmpty { "(no percepts)" }}")
             seen = percepts.map { it.text }.toSet()
-            percepts.mapNotNull { it.problem }.filter { explained.size < MAX_EXPLAINED && explained.add(it) }
-                .forEach { out.println(paint.doubtful("            ${printable(it)}")) }
+            percepts.asSequence().mapNotNull { it.problem }.filter { explained.size < MAX_EXPLAINED && explained.add(it) }.forEach {
+                out.println(paint.doubtful("            ${printable(it)}"))
+                if (explained.size == MAX_EXPLAINED) out.println(paint.doubtful("            further percepts with (!) are not explained"))
+            }
         }
 
         private fun json(ms: Long, percepts: List<Shown>) = jsonOf(

@@ -9,6 +9,7 @@ import argo.tools.command.requireWithin
 import argo.tools.command.runJava
 import argo.tools.replay.classPathWithJason
 import argo.tools.replay.missingJason
+import argo.tools.replay.tellAbsent
 import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
@@ -90,6 +91,7 @@ internal class ExploreCommand : ToolCommand() {
         runs?.let { spec.requireWithin("--runs", it, 1..MOST_RUNS) }
         time?.let { spec.requireWithin("--time", it, 1..MOST_SECONDS, "seconds") }
         written?.let(::requireNew)
+        tellAbsent(classPath, err)
         val path = withTestKit(classPathWithJason(classPath) ?: throw ToolException(missingJason("an exploration")))
         val wanted = described ?: return explore(path, null)
         if (!wanted.endsWith(".kt")) return explore(path, wanted)

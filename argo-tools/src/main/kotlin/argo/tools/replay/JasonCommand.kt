@@ -21,6 +21,7 @@ internal abstract class JasonCommand : DataCommand() {
      * @throws ToolException if there is no Jason
      */
     protected fun runElsewhere(vararg operands: String): Int {
+        tellAbsent(classPath, err)
         val path = classPathWithJason(classPath) ?: throw ToolException(missingJason())
         val program = QUICK_START + listOf("-Dargo.command=${spec.root().name()}", "-cp", path, "argo.tools.MainKt", spec.name())
         return runJava(program + givenWithout(CLASS_PATH) + "--" + operands)

@@ -4,6 +4,7 @@ import argo.tools.command.Installation
 import argo.tools.command.ToolException
 import argo.tools.command.ownJar
 import java.io.File
+import java.io.PrintWriter
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
@@ -21,28 +22,28 @@ internal fun hasJason(): Boolean = try {
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** Returns the class path of this program with [classPath] and Jason; null: there is no Jason. */
-internal fun classPathWithJason(classPath: String?): String? {
+/** Tells a person which parts of the option's [classPath] do not exist, since Java ignores them. */
+internal fun tellAbsent(classPath: String?, err: PrintWriter) {
+    val absent = classPath.orEmpty().split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
+    if (absent.isNotEmpty()) err.println("of --class-path there is no ${absent.joinToString(" and no ")}")
+}
+
+/**
+ * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` stands for the jars of
+ * a folder.
+ */
+fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
     if (classPath == null && jason == null && !hasJason()) return null
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
 }
 
-/**
- * Explains to a person that there is no [work] without Jason. Names the folders of classes in [project], and the parts of [classPath] that
- * do not exist.
- */
-internal fun missingJason(
-    work: String = "a replay",
-    project: Path = Path.of(""),
-    classPath: String = System.getProperty("java.class.path"),
-): String {
+/** Explains to a person that there is no [work] without Jason. Names the folders of classes in [project]. */
+internal fun missingJason(work: String = "a replay", project: Path = Path.of("")): String {
     val built = listOf("target/classes" to "Maven", "build/classes/java/main" to "Gradle")
     val there = built.filter { (folder, _) -> project.resolve(folder).isDirectory() }
     val examples = there.ifEmpty { built }.joinToString(" or ") { (folder, build) ->
         "--class-path '${listOf("jason/*", folder).joinToString(File.pathSeparator)}'" + if (there.isEmpty()) " of $build" else ""
     }
-    val absent = classPath.split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
-    val found = if (absent.isEmpty()) "" else "; these parts of it do not exist: ${absent.joinToString()}"
-    return "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as $examples$found"
+    return "$work runs Jason, which argo.jar does not hold: --class-path names its jars and the project's classes, such as $examples"
 }

@@ -216,6 +216,14 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
+    test("monitor explains twenty of the percepts that no agent can read, and tells that it does not explain others") {
+        board { it.whenAsked("getPercepts").answer((1..25).joinToString("") { n -> "Dist($n);" }) }.with { port ->
+            val said = argo("monitor", port, "--count", "2", "--interval", "0").out
+            said.split("no agent believes Dist(").size shouldBe 21
+            said.split("further percepts with (!) are not explained").size shouldBe 2
+        }
+    }
+
     test("monitor shows units, and marks percepts that are not as the board describes them") {
         val kinds = arrayOf("dist(f|b, cm 0..400)", "temp(C -40..125)")
         board { it.version2().perceives(*kinds).whenAsked("getPercepts").answer("dist(f,401);temp(20);news(1);") }.with { port ->

@@ -85,6 +85,14 @@ class RecordingCommandSpec : FunSpec({
             "$file holds no file robot.asl; those that it holds: program/robot.asl\n"
     }
 
+    test("bytes behind the end of a recording are told, with status 1") {
+        val longer = tempfile(suffix = ".mcap").toPath().apply { writeBytes(file.readBytes() + byteArrayOf(1, 2, 3)) }
+        val said = argo("recording", "$longer")
+        said.status shouldBe 1
+        said.err.trim() shouldBe
+            "$longer: the recording ends 3 bytes before the end of the file; they were not read, be they another recording"
+    }
+
     test("a recording that was cut off is shown as far as it goes, with status 1") {
         val cut = tempfile(suffix = ".mcap").toPath()
         cut.writeBytes(file.readBytes().run { copyOf(size - 10) })

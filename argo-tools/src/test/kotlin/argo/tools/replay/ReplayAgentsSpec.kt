@@ -20,6 +20,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import kotlinx.serialization.json.long
+import java.io.File
 import java.nio.channels.FileChannel
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
@@ -271,7 +272,10 @@ class ReplayAgentsSpec : FunSpec({
         }
     }
 
-    test("a class path runs it in a program of its own") {
-        argo("replay", "$drive", "--class-path", "build/classes").status shouldBe 0
+    test("a class path runs it in a program of its own; its parts that do not exist are told") {
+        argo("replay", "$drive", "--class-path", listOf("$directory", "no/*", "no.jar").joinToString(File.pathSeparator)).run {
+            status shouldBe 0
+            err.trim() shouldBe "of --class-path there is no no/* and no no.jar"
+        }
     }
 })

@@ -19,8 +19,8 @@ internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val isBusy = AtomicBoolean()
 
     /**
-     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`, once that is
-     * answered.
+     * Returns the response to a request for `why` with these [parameters]: the `agent` and the number of its `command`. Waits for the
+     * answer.
      */
     fun respond(parameters: Map<String, String>): HttpResponse {
         val agent = parameters["agent"]

@@ -1,0 +1,39 @@
+package argo.lsp
+
+import argo.check.ProjectCheck
+import argo.check.findings.Finding
+import argo.check.findings.Level
+import argo.check.syntax.Position
+import argo.lsp.project.Projects
+import argo.lsp.project.fileOf
+import argo.lsp.text.Text
+import org.eclipse.lsp4j.Diagnostic
+import org.eclipse.lsp4j.DiagnosticSeverity
+import org.eclipse.lsp4j.Range
+import org.eclipse.lsp4j.jsonrpc.messages.Either
+
+/** What the analyser finds in texts. */
+internal class Findings(private val projects: Projects) {
+    /** Returns what is found in the program of an agent, [text]. */
+    fun inProgram(text: Text): List<Diagnostic> {
+        val project = projects.of(text)
+        return ProjectCheck.check(project.checked, project.sourceOf(text).agent).map(::diagnostic)
+    }
+
+    /** Returns what is found in a project file, [text]. */
+    fun inProjectFile(text: Text): List<Diagnostic> =
+        ProjectCheck.checkFiles(projects.of(text).checked).filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
+
+    private fun diagnostic(finding: Finding) = Diagnostic(
+        Range(position(finding.place.begin), position(finding.place.end)), "${finding.what}: ${finding.why}; ${finding.remedy}",
+        severityOf(finding.level), "argo",
+    ).apply { code = Either.forLeft(finding.rule) }
+
+    private fun position(it: Position) = org.eclipse.lsp4j.Position(it.line - 1, it.column - 1)
+
+    private fun severityOf(level: Level) = when (level) {
+        Level.ERROR -> DiagnosticSeverity.Error
+        Level.WARNING -> DiagnosticSeverity.Warning
+        Level.HINT -> DiagnosticSeverity.Hint
+    }
+}

@@ -1,0 +1,82 @@
+package argo.lsp
+
+import argo.check.project.MasAgent
+import argo.check.syntax.programOf
+import argo.lsp.agents.ActionManual
+import argo.lsp.agents.AgentLanguage
+import argo.lsp.agents.JasonManual
+import argo.lsp.agents.Words
+import argo.lsp.filters.FilterWords
+import argo.lsp.filters.JsonFilterLanguage
+import argo.lsp.filters.XmlFilterLanguage
+import argo.lsp.language.Language
+import argo.lsp.live.LiveValues
+import argo.lsp.project.Projects
+import argo.lsp.projectfile.ProjectFileLanguage
+import argo.lsp.text.OpenTexts
+import argo.lsp.text.Text
+import argo.tools.replay.classPathWithJason
+import org.eclipse.lsp4j.Diagnostic
+
+/**
+ * Finds the language of a text by the ending of its file's name. Only the server's worker thread uses it, but for [of].
+ *
+ * @param tell shows the person a line
+ */
+internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
+    private val projects = Projects(texts, tell)
+    private val findings = Findings(projects)
+    private val live = LiveValues()
+
+    /** Whether the editor replaces `${1:X}` in what it inserts. */
+    @Volatile
+    var hasSnippets = false
+
+    private val words by lazy {
+        Words(JasonManual(classPathWithJason(null)).actions + ActionManual.actions, ActionManual.errors, ActionManual.options, hasSnippets)
+    }
+
+    private val byEnding = mapOf(
+        "asl" to AgentLanguage(findings::inProgram, projects::of, { words }, ::lastValues),
+        "mas2j" to ProjectFileLanguage(findings::inProjectFile, projects::of),
+        "xml" to XmlFilterLanguage(::filterWords),
+        "json" to JsonFilterLanguage(::filterWords),
+    )
+
+    /** Returns the language of [uri]; null: this server knows nothing of such files. */
+    fun of(uri: String): Language? = byEnding[uri.substringAfterLast('.')]
+
+    /** Returns what is wrong with [text]. */
+    fun diagnostics(text: Text): List<Diagnostic> = of(text.uri)?.diagnostics(text).orEmpty()
+
+    /** Does the work of a change of [text]. */
+    fun rehearse(text: Text) {
+        programOf(text.content)
+        diagnostics(text)
+    }
+
+    /** Files have come, gone or changed on the disk. */
+    fun filesChanged() = projects.forget()
+
+    /** Returns what the agents whose program is in [text] perceive or believe now, if they run with a live view at a certain port. */
+    private fun lastValues(text: Text, functor: String, arity: Int): List<String> {
+        val project = projects.of(text)
+        return project.checked.agentsOf(project.sourceOf(text).file).flatMap { agent ->
+            viewOf(agent)?.let { port -> agent.names.flatMap { live.of(port, it, functor, arity) } }.orEmpty()
+        }
+    }
+
+    private fun viewOf(agent: MasAgent): Int? =
+        agent.options.find { it.name.text == "argo_view" }?.value?.text?.toIntOrNull()?.takeIf { it in PORTS }
+
+    private fun filterWords(text: Text): FilterWords {
+        val robot = projects.of(text).robot
+        val percepts = robot.percepts.groupBy({ it.meaning.functor() }) { "`${it.meaning}`" }
+        val meanings = percepts.mapValues { (_, kinds) -> "percepts of the board: ${kinds.joinToString()}" }
+        return FilterWords(meanings, robot.actions.map { it.meaning })
+    }
+
+    private companion object {
+        val PORTS = 1..65_535
+    }
+}

@@ -1,0 +1,20 @@
+package argo.lsp
+
+import org.eclipse.lsp4j.DidChangeConfigurationParams
+import org.eclipse.lsp4j.DidChangeWatchedFilesParams
+import org.eclipse.lsp4j.services.WorkspaceService
+import java.util.concurrent.Executor
+
+/** Files on the disk, which the editor watches. */
+internal class Workspace(
+    private val worker: Executor,
+    private val languages: Languages,
+    private val diagnosis: Diagnosis,
+) : WorkspaceService {
+    override fun didChangeWatchedFiles(parameters: DidChangeWatchedFilesParams) {
+        worker.execute { languages.filesChanged() }
+        diagnosis.changed()
+    }
+
+    override fun didChangeConfiguration(parameters: DidChangeConfigurationParams) = Unit
+}

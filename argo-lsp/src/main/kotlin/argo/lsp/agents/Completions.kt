@@ -1,0 +1,117 @@
+package argo.lsp.agents
+
+import argo.check.syntax.Span
+import argo.lsp.project.Described
+import argo.lsp.project.Occurrence
+import argo.lsp.project.Project
+import argo.lsp.project.Source
+import argo.lsp.project.Subject
+import javino.PerceptArgument
+import javino.PerceptKind
+import org.eclipse.lsp4j.CompletionItem
+import org.eclipse.lsp4j.CompletionItemKind
+import org.eclipse.lsp4j.CompletionItemLabelDetails
+import org.eclipse.lsp4j.InsertTextFormat
+import org.eclipse.lsp4j.MarkupContent
+import org.eclipse.lsp4j.MarkupKind
+import org.eclipse.lsp4j.TextEdit
+import org.eclipse.lsp4j.jsonrpc.messages.Either
+
+/** The words that may stand at a cursor in the program of an agent. */
+internal class Completions(private val project: Project, private val source: Source, offset: Int, private val words: Words) {
+    private val typing = Typing(source.program, offset)
+    private val call = typing.calls.firstOrNull()
+    private val family = project.family(source)
+    private val action = words.actionIn(call?.name.orEmpty())
+
+    fun items(): List<CompletionItem> {
+        if (typing.isAside) return emptyList()
+        return inCall() ?: when {
+            typing.prefix.endsWith("!") -> goals()
+            typing.prefix.endsWith("?") -> beliefs() + percepts()
+            '.' in typing.text -> actions()
+            typing.region == Region.HEAD -> if (typing.prefix.isEmpty()) emptyList() else percepts() + beliefs()
+            typing.region == Region.CONTEXT -> percepts() + beliefs() + actions()
+            typing.region == Region.BODY && typing.prefix.isEmpty() -> actions() + beliefs()
+            typing.region == Region.BODY -> beliefs()
+            else -> emptyList()
+        }.distinctBy { it.label }
+    }
+
+    /** The words for the argument of an action, or of `error(…)`; null: any may stand there. */
+    private fun inCall(): List<CompletionItem>? = when {
+        call == null -> null
+        call.name == "error" && call.argument == 0 ->
+            words.errors.map { (error, cause) -> item(error, CompletionItemKind.EnumMember, cause) }
+        call.isInList && action == null -> option(typing.calls.drop(1).firstOrNull())
+        action == "change_filter" && call.argument == 0 -> filters()
+        action == "act" && call.argument == 0 || action == "can" -> project.robot.actions.map(::command)
+        action == "percepts" -> listOf("open", "block", "close").map { item(it, CompletionItemKind.EnumMember, "") }
+        action == "age" && call.argument == 0 || action == "explain" && call.argument == 0 -> percepts()
+        call.isInList -> option(call)
+        else -> null
+    }
+
+    private fun option(around: OpenCall?): List<CompletionItem>? =
+        words.options[words.actionIn(around?.name.orEmpty())]?.map { (name, meaning) -> item(name, CompletionItemKind.Property, meaning) }
+
+    private fun filters() = (project.filterNames + "none").map { item(it, CompletionItemKind.File, "") }
+
+    private fun command(described: Described<String>) =
+        item(described.meaning, CompletionItemKind.Function, "a command that the board has registered")
+
+    private fun goals(): List<CompletionItem> = symbols(Subject.GOAL, CompletionItemKind.Method)
+
+    private fun beliefs(): List<CompletionItem> = symbols(Subject.BELIEF, CompletionItemKind.Field)
+
+    private fun symbols(subject: Subject, kind: CompletionItemKind): List<CompletionItem> = family
+        .flatMap { it.occurrences }.filter { it.symbol.subject == subject && !it.literal.span.touches(typing.word.end) }
+        .groupBy { it.symbol }.map { (symbol, places) ->
+            val place = places.firstOrNull { it.isDefinition } ?: places.first()
+            item(symbol.functor, kind, "", arguments = place.literal.arguments.size, insert = call(place))
+        }
+
+    /** The call of a symbol with the arguments of one place, to be replaced. */
+    private fun call(place: Occurrence): String {
+        val arguments = place.literal.arguments.mapIndexed { at, argument -> "\${${at + 1}:${snippetText(textOf(argument.span, place))}}" }
+        return place.symbol.functor + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
+    }
+
+    private fun textOf(span: Span, place: Occurrence): String =
+        family.first { place in it.occurrences }.text.content.substring(span.start, span.end)
+
+    private fun percepts(): List<CompletionItem> = project.robot.percepts.map { described ->
+        val kind = described.meaning
+        item(kind.functor(), CompletionItemKind.Event, "a percept of the board: `$kind`", kind.arguments().size, insertOf(kind))
+    }
+
+    private fun actions(): List<CompletionItem> = words.actions.map { (name, page) -> item(name, CompletionItemKind.Function, page) }
+
+    private fun item(label: String, kind: CompletionItemKind, meaning: String, arguments: Int = 0, insert: String = label) =
+        CompletionItem(label).apply {
+            this.kind = kind
+            if (arguments > 0) labelDetails = CompletionItemLabelDetails().apply { detail = "/$arguments" }
+            if (meaning.isNotEmpty()) documentation = Either.forRight(MarkupContent(MarkupKind.MARKDOWN, meaning))
+            val isSnippet = insert != label && words.hasSnippets
+            insertTextFormat = if (isSnippet) InsertTextFormat.Snippet else InsertTextFormat.PlainText
+            textEdit = Either.forLeft(TextEdit(source.text.range(typing.word), if (isSnippet) insert else label))
+        }
+
+    private companion object {
+        fun snippetText(text: String) = text.replace("\\", "\\\\").replace("$", "\\$").replace("}", "\\}")
+
+        fun insertOf(kind: PerceptKind): String {
+            val arguments = kind.arguments().mapIndexed { at, argument ->
+                when (argument) {
+                    is PerceptArgument.Choice -> "\${${at + 1}|${argument.choices().joinToString(",")}|}"
+                    is PerceptArgument.Quantity -> "\${${at + 1}:${variableOf(argument.unit())}}"
+                    else -> "\${${at + 1}:_}"
+                }
+            }
+            return kind.functor() + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
+        }
+
+        /** A variable named after its unit, as `Cm`. */
+        fun variableOf(unit: String) = unit.filter(Char::isLetter).replaceFirstChar(Char::uppercase).ifEmpty { "Value" }
+    }
+}

@@ -1,0 +1,89 @@
+package argo.lsp.agents
+
+import argo.check.syntax.Literal
+import argo.check.syntax.TokenKind
+import argo.lsp.project.Occurrence
+import argo.lsp.project.Project
+import argo.lsp.project.Source
+import argo.lsp.project.Subject
+import org.eclipse.lsp4j.Hover
+import org.eclipse.lsp4j.MarkupContent
+import org.eclipse.lsp4j.MarkupKind
+
+/** What an editor shows of the word under the cursor. [lastValues] returns the newest percepts of a running agent that match a functor. */
+internal class Hovers(
+    private val project: Project,
+    private val source: Source,
+    private val words: Words,
+    private val lastValues: (functor: String, arity: Int) -> List<String>,
+) {
+    fun at(offset: Int): Hover? {
+        val token = source.program.tokenAt(offset)?.takeIf { it.kind == TokenKind.ATOM } ?: return null
+        val literals = source.program.nodesAt(offset).filterIsInstance<Literal>().filter { it.name.span.touches(offset) }
+        val literal = literals.lastOrNull() ?: return null
+        val around = source.program.nodesAt(offset).filterIsInstance<Literal>().takeWhile { it !== literal }.lastOrNull()
+        val text = when {
+            literal.isInternal -> words.actionIn(literal.functor)?.let { words.actions["argo.$it"] } ?: words.actions[literal.functor]
+            around?.functor == "error" -> words.errors[literal.functor]
+            else -> command(around, literal) ?: symbol(literal)
+        } ?: return null
+        return Hover(MarkupContent(MarkupKind.MARKDOWN, text), source.text.range(token.span))
+    }
+
+    private fun command(around: Literal?, literal: Literal): String? {
+        if (around == null || words.actionIn(around.functor) !in COMMANDS) return null
+        val described = project.robot.actions.find { it.meaning == literal.functor } ?: return null
+        return "`${literal.functor}`: a command that the board has registered, ${nameOf(described.text.uri)}"
+    }
+
+    private fun symbol(literal: Literal): String? {
+        val kinds = project.robot.percepts.filter { it.meaning.functor() == literal.functor }
+        val kind = kinds.find { it.meaning.arguments().size == literal.arity }
+        val occurrence = source.occurrences.find { it.literal === literal }
+        return when {
+            kind != null -> percept("${kind.meaning}", nameOf(kind.text.uri), literal)
+            occurrence == null -> null
+            kinds.isNotEmpty() -> "`${literal.indicator}` is no percept of the board, but: ${kinds.joinToString { "`${it.meaning}`" }}"
+            else -> places(occurrence)
+        }
+    }
+
+    private fun percept(kind: String, file: String, literal: Literal): String {
+        val values = lastValues(literal.functor, literal.arity).joinToString("") { "\n\nnow: `$it`" }
+        return "`$kind`\n\na percept of the board, described in $file$values"
+    }
+
+    private fun places(occurrence: Occurrence): String {
+        val family = project.family(source)
+        val definitions = family.flatMap { each -> each.occurrences.filter { it.symbol == occurrence.symbol && it.isDefinition } }
+        val uses = family.sumOf { each -> each.occurrences.count { it.symbol == occurrence.symbol && it.isUse } }
+        val what = if (occurrence.symbol.subject == Subject.GOAL) "plan" else "origin"
+        val comment = family.firstNotNullOfOrNull { each -> definitions.firstNotNullOfOrNull { commentAbove(each, it) } }
+        return "`${occurrence.symbol}`\n\n" + comment?.let { "$it\n\n" }.orEmpty() +
+            "${occurrence.symbol.subject.word}: ${counted(definitions.size, what)}, ${counted(uses, "use")} in this agent"
+    }
+
+    /** The comment in the lines directly above the component of a definition. */
+    private fun commentAbove(source: Source, definition: Occurrence): String? {
+        if (definition !in source.occurrences) return null
+        val begin = source.program.components.find { it.span.touches(definition.literal.span.start) }?.span?.start ?: return null
+        val lines = source.program.lines
+        val above = source.program.tokens.filter { it.kind == TokenKind.COMMENT && it.span.end <= begin }
+        var line = lines.position(begin).line
+        val found = ArrayDeque<String>()
+        for (comment in above.asReversed()) {
+            if (lines.position(comment.span.end).line != line - 1) break
+            line = lines.position(comment.span.start).line
+            found.addFirst(comment.text.removePrefix("//").removeSurrounding("/*", "*/").trim())
+        }
+        return found.joinToString("\n").ifEmpty { null }
+    }
+
+    private companion object {
+        val COMMANDS = setOf("act", "can")
+
+        fun counted(count: Int, noun: String) = if (count == 1) "1 $noun" else "$count ${noun}s"
+
+        fun nameOf(uri: String) = uri.substringAfterLast('/')
+    }
+}

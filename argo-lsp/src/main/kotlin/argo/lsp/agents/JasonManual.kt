@@ -1,0 +1,46 @@
+package argo.lsp.agents
+
+import java.io.File
+import java.net.URL
+import java.net.URLClassLoader
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+
+/**
+ * The documentation of Jason's internal actions: their names, and what their classes say, if there is a Jason.
+ *
+ * @param classPath one with Jason; null: there is none
+ */
+internal class JasonManual(classPath: String?) {
+    private val loader = classPath?.let { URLClassLoader(urlsOf(it), ClassLoader.getPlatformClassLoader()) }
+
+    /** The pages of actions in Markdown, by their names, as `.print`. */
+    val actions: Map<String, String> = table().associateWith { page(it).orEmpty() }
+
+    private fun table(): List<String> =
+        checkNotNull(javaClass.getResourceAsStream("/argo/check/rules/internal-actions.txt")) { "there is no table of Jason's actions" }
+            .use { it.readBytes().decodeToString() }.lines().map { it.substringBefore(' ') }.filter { it.startsWith(".") }
+
+    /** Returns what the class of the action says in its annotation; classes of other versions may have none. */
+    private fun page(action: String): String? {
+        val type = try {
+            loader?.loadClass("jason.stdlib$action")
+        } catch (_: ClassNotFoundException) {
+            null
+        } catch (_: LinkageError) {
+            null
+        }
+        val manual = type?.annotations?.find { it.annotationClass.simpleName == "Manual" } ?: return null
+        fun said(part: String) = manual.annotationClass.java.getMethod(part).invoke(manual)
+        val arguments = (said("argsHint") as Array<*>).map { "$it" }.filter(String::isNotBlank)
+        return "`${said("literal")}`\n\n${said("hint")}" + arguments.joinToString("") { "\n- $it" }
+    }
+
+    private companion object {
+        fun urlsOf(classPath: String): Array<URL> = classPath.split(File.pathSeparator).filter(String::isNotEmpty).flatMap { part ->
+            val folder = Path.of(part.removeSuffix("*"))
+            if (part.endsWith("*") && folder.isDirectory()) folder.listDirectoryEntries("*.jar") else listOf(Path.of(part))
+        }.map { it.toUri().toURL() }.toTypedArray()
+    }
+}

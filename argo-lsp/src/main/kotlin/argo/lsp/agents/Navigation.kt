@@ -1,0 +1,74 @@
+package argo.lsp.agents
+
+import argo.check.syntax.Directive
+import argo.check.syntax.Literal
+import argo.check.syntax.Span
+import argo.check.syntax.StringTerm
+import argo.lsp.project.Occurrence
+import argo.lsp.project.Project
+import argo.lsp.project.Source
+import argo.lsp.text.Text
+import org.eclipse.lsp4j.Location
+import org.eclipse.lsp4j.Position
+import org.eclipse.lsp4j.Range
+import java.nio.file.Path
+import kotlin.io.path.name
+import kotlin.io.path.nameWithoutExtension
+
+/** Leads from a place in an agent's program to others. */
+internal class Navigation(private val project: Project, private val source: Source, private val words: Words) {
+    private val family = project.family(source)
+
+    /** Returns the places that give a meaning to the word at [offset]. */
+    fun definitions(offset: Int): List<Location> {
+        val literals = source.program.nodesAt(offset).filterIsInstance<Literal>()
+        val literal = literals.lastOrNull { it.name.span.touches(offset) } ?: return file(offset)
+        val action = literals.takeWhile { it !== literal }.lastOrNull()?.let { words.actionIn(it.functor) }
+        if (action == "change_filter") return filter(literal.functor)
+        if (action == "act" || action == "can") {
+            val registered = project.robot.actions.filter { it.meaning == literal.functor }
+            if (registered.isNotEmpty()) return registered.map { location(it.text, it.span) }
+        }
+        return occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
+    }
+
+    /** Returns all places of the belief or goal at [offset], with its definitions if [withDefinitions]. */
+    fun references(offset: Int, withDefinitions: Boolean): List<Location> {
+        val symbol = occurrenceAt(offset)?.symbol ?: return emptyList()
+        return places { it.symbol == symbol && (withDefinitions || !it.isDefinition) }
+    }
+
+    fun occurrenceAt(offset: Int): Occurrence? = source.occurrences.find { it.name.touches(offset) }
+
+    private fun definitionsOf(occurrence: Occurrence): List<Location> {
+        val symbol = occurrence.symbol
+        val percepts = project.robot.percepts
+            .filter { it.meaning.functor() == symbol.functor && it.meaning.arguments().size == symbol.arity }
+        if (!occurrence.isDefinition && percepts.isNotEmpty()) return percepts.map { location(it.text, it.span) }
+        val own = places { it.symbol == symbol && it.isDefinition }
+        return own.ifEmpty { places(project.sources) { it.symbol == symbol && it.isDefinition } }
+    }
+
+    private fun places(among: List<Source> = family, isMeant: (Occurrence) -> Boolean): List<Location> = among.flatMap { each ->
+        each.occurrences.filter(isMeant).map { location(each.text, it.literal.span) }
+    }
+
+    /** The filter of a name, or the file of an include, in quotes. */
+    private fun file(offset: Int): List<Location> {
+        val nodes = source.program.nodesAt(offset)
+        val name = nodes.filterIsInstance<StringTerm>().lastOrNull()?.text ?: return emptyList()
+        val call = nodes.filterIsInstance<Literal>().lastOrNull()
+        return when {
+            nodes.any { it is Directive } -> project.included(name).map { begin(it.file) }
+            call != null && words.actionIn(call.functor) == "change_filter" -> filter(name)
+            else -> emptyList()
+        }
+    }
+
+    private fun filter(name: String) =
+        project.filters.filter { it.nameWithoutExtension == name.substringAfterLast('/') || it.name == name }.map(::begin)
+
+    private fun begin(file: Path) = Location(file.toUri().toString(), Range(Position(0, 0), Position(0, 0)))
+
+    private fun location(text: Text, span: Span) = Location(text.uri, text.range(span))
+}

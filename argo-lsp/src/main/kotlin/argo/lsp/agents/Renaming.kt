@@ -1,0 +1,63 @@
+package argo.lsp.agents
+
+import argo.lsp.language.RefusedException
+import argo.lsp.language.Renamed
+import argo.lsp.project.Occurrence
+import argo.lsp.project.Project
+import argo.lsp.project.Source
+import org.eclipse.lsp4j.TextEdit
+import org.eclipse.lsp4j.WorkspaceEdit
+
+/** Renames beliefs and goals in all programs that are one with [source]. */
+internal class Renaming(private val project: Project, private val source: Source) {
+    /**
+     * Returns the belief or goal at [offset]; null: there is none.
+     *
+     * @throws RefusedException if another place than the agent's programs gives it its name
+     */
+    fun renamedAt(offset: Int): Occurrence? {
+        val occurrence = source.occurrences.find { it.name.touches(offset) } ?: return null
+        val symbol = occurrence.symbol
+        val described = project.robot.percepts.find { it.meaning.functor() == symbol.functor }
+        if (described != null) {
+            val file = described.text.uri.substringAfterLast('/')
+            throw RefusedException("${symbol.functor} is a percept of the board: its name is in $file")
+        }
+        val namespaces = placesOf(occurrence).map { (_, place) -> place.namespace }.distinct()
+        if (namespaces.size > 1) {
+            val written = namespaces.joinToString { it.ifEmpty { "none" } }
+            throw RefusedException("$symbol is in several namespaces ($written), and may be several things: rename them by hand")
+        }
+        return occurrence
+    }
+
+    /** Renames [occurrence] to [name]. */
+    fun rename(occurrence: Occurrence, name: String): Renamed {
+        if (!ATOM.matches(name)) {
+            val kind = occurrence.symbol.subject.word
+            throw RefusedException("$name cannot be the name of a $kind: write a letter from a to z, then letters, digits and _")
+        }
+        val edits = placesOf(occurrence).groupBy({ (each, _) -> each.text.uri }) { (each, place) ->
+            TextEdit(each.text.range(place.name), name)
+        }
+        val left = leftBehind(occurrence).joinToString()
+        return Renamed(WorkspaceEdit(edits), "messages of other agents still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
+    }
+
+    /** Returns the messages in other agents' programs that name what [occurrence] does, and that a renaming leaves as they are. */
+    private fun leftBehind(occurrence: Occurrence): List<String> {
+        val family = project.family(source)
+        return project.sources.filter { it !in family }.flatMap { each ->
+            each.occurrences.filter { it.isSent && it.symbol == occurrence.symbol }.map { place ->
+                "${each.file.fileName}:${each.program.lines.position(place.literal.span.start).line}"
+            }
+        }
+    }
+
+    private fun placesOf(occurrence: Occurrence): List<Pair<Source, Occurrence>> =
+        project.family(source).flatMap { each -> each.occurrences.filter { it.symbol == occurrence.symbol }.map { each to it } }
+
+    private companion object {
+        val ATOM = Regex("[a-z][A-Za-z0-9_]*")
+    }
+}

@@ -1,0 +1,103 @@
+package argo.lsp.agents
+
+import argo.check.syntax.Program
+import argo.check.syntax.Span
+import argo.check.syntax.Token
+import argo.check.syntax.TokenKind
+
+/** A call that is open around a place, with the place's argument, counted from 0. */
+internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
+
+/** The parts of a program in which different words are expected. */
+internal enum class Region {
+    /** No component has begun. */
+    TOP,
+
+    /** A trigger. */
+    HEAD,
+
+    /** A context, or the condition of a rule. */
+    CONTEXT,
+
+    /** A body. */
+    BODY,
+}
+
+/** The place of a cursor in [program], which may be unfinished there. */
+internal class Typing(private val program: Program, private val offset: Int) {
+    private val touched = program.tokens.lastOrNull { it.span.start < offset && it.span.end >= offset }
+
+    /** True in a comment or a string. */
+    val isAside: Boolean = touched?.let { it.kind == TokenKind.COMMENT || it.kind == TokenKind.STRING } == true
+
+    /** The word at the cursor, from its first dot on, up to the cursor; empty: there is none. */
+    val word: Span = Span(beginningOfWord(), offset)
+
+    val text: String get() = program.text.substring(word.start, word.end)
+
+    /** The tokens of the component in front of the word. */
+    private val before: List<Token> = program.tokens.filter { it.span.end <= word.start && it.kind != TokenKind.COMMENT }
+        .let { tokens -> tokens.subList(tokens.indexOfLast { it.isSymbol(".") } + 1, tokens.size) }
+
+    /** The symbols directly in front of the word, such as `+!`; a blank behind them does not matter. */
+    val prefix: String = before.takeLastWhile { it.kind == TokenKind.SYMBOL && it.text in PREFIXES }.joinToString("") { it.text }
+
+    val region: Region = when {
+        hasOutside("<-") -> Region.BODY
+        hasOutside(":") || hasOutside(":-") -> Region.CONTEXT
+        before.isNotEmpty() -> Region.HEAD
+        else -> Region.TOP
+    }
+
+    /** The calls around the cursor, the innermost first. */
+    val calls: List<OpenCall> = openCalls()
+
+    private fun beginningOfWord(): Int {
+        val text = program.text
+        var begin = offset
+        while (begin > 0 && (text[begin - 1].isLetterOrDigit() || text[begin - 1] in "_.")) begin--
+        // the full stop of the line before, or the dot of an action: that has no word in front of it, or one that is no number
+        return if (text.substring(begin, offset).firstOrNull()?.isDigit() == true) offset else begin
+    }
+
+    private fun hasOutside(symbol: String): Boolean {
+        var depth = 0
+        return before.any { token ->
+            if (token.kind == TokenKind.SYMBOL && token.text in OPENING) depth++
+            if (token.kind == TokenKind.SYMBOL && token.text in CLOSING) depth--
+            depth <= 0 && token.isSymbol(symbol)
+        }
+    }
+
+    private fun openCalls(): List<OpenCall> {
+        val found = ArrayList<OpenCall>()
+        var closed = 0
+        var commas = 0
+        var isInList = false
+        for (at in before.indices.reversed()) {
+            val token = before[at].takeIf { it.kind == TokenKind.SYMBOL } ?: continue
+            when {
+                token.text in CLOSING -> closed++
+                token.text in OPENING && closed > 0 -> closed--
+                token.text == "(" -> {
+                    val name = before.getOrNull(at - 1)?.takeIf { it.kind == TokenKind.ATOM }?.text.orEmpty()
+                    found += OpenCall(name, commas, isInList)
+                    commas = 0
+                    isInList = false
+                }
+                token.text == "[" || token.text == "{" -> {
+                    commas = 0
+                    isInList = token.text == "["
+                }
+                token.text == "," && closed == 0 -> commas++
+            }
+        }
+        return found
+    }
+
+    private companion object {
+        val PREFIXES = setOf("!", "!!", "?", "+", "-", "^")
+        val OPENING = setOf("(", "[", "{")
+        val CLOSING = setOf(")", "]", "}")
+    }
+}

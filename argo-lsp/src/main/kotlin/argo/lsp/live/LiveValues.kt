@@ -1,0 +1,66 @@
+package argo.lsp.live
+
+import com.google.gson.JsonObject
+import com.google.gson.JsonParser
+import java.io.IOException
+import java.io.UncheckedIOException
+import java.net.URI
+import java.net.URLEncoder
+import java.net.http.HttpClient
+import java.net.http.HttpRequest
+import java.net.http.HttpResponse
+import java.time.Duration
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ExecutionException
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.TimeoutException
+
+/** Asks the live view of an agent that runs on this computer for what the agent perceives and believes now. */
+internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_MS)) {
+    private val client by lazy { HttpClient.newBuilder().connectTimeout(limit).build() }
+
+    /** Returns the newest percepts of [functor] with [arity] arguments, else the beliefs; none if [agent] has no view at [port]. */
+    fun of(port: Int, agent: String, functor: String, arity: Int): List<String> {
+        val state = state(port, agent) ?: return emptyList()
+        fun texts(part: String, list: String) = state.getAsJsonObject(part)?.getAsJsonArray(list)?.map { it.asJsonObject }.orEmpty()
+        val percepts = texts("sensors", "percepts").filter { it.isOf(functor, arity) }
+            .map { "${it["text"].asString}, ${it["ageMs"].asLong} ms ago" }
+        return percepts.ifEmpty { texts("beliefs", "beliefs").filter { it.isOf(functor, arity) }.map { it["text"].asString } }
+            .take(MAX_SHOWN)
+    }
+
+    private fun JsonObject.isOf(functor: String, arity: Int): Boolean {
+        val term = javino.PerceptTerm.of(this["text"].asString)
+        return term.functor() == functor && term.arguments().size == arity
+    }
+
+    /** The first state that the page of the agent would show; the view makes one for each new page at once. */
+    private fun state(port: Int, agent: String): JsonObject? {
+        val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20")
+        val request = HttpRequest.newBuilder(URI("http://127.0.0.1:$port/$path/events")).timeout(limit).build()
+        val answer = client.sendAsync(request, HttpResponse.BodyHandlers.ofInputStream()).thenApplyAsync { response ->
+            response.body().use { body ->
+                body.bufferedReader().lineSequence().find { it.startsWith(DATA) }?.takeIf { response.statusCode() == OK }
+            }
+        }
+        return get(answer)?.let { JsonParser.parseString(it.removePrefix(DATA)).asJsonObject }
+    }
+
+    /** An agent that does not run, or another program at its port, gives no value. */
+    private fun get(answer: CompletableFuture<String?>): String? = try {
+        answer.get(limit.toMillis(), TimeUnit.MILLISECONDS)
+    } catch (refused: ExecutionException) {
+        if (refused.cause !is IOException && refused.cause !is UncheckedIOException) throw refused
+        null
+    } catch (_: TimeoutException) {
+        null
+    }
+
+    private companion object {
+        /** A hover waits no longer. */
+        const val LIMIT_MS = 300L
+        const val DATA = "data:"
+        const val OK = 200
+        const val MAX_SHOWN = 5
+    }
+}

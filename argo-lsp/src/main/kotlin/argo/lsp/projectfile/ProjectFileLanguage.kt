@@ -1,0 +1,93 @@
+package argo.lsp.projectfile
+
+import argo.check.project.MasFile
+import argo.check.syntax.Span
+import argo.check.syntax.Token
+import argo.check.syntax.TokenKind
+import argo.lsp.language.Language
+import argo.lsp.project.Project
+import argo.lsp.project.fileOf
+import argo.lsp.text.Text
+import org.eclipse.lsp4j.CompletionItem
+import org.eclipse.lsp4j.CompletionItemKind
+import org.eclipse.lsp4j.Diagnostic
+import org.eclipse.lsp4j.DocumentSymbol
+import org.eclipse.lsp4j.Hover
+import org.eclipse.lsp4j.Location
+import org.eclipse.lsp4j.MarkupContent
+import org.eclipse.lsp4j.MarkupKind
+import org.eclipse.lsp4j.Position
+import org.eclipse.lsp4j.Range
+import org.eclipse.lsp4j.SymbolKind
+import org.eclipse.lsp4j.TextEdit
+import org.eclipse.lsp4j.jsonrpc.messages.Either
+import java.nio.file.Path
+
+/** Jason's project files, `.mas2j`. */
+internal class ProjectFileLanguage(
+    private val find: (Text) -> List<Diagnostic>,
+    private val projectOf: (Text) -> Project,
+) : Language {
+    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
+
+    override fun completions(text: Text, offset: Int): List<CompletionItem> {
+        val tokens = read(text).tokens
+        val word = tokens.lastOrNull { it.span.start < offset && offset <= it.span.end && it.kind == TokenKind.ATOM }
+        val span = word?.span?.copy(end = offset) ?: Span(offset, offset)
+        val before = tokens.filter { it.span.end <= span.start }
+        val isInOptions = before.indexOfLast { it.isSymbol("[") } > before.indexOfLast { it.isSymbol("]") }
+        return when {
+            tokens.any { it.kind == TokenKind.STRING && it.span.start < offset && offset < it.span.end } -> emptyList()
+            before.lastOrNull()?.text == ARCHITECTURE -> listOf(item("argo.Arch", "perceives and acts through boards", text, span))
+            isInOptions && before.last().isSymbol("=") -> values(before).map { item(it, "", text, span) }
+            isInOptions -> OPTIONS.map { (name, meaning) -> item(name, meaning, text, span) }
+            before.lastOrNull()?.let { it.isSymbol("{") || it.isSymbol(";") } != false -> SECTIONS.map { item(it, "", text, span) }
+            else -> KEYWORDS.map { item(it, "", text, span) }
+        }
+    }
+
+    override fun hover(text: Text, offset: Int): Hover? {
+        val token = read(text).tokens.find { it.span.touches(offset) && it.text in OPTIONS } ?: return null
+        return Hover(MarkupContent(MarkupKind.MARKDOWN, "`${token.text}`\n\n${OPTIONS[token.text]}"), text.range(token.span))
+    }
+
+    /** An agent's name leads to its program. */
+    override fun definitions(text: Text, offset: Int): List<Location> {
+        val file = read(text)
+        val agent = file.agents.find { it.name.span.touches(offset) } ?: return emptyList()
+        return listOfNotNull(projectOf(text).checked.sourceOf(file, agent)).map { path ->
+            Location(path.toUri().toString(), Range(Position(0, 0), Position(0, 0)))
+        }
+    }
+
+    override fun symbols(text: Text): List<DocumentSymbol> = read(text).agents.map { agent ->
+        val range = text.range(agent.name.span)
+        DocumentSymbol(agent.name.text, SymbolKind.Object, range, range, agent.source)
+    }
+
+    private fun values(before: List<Token>) =
+        if (before.getOrNull(before.size - 2)?.text == "argo_sensing") listOf("fresh", "every", "in_cycle") else emptyList()
+
+    private fun read(text: Text) = MasFile(fileOf(text.uri) ?: Path.of(text.uri.substringAfterLast('/')), text.content)
+
+    private fun item(word: String, meaning: String, text: Text, span: Span) = CompletionItem(word).apply {
+        kind = CompletionItemKind.Keyword
+        if (meaning.isNotEmpty()) documentation = Either.forRight(MarkupContent(MarkupKind.MARKDOWN, meaning))
+        textEdit = Either.forLeft(TextEdit(text.range(span), word))
+    }
+
+    private companion object {
+        const val ARCHITECTURE = "agentArchClass"
+
+        /** ARGO's options of an agent, with their meanings in Markdown. */
+        val OPTIONS = mapOf(
+            "argo_sensing" to "when the agent gets a new snapshot of its sensors: `fresh` (default), `every` or `in_cycle`",
+            "argo_percepts" to "the most percepts of a board that are believed at once; 4096 by default",
+            "argo_view" to "the port of the live view, on this computer; `0`: any free one",
+            "argo_record" to "the file of a recording, `\"drive.mcap\"`, or `\"last(5)\"`: the last five minutes, for `argo.record`",
+            "argo_ros" to "the address of a `rosbridge_server`, `\"robot:9090\"`: the agent's boards take part in the ROS graph behind it",
+        )
+        val SECTIONS = listOf("agents", "environment", "infrastructure", "classpath", "aslSourcePath", "executionControl", "directives")
+        val KEYWORDS = listOf(ARCHITECTURE, "agentClass", "beliefBaseClass", "at")
+    }
+}

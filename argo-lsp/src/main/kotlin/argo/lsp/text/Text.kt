@@ -1,0 +1,38 @@
+package argo.lsp.text
+
+import argo.check.syntax.Lines
+import argo.check.syntax.Span
+import org.eclipse.lsp4j.Position
+import org.eclipse.lsp4j.Range
+import org.eclipse.lsp4j.TextDocumentContentChangeEvent
+
+/**
+ * The text of a file as an editor has it. Immutable.
+ *
+ * Positions are those of the protocol, in lines and UTF-16 units from 0; offsets are indices into [content].
+ *
+ * @property uri the file, as the editor names it
+ * @property version the editor's number of this text
+ */
+internal class Text(val uri: String, val version: Int, val content: String) {
+    private val lines: Lines by lazy(LazyThreadSafetyMode.PUBLICATION) { Lines(content) }
+
+    /** Returns the offset of [position]; one behind the end of its line or of the text means that end. */
+    fun offset(position: Position): Int = lines.offset(argo.check.syntax.Position(position.line + 1, position.character + 1))
+
+    /** Returns the position of [offset]. */
+    fun position(offset: Int): Position = lines.position(offset).let { Position(it.line - 1, it.column - 1) }
+
+    fun range(span: Span): Range = Range(position(span.start), position(span.end))
+
+    /** Returns the text as [changes], each made to the text behind the one before, leave it. */
+    fun changed(version: Int, changes: List<TextDocumentContentChangeEvent>): Text =
+        changes.fold(this) { text, change -> text.changed(version, change) }
+
+    private fun changed(version: Int, change: TextDocumentContentChangeEvent): Text {
+        val range = change.range ?: return Text(uri, version, change.text)
+        val begin = offset(range.start)
+        val end = offset(range.end).coerceAtLeast(begin)
+        return Text(uri, version, content.replaceRange(begin, end, change.text))
+    }
+}

@@ -1,0 +1,73 @@
+package argo.lsp.filters
+
+import argo.lsp.Editor
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.nulls.shouldNotBeNull
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+
+private const val XML = "file:///filters/near.xml"
+private const val JSON = "file:///filters/near.json"
+
+/** Filters in an editor. A `§` in a text of these tests is the cursor. */
+class FilterLanguageSpec : FunSpec({
+    fun <T> at(uri: String, marked: String, ask: Editor.(Int) -> T): T = Editor().use { editor ->
+        editor.open(uri, marked.replace("§", ""))
+        editor.ask(marked.indexOf('§'))
+    }
+
+    fun words(uri: String, marked: String) = at(uri, marked) { completions(uri, it).map { item -> item.label } }
+
+    test("the problems of a filter are told at their places, and are gone once it is mended") {
+        Editor().use { editor ->
+            val text = "<PerceptionFilter>\n  <filter><predicat>dist</predicat></filter>\n</PerceptionFilter>\n"
+            editor.open(XML, text)
+            val first = editor.diagnostics(XML).first { "predicat" in it.message.left }
+            first.range.start.line shouldBe 1
+            editor.replace(XML, 0, text.length, text.replace("predicat>", "predicate>"))
+            editor.diagnostics(XML).shouldBeEmpty()
+        }
+    }
+
+    test("parts of a filter without effect are warnings, and other XML and JSON is left alone") {
+        Editor().use { editor ->
+            editor.open(JSON, """{"rules": []}""")
+            editor.diagnostics(JSON).single().message.left shouldContain "the filter has no rules"
+            editor.open("file:///pom.xml", "<project><x></project>")
+            editor.diagnostics("file:///pom.xml").shouldBeEmpty()
+        }
+    }
+
+    test("elements, attributes and values are those of the schema at this place") {
+        words(XML, "<§") shouldContainExactly listOf("PerceptionFilter")
+        words(XML, "<PerceptionFilter><fil§") shouldContainExactly listOf("filter", "critical")
+        words(XML, "<PerceptionFilter><filter><!-- <a> --><predicate>a</predicate><§") shouldContainExactly
+            listOf("parameter", "annotation", "predicate")
+        words(XML, "<PerceptionFilter><filter ar§") shouldContainExactly listOf("arity", "everyMs", "deadband")
+        words(XML, "<PerceptionFilter><filter><parameter id='0' operator=\"§\">3</parameter>") shouldContainExactly
+            listOf("EQ", "NE", "GT", "GE", "LT", "LE", "IN", "MATCHES")
+        words(XML, "<PerceptionFilter keep='§'") shouldContainExactly listOf("true", "false")
+        words(XML, "<PerceptionFilter><filter></§") shouldContainExactly listOf("filter")
+        words(XML, "<PerceptionFilter><filter/> § ").shouldBeEmpty()
+    }
+
+    test("members and values of JSON are those of the schema at this place") {
+        words(JSON, """{"§""") shouldContainAll listOf("rules", "critical", "keep", "onSwitch")
+        words(JSON, """{§""") shouldContainAll listOf("\"rules\"", "\"keep\"")
+        words(JSON, """{"rules": [{"predicate": "a", "conditions": [{"argument": 0, "op§""") shouldContainAll listOf("operator", "value")
+        words(JSON, """{"rules": [{"conditions": [{"operator": "§"}]}]}""") shouldContainAll listOf("EQ", "MATCHES")
+        words(JSON, """{"onSwitch": §}""") shouldContainExactly listOf("\"forget\"", "\"freeze\"")
+        words(JSON, """{"keep": t§""") shouldContainExactly listOf("true", "false")
+        words(JSON, """{"no": [{"§""").shouldBeEmpty()
+    }
+
+    test("a hover has the documentation of the schema") {
+        at(XML, "<PerceptionFilter><filter><par§ameter id='0'/>") { hover(XML, it) }.shouldNotBeNull() shouldContain "on an argument"
+        at(XML, "<PerceptionFilter on§Switch='freeze'>") { hover(XML, it) }.shouldNotBeNull() shouldContain "freeze keeps them"
+        at(JSON, """{"rules": [{"every§Ms": 3}]}""") { hover(JSON, it) }.shouldNotBeNull() shouldContain "milliseconds"
+        at(JSON, """{"nothing§": 3}""") { hover(JSON, it) } shouldBe null
+    }
+})

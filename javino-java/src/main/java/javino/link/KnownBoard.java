@@ -1,0 +1,142 @@
+package javino.link;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import javino.LineClock;
+import javino.Protocol;
+import javino.wire.Welcome;
+
+/**
+ * Knows whether the board at the other end runs, since it may start when its port is opened, and the version in which it is spoken to. Safe
+ * on any thread; the version changes under the line's lock.
+ */
+final class KnownBoard {
+    private static final int NONE = -1;
+
+    private final Monitor monitor;
+    private final LineClock clock;
+    private final Protocol wanted;
+    private final long startedAt; // from this time on, a board that has not answered is taken to run
+    private volatile boolean isReady;
+    private volatile boolean hasHeard; // in version 1
+    private volatile boolean hasSaidHello;
+    private volatile Protocol protocol;
+    private volatile boolean hasLapsed; // it spoke version 2 and then fell silent, so another board may be there
+    private volatile int otherRevision = NONE; // revision of version 2 that it speaks
+
+    /** @param settings their {@link LinkSettings#bootMillis()} count from now */
+    KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {
+        this.monitor = monitor;
+        this.clock = clock;
+        wanted = settings.protocol();
+        protocol = wanted;
+        startedAt = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(settings.bootMillis());
+        isReady = settings.bootMillis() == 0;
+    }
+
+    /** Nanoseconds for which it may still be starting; 0 once something has come from it, or it must have started. */
+    long nanosToStart() {
+        return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
+    }
+
+    /** Records that it runs. */
+    void answered() {
+        isReady = true;
+    }
+
+    /** Records that it runs, and has said something in version 1. */
+    void heard() {
+        hasHeard = true;
+        isReady = true;
+    }
+
+    boolean hasHeard() {
+        return hasHeard;
+    }
+
+    void saidHello() {
+        hasSaidHello = true;
+    }
+
+    /** Returns whether HELLO has been said, so that a board of version 2 would have answered. */
+    boolean hasSaidHello() {
+        return hasSaidHello;
+    }
+
+    /** {@link Protocol#AUTO}: the version is not known yet, or not any more. */
+    Protocol protocol() {
+        return protocol;
+    }
+
+    boolean speaks2() {
+        return protocol == Protocol.V2;
+    }
+
+    boolean maySpeak2() {
+        return wanted != Protocol.V1;
+    }
+
+    boolean mustSpeak2() {
+        return wanted == Protocol.V2;
+    }
+
+    boolean hasLapsed() {
+        return hasLapsed;
+    }
+
+    /** Speaks version 1 from now on, unless the board answers a HELLO after all. */
+    void agreeOnVersion1() {
+        monitor.change(() -> {
+            hasLapsed = false;
+            protocol = protocol == Protocol.AUTO ? Protocol.V1 : protocol;
+        });
+    }
+
+    void foundVersion2() {
+        protocol = Protocol.V2;
+        hasLapsed = false;
+    }
+
+    void sessionBegan() {
+        foundVersion2();
+        otherRevision = NONE;
+    }
+
+    /** Records that it has fallen silent in version 2. */
+    void lapsed() {
+        hasLapsed = true;
+        protocol = mustSpeak2() ? Protocol.V2 : Protocol.AUTO;
+    }
+
+    /** Records that it speaks a revision of version 2 that is not spoken here; returns whether that is news. */
+    boolean foundRevision(int revision) {
+        boolean isNews = otherRevision != revision;
+        otherRevision = revision;
+        return isNews;
+    }
+
+    /** The reason why there is no session with a board that has answered HELLO; empty: it has not answered, or there is a session. */
+    Optional<String> noSession() {
+        int revision = otherRevision;
+        if (revision == NONE) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                revision < Welcome.REVISION
+                        ? "the board speaks an older draft of version 2 of Javino, which is not spoken any more; upload its "
+                                + "sketch again with the library of this version of ARGO (ArgoJavino, or the Python package javino)"
+                        : "the board speaks revision " + revision
+                                + " of version 2 of Javino, and this program only revision " + Welcome.REVISION
+                                + "; use a newer version of ARGO");
+    }
+
+    /** Returns whether it has to be asked for something before it is sent a command of version 1. */
+    boolean mustAsk() {
+        return !speaks2() && (mustAnswer() || protocol == Protocol.AUTO && !hasSaidHello);
+    }
+
+    /** Returns whether a command of version 1 has to wait for an answer, and not only for WELCOME. */
+    boolean mustAnswer() {
+        return nanosToStart() > 0 || protocol == Protocol.AUTO && (hasHeard || hasLapsed);
+    }
+}

@@ -1,0 +1,60 @@
+package javino.link;
+
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+
+/**
+ * Collects news under the line's lock and passes them on without that lock: outcomes of commands, reports of the board, warnings. Safe on
+ * any thread.
+ */
+final class LineReports {
+    private static final System.Logger LOG = System.getLogger(LineReports.class.getName());
+
+    private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
+    private volatile BoardListener listener; // null: nobody is called
+
+    boolean isEmpty() {
+        return waiting.isEmpty();
+    }
+
+    /** The caller holds no lock. */
+    void passOn() {
+        for (Runnable next = waiting.poll(); next != null; next = waiting.poll()) {
+            next.run();
+        }
+    }
+
+    /** @param failure null: the command was carried out */
+    void ended(Command command, Throwable failure) {
+        waiting.add(() -> {
+            if (failure == null) {
+                command.outcome().complete(null);
+            } else {
+                command.outcome().completeExceptionally(failure);
+            }
+        });
+    }
+
+    void warn(String text) {
+        waiting.add(() -> LOG.log(System.Logger.Level.WARNING, text));
+    }
+
+    /** Sets the listener that is called from now on. */
+    void listener(BoardListener value) {
+        listener = value;
+    }
+
+    void call(Consumer<BoardListener> call) {
+        BoardListener called = listener;
+        if (called != null) {
+            waiting.add(() -> {
+                try {
+                    call.accept(called);
+                } catch (RuntimeException | Error broken) { // the reader must go on
+                    LOG.log(System.Logger.Level.ERROR, "the receiver of the board's reports has failed", broken);
+                }
+            });
+        }
+    }
+}

@@ -1,0 +1,309 @@
+package javino.link;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import javino.LineClock;
+import javino.Protocol;
+import javino.session.CommandOutcome;
+import javino.session.ComputerSession;
+import javino.session.SessionListener;
+import javino.wire.BoardAction;
+import javino.wire.CommandItem;
+import javino.wire.CriticalReport;
+import javino.wire.FrameKind;
+import javino.wire.VocabularyPage;
+import javino.wire.Welcome;
+import javino.wire.WireFrame;
+
+/**
+ * The session with a board of version 2: its frames, its answers, and all that is found out by it. Guarded by the line's lock, which the
+ * caller holds except for methods marked "Any thread".
+ */
+final class Version2Session implements SessionListener<Command>, Inbox.Listener {
+    private static final int NONE = -1;
+
+    private final Monitor monitor;
+    private final LineClock clock;
+    private final FrameWriter writer;
+    private final KnownBoard board;
+    private final LineReports reports;
+    private final String port;
+    private final int answerLimit;
+    private final ComputerSession<Command> session;
+    private final CommandFailures failures;
+    private volatile long movedNanos; // time at which the board was last known to be there
+    private long receivedNanos; // time of the last frame
+    private volatile Reply answer;
+    private volatile Reply heard; // the newest percepts that came unasked
+    private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
+    private int rules; // number of rules that the board can hold, in this session
+    private volatile int actionsLost;
+    private Throwable failure; // of the commands that are out when the session is closed; null: they are unconfirmed
+    private boolean hasDropped; // no answer has come since one was dropped
+    private boolean hasToldLostActions;
+    private boolean hasToldUnreadable;
+    private boolean hasToldUndescribed;
+
+    Version2Session(
+            Monitor monitor,
+            LineClock clock,
+            FrameWriter writer,
+            KnownBoard board,
+            LineReports reports,
+            String port,
+            LinkSettings settings) {
+        this.monitor = monitor;
+        this.clock = clock;
+        this.writer = writer;
+        this.board = board;
+        this.reports = reports;
+        this.port = port;
+        answerLimit = settings.messageLimit();
+        movedNanos = clock.nanos();
+        session = new ComputerSession<>(
+                settings.line().byteNanos(), answerLimit, new SplittableRandom(clock.nanos()), this);
+        failures = new CommandFailures(port, session);
+        if (board.mustSpeak2()) {
+            session.open(clock.nanos());
+        }
+    }
+
+    /** Any thread. */
+    boolean isOpen() {
+        return monitor.get(session::isOpen);
+    }
+
+    /** A HELLO to a board that may speak version 2. Any thread. */
+    byte[] hello() {
+        return monitor.get(() -> session.hello().toBytes(0));
+    }
+
+    /** The time at which the board was last heard. Any thread. */
+    long movedNanos() {
+        return movedNanos;
+    }
+
+    /** See {@link Link#vocabulary}. */
+    Optional<List<BoardAction>> vocabulary() {
+        return board.speaks2() ? monitor.get(session::vocabulary) : Optional.empty();
+    }
+
+    /** See {@link Link#actionsLost}. */
+    int actionsLost() {
+        return actionsLost;
+    }
+
+    /** See {@link Link#onBoardEvents}. */
+    void onBoardEvents(BoardListener listener) {
+        int room = monitor.get(() -> {
+            reports.listener(listener);
+            return session.isOpen() ? rules : NONE;
+        });
+        if (room != NONE) {
+            listener.sessionBegan(room);
+        }
+    }
+
+    /** Asks for percepts until {@link #cancelRequest}. Any thread. */
+    void request(String functors) {
+        monitor.change(() -> {
+            answer = null;
+            askedBehind = NONE;
+            session.request(functors, clock.nanos());
+        });
+    }
+
+    /** Any thread. */
+    void cancelRequest() {
+        monitor.change(session::cancelRequest);
+    }
+
+    /** The answer to the last request; null: none has come. Any thread. */
+    Reply answer() {
+        return answer;
+    }
+
+    /** Returns whether percepts have come unasked. Any thread. */
+    boolean hasHeard() {
+        return heard != null;
+    }
+
+    /** Takes the newest percepts that have come unasked; null: there are none. Any thread. */
+    Reply takeHeard() {
+        return monitor.get(() -> {
+            Reply newest = heard;
+            heard = null;
+            return newest;
+        });
+    }
+
+    /** Returns whether something is to come from the board besides answers to requests. */
+    boolean isExpecting() {
+        return session.isExpecting();
+    }
+
+    long nanosUntilNext(long now) {
+        return Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
+    }
+
+    /** The frame that may be written now, of the current session even if another begins before it is written; null: there is none. */
+    SessionLine.Outgoing next(long now) {
+        WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
+        if (frame == null) {
+            return null;
+        }
+        if (frame.kind() == FrameKind.ASK && askedBehind == NONE) {
+            askedBehind = writer.written();
+        }
+        return new SessionLine.Outgoing(frame.toBytes(session.nonce()), null);
+    }
+
+    /** Records when the last byte of the frame leaves. */
+    void wrote(long leavesAt) {
+        session.wrote(leavesAt);
+    }
+
+    /** Fails the commands that are out, and begins another session if the line is still there. */
+    void abandon(Throwable why) {
+        failure = why;
+        session.close(clock.nanos());
+        failure = null;
+        if (board.speaks2() && writer.hasLine()) {
+            session.open(clock.nanos());
+        }
+    }
+
+    @Override
+    public void received(WireFrame frame, long now) {
+        receivedNanos = now;
+        session.received(frame, now);
+        if (board.noSession().isEmpty()) { // else no command would ever be given up
+            movedNanos = now;
+        }
+        if (session.isSettled()) {
+            writer.allArrived(now);
+        }
+    }
+
+    @Override
+    public void receiving(int bytes, long now) {
+        session.receiving(now);
+        writer.received(bytes, now);
+    }
+
+    @Override
+    public int nonce() {
+        return session.nonce();
+    }
+
+    @Override
+    public void damaged() {
+        session.damaged();
+    }
+
+    @Override
+    public void sendsVersion1(long now) {
+        session.sendsVersion1(now);
+    }
+
+    @Override
+    public void found() {
+        board.foundVersion2();
+    }
+
+    @Override
+    public void otherRevision(int revision) {
+        if (board.foundRevision(revision)) {
+            reports.warn("port " + port + ": " + board.noSession().orElseThrow()
+                    + (board.mustSpeak2()
+                            ? ""
+                            : "; until then version 1 is used with it, in which commands are not confirmed"));
+        }
+        if (!board.mustSpeak2() && board.speaks2()) { // the board was exchanged, or its sketch
+            session.close(clock.nanos());
+            lapsed();
+        }
+    }
+
+    @Override
+    public void began(Welcome welcome) {
+        board.sessionBegan();
+        rules = welcome.rules();
+        actionsLost = welcome.actionsLost();
+        if (actionsLost > 0 && !hasToldLostActions) {
+            hasToldLostActions = true;
+            reports.warn("port " + port + ": " + actionsLost
+                    + " actions of the board's program found no room, and it refuses them; a board has "
+                    + (CommandItem.MAX_ACTION + 1)
+                    + " at most, of names with at most 250 characters, and fewer in little memory: give it more "
+                    + "memory, as JavinoSized<600> javino; does, or fewer actions");
+        }
+        reports.call(called -> called.sessionBegan(welcome.rules()));
+    }
+
+    @Override
+    public void ended(Command command, CommandOutcome outcome) {
+        if (outcome == CommandOutcome.DONE || outcome == CommandOutcome.REFUSED) {
+            writer.provedRead(command.beganBehind());
+        }
+        boolean isAbandoned = outcome == CommandOutcome.UNCONFIRMED && failure != null;
+        reports.ended(command, isAbandoned ? failure : failures.of(command, outcome));
+    }
+
+    @Override
+    public void answered(String percepts) {
+        hasDropped = false;
+        writer.provedRead(askedBehind);
+        answer = new Reply(percepts, Protocol.V2, receivedNanos);
+    }
+
+    @Override
+    public void heard(String percepts) {
+        heard = new Reply(percepts, Protocol.V2, receivedNanos);
+    }
+
+    @Override
+    public void dropped() {
+        if (!hasDropped) {
+            hasDropped = true;
+            reports.warn(
+                    "port " + port + " sent percepts of more than " + answerLimit
+                            + " bytes, which are dropped; others are dropped without a warning until an answer comes that is not too long");
+        }
+    }
+
+    @Override
+    public void unreadable(FrameKind kind) {
+        if (!hasToldUnreadable) {
+            hasToldUnreadable = true;
+            reports.warn("port " + port + " sent a frame " + kind
+                    + " that cannot be read here, so it is dropped; further ones are dropped without a warning."
+                    + " Does the board run the library of this version of ARGO?");
+        }
+    }
+
+    @Override
+    public void undescribed(int described, int total) {
+        if (!hasToldUndescribed) {
+            hasToldUndescribed = true;
+            reports.warn("port " + port + ": the board describes " + described + " of its " + total
+                    + " actions and no more, so none of them is known here; is the name of the next one longer than "
+                    + VocabularyPage.MAX_NAME + " bytes, which no page of the vocabulary holds?");
+        }
+    }
+
+    @Override
+    public void reported(CriticalReport report) {
+        long received = receivedNanos;
+        reports.call(called -> called.critical(report.rule(), report.outcome(), report.percept(), received));
+    }
+
+    @Override
+    public void lapsed() {
+        board.lapsed();
+        if (board.mustSpeak2()) {
+            session.open(clock.nanos());
+        }
+    }
+}
