@@ -72,7 +72,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         return Project(
             root, programs.distinct().associateWith { AgentProgram(it, textOf(it)) },
             masFiles + files.filter { it.extension in OTHER_PROJECT_FILES }.map { ProjectFile(it, textOf(it)) },
-            (foreign + masFiles.map { it.text }).flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
+            foreign.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
             foreign.flatMap(::operationsIn).toSet(),
             javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
             files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it)) },

@@ -39,7 +39,7 @@ internal object RobotRules : Rule {
 
     /** Tells of a belief that no board, no plan and no message of the project brings. */
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
-        for (read in scene.program.mentions[Role.EVENT]) { // what is read may also be given to an agent as it starts
+        for (read in listOf(Role.EVENT, Role.READ).flatMap { scene.program.mentions[it] }) {
             if (read.functor in kinds || read.functor in own || scene.isKnownElsewhere(read) ||
                 Names.near(read.functor, kinds + own) != null) continue
             if (scene.mentions(Role.TEST_HANDLED).any { it.functor == read.functor }) continue
