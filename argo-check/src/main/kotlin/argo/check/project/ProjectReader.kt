@@ -107,20 +107,21 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         "${it.parent.name.takeUnless(STDLIB::equals).orEmpty()}.${it.name.substringBeforeLast('.')}"
     }.toSet()
 
-    /** Returns what sketches, boards in Python, mappings of ROS and files of percepts say. */
+    /** Returns what sketches, boards in Python, mappings of ROS, files of percepts and recordings say. */
     private fun robotIn(files: List<Path>): Robot {
         val boards = files.filter { it.extension in BOARDS }.map { BoardProgram(textOf(it)) }
         val mappings = files.filter { it.name.endsWith(".ros.yaml") }.map { RosMapping(textOf(it)) }
-        val described = files.filter { it.name == PERCEPTS }.flatMap { kindsIn(textOf(it)) }
-        return Robot(
-            described + boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts },
-            boards.flatMap { it.actions } + mappings.flatMap { it.robot.actions },
-            mappings.all { it.isComplete },
-        )
+        val described = files.filter { it.name == PERCEPTS }.flatMap { kindsIn(textOf(it)) } +
+            boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts }
+        val functors = described.map { it.functor() }.toSet()
+        val recorded = files.filter { it.extension == RECORDING }.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
+        val isComplete = mappings.all { it.isComplete } && recorded.isEmpty()
+        return Robot((described + recorded).distinct(), boards.flatMap { it.actions } + mappings.flatMap { it.robot.actions }, isComplete)
     }
 
     private companion object {
         const val PERCEPTS = "percepts"
+        const val RECORDING = "rec"
         const val STDLIB = "stdlib"
         const val MAX_FILES = 20_000
         const val MAX_BYTES = 2_000_000L
@@ -129,7 +130,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         val OTHER_PROJECT_FILES = setOf("jcm", "gradle", "kts")
         val BOARDS = setOf("ino", "cpp", "py")
         val FOREIGN = setOf("java", "kt", "py", "jcm", "ino", "cpp", "c", "h", "yaml", "yml", "properties")
-        val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts")
+        val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts", RECORDING)
         val OUTPUTS = setOf("build", "target", "bin", "node_modules")
         val WORD = Regex("[a-z]\\w*")
         val STRING = Regex("\"[^\"\n]*\"")

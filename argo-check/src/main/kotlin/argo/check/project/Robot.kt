@@ -1,6 +1,9 @@
 package argo.check.project
 
+import argo.filters.matching.perceptsOf
+import javino.PerceptArgument
 import javino.PerceptKind
+import javino.PerceptTerm
 
 /**
  * What is known of a robot; each list is empty if nothing is.
@@ -40,3 +43,17 @@ internal class BoardProgram(private val text: String) {
         val ON_ACTION = Regex("\\b(?:onAction|on_action)\\(\\s*$NAME$FUNCTION$NUMBER\\s*\\)")
     }
 }
+
+/** Returns the kinds of the percepts in a recording of a board: their functors and numbers of arguments; of values nothing is known. */
+internal fun recordedKinds(recording: String): List<PerceptKind> {
+    val lines = recording.lines().drop(1).map { it.split('\t') }
+    val messages = lines.filter { it.size == RECORDED_PARTS && it[1] == "in" }.map { it[2] }.distinct()
+    val percepts = messages.flatMap(::perceptsOf).map(PerceptTerm::of).distinctBy { it.indicator() }
+    return percepts.filter { NAME.matches(it.functor()) }.map { percept ->
+        PerceptKind(percept.functor(), percept.arguments().map { PerceptArgument.Anything() })
+    }
+}
+
+/** Milliseconds, direction and text. */
+private const val RECORDED_PARTS = 3
+private val NAME = Regex("~?[a-z][A-Za-z0-9_]*")

@@ -81,6 +81,13 @@ class ProjectReaderSpec : FunSpec({
         robot("  - /battery sensor_msgs/BatteryState\n").isComplete shouldBe false
     }
 
+    test("a recording shows percepts that no other file describes, and that there may be more") {
+        val recording = "javino-recording 1\n8\tout\tgetPercepts\n90\tin\tdist(front,70);say(\"a;b\");Bad(1)\n95\tin\tdist(back,7)\n"
+        val robot = ProjectReader().projectsIn(folder("a.asl" to "", "drive.rec" to recording, "percepts" to "say(_)\n")).single().robot
+        robot.percepts.map { "$it" } shouldContainExactly listOf("say(_)", "dist(_, _)")
+        robot.isComplete shouldBe false
+    }
+
     test("a file that is too large is left out, and told of") {
         val folder = folder("a.asl" to "a.", "big.py" to "# ${"x".repeat(2_000_001)}")
         val project = ProjectReader().projectsIn(folder).single()
