@@ -133,7 +133,7 @@ class RosLinkSpec : FunSpec({
             }()
         }
         test("that say nothing leave the bridge on, as long as that shows that it is there") {
-            perceived { it.listen(40) shouldBe null }()
+            perceived { it.listen(400) shouldBe null }()
         }
         test("of a bridge that does not show that it is there make a time-out") {
             perceived {

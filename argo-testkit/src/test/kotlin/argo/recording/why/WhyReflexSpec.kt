@@ -110,7 +110,7 @@ class WhyReflexSpec : FunSpec({
     test("what a reflex would have done with another percept is refused: no replay has it") {
         whyOf(start(), drive = { approach() }) {
             val stop = Question("stop", count = 1).find(commands)
-            shouldThrow<RecordingException> { had(stop, "dist(front,20)") }.message shouldContain "no plan sent stop"
+            shouldThrow<RecordingException> { had(stop, "dist(front,20)") }.message shouldContain "stop was not sent by a plan"
         }
     }
 })
