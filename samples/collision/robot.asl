@@ -21,7 +21,7 @@
     !start.
 
 +!open : board(Port, Options) <- .port(Port, Options).
-+!open : boards(Ports) <- .ports(Ports).
++!open : boards(Ports) <- .ports(Ports). // argo: others may send boards/1
 
 +!start <-
     .wait(dist(f, _)); // nor into one that has not been seen yet
