@@ -168,7 +168,9 @@ public final class Link implements AutoCloseable {
             Reply described = channel.requestKinds(timeoutMillis);
             if (described == null && board.speaks2()) {
                 throw new PortTimeoutException(
-                        port(), "the board on port " + port() + " did not describe its percepts within " + timeoutMillis + " ms");
+                        port(),
+                        "the board on port " + port() + " did not describe its percepts within " + timeoutMillis
+                                + " ms");
             }
             return described;
         });
