@@ -54,7 +54,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
             }
 
             override fun visitFile(file: Path, attrs: BasicFileAttributes): FileVisitResult {
-                if (attrs.isRegularFile && (file.extension in READ || file.name == PERCEPTS)) found.add(file)
+                if (attrs.isRegularFile && (file.extension in READ || isPercepts(file))) found.add(file)
                 return if (found.size < MAX_FILES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
@@ -67,16 +67,18 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     private fun read(root: Path, files: List<Path>): Project {
         val byKind = files.groupBy { it.extension }
         val masFiles = byKind["mas2j"].orEmpty().map { MasFile(it, textOf(it)) }
-        val programs = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
+        val sources = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
+        val programs = sources.distinct().associateWith { AgentProgram(it, textOf(it)) }
+        val called = programs.values.flatMap { it.filtersCalled }.toSet()
         val foreign = files.filter { it.extension in FOREIGN }.map { textOf(it) }
         return Project(
-            root, programs.distinct().associateWith { AgentProgram(it, textOf(it)) },
+            root, programs,
             masFiles + files.filter { it.extension in OTHER_PROJECT_FILES }.map { ProjectFile(it, textOf(it)) },
             foreign.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
             foreign.flatMap(::operationsIn).toSet(),
             javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
-            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it)) },
-            robotIn(files), files.filter { it.name == PERCEPTS }.map { ProjectFile(it, textOf(it)) },
+            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it), called) },
+            robotIn(files), files.filter { isPercepts(it) }.map { ProjectFile(it, textOf(it)) },
             leftOut.filterKeys { it == root || it in files },
         )
     }
@@ -111,7 +113,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     private fun robotIn(files: List<Path>): Robot {
         val boards = files.filter { it.extension in BOARDS }.map { BoardProgram(textOf(it)) }
         val mappings = files.filter { it.name.endsWith(".ros.yaml") }.map { RosMapping(textOf(it)) }
-        val described = files.filter { it.name == PERCEPTS }.flatMap { kindsIn(textOf(it)) } +
+        val described = files.filter { isPercepts(it) }.flatMap { kindsIn(textOf(it)) } +
             boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts }
         val functors = described.map { it.functor() }.toSet()
         val recorded = files.filter { it.extension == RECORDING }.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
@@ -135,6 +137,9 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         val WORD = Regex("[a-z]\\w*")
         val STRING = Regex("\"[^\"\n]*\"")
         val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
+
+        /** Returns true for the files that `describe` writes, `percepts` or `NAME.percepts`. */
+        fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
         /** Lines that describe no percepts are left out; `PerceptFileRules` tell of them. */
         fun kindsIn(text: String): List<PerceptKind> = text.lines().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }

@@ -66,6 +66,12 @@ class ProjectReaderSpec : FunSpec({
         robot.actions.map { "$it" } shouldContainExactly listOf("stop/0", "say/*", "speed/1")
     }
 
+    test("files of percepts are called percepts, or end so") {
+        val robot = ProjectReader().projectsIn(folder("a.asl" to "", "percepts" to "a(_)", "left.percepts" to "b(_)", "percepts.txt" to "c"))
+            .single().robot
+        robot.percepts.map { it.functor() } shouldContainExactly listOf("b", "a")
+    }
+
     test("what a mapping of ROS says of the robot is known, except for what is usual for a type") {
         fun robot(battery: String) = ProjectReader().projectsIn(
             folder(
@@ -86,6 +92,21 @@ class ProjectReaderSpec : FunSpec({
         val robot = ProjectReader().projectsIn(folder("a.asl" to "", "drive.rec" to recording, "percepts" to "say(_)\n")).single().robot
         robot.percepts.map { "$it" } shouldContainExactly listOf("say(_)", "dist(_, _)")
         robot.isComplete shouldBe false
+    }
+
+    test("a file is a filter if its folder, an agent or its rules say so, and else a document of another kind") {
+        val project = ProjectReader().projectsIn(
+            folder(
+                "a.asl" to "+a <- argo.change_filter(near); argo.change_filter(\"far.json\").",
+                ".eslintrc.json" to "{\"rules\": {\"semi\": 2}}", "vectors.json" to "{\"of\": {\"rules\": [{\"predicate\": \"dist\"}]}}",
+                "broken.json" to "{\"rules\": [", "near.json" to "{", "far.json" to "[]", "filters/slip.json" to "{\"ruels\": []}",
+                "whole.json" to "{\"keep\": true, \"rules\": [{\"predicate\": \"dist\"}]}",
+                "page.xml" to "<page>Write &lt;filter> in <![CDATA[<PerceptionFilter>]]></page>",
+                "root.xml" to "<?xml version=\"1.0\"?>\n<!-- of the robot -->\n<PerceptionFilter/>",
+            ),
+        ).single()
+        project.filters.map { it.path.name } shouldContainExactly
+            listOf("far.json", "slip.json", "near.json", "root.xml", "whole.json")
     }
 
     test("a file that is too large is left out, and told of") {

@@ -35,7 +35,7 @@ class CheckCommandSpec : FunSpec({
         said.out shouldNotContain "variable S"
         argo("check", "$slips", "--hints").out shouldContain "3:7: hint: the variable S occurs once here"
         argo("check", "$slips", "--fail-on", "error").status shouldBe 1
-        argo("check", "$slips/robot.mas2j", "--fail-on", "hint").status shouldBe 0
+        argo("check", "$slips/robot.mas2j", "--fail-on", "error").status shouldBe 1
         argo("check", "$slips", "--fail-on",
             "always").run { status to err.lines().first() } shouldBe (2 to "--fail-on is error, warning or hint, not always")
     }
@@ -63,7 +63,8 @@ class CheckCommandSpec : FunSpec({
         listOf("../samples", "../experiment").forEach { argo("check", it).out shouldContain "0 errors, 0 warnings" }
     }
 
-    test("a program is checked with the project that it belongs to") {
+    test("a program is checked with the project that it belongs to, and a project file with its programs") {
+        argo("check", "$slips/robot.mas2j").out shouldBe argo("check", "$slips").out
         argo("check", "$slips/robot.asl").out shouldContain "1 file checked: 1 error"
     }
 })
