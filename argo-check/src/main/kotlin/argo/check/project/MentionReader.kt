@@ -199,8 +199,7 @@ class Mentions(val all: List<Mention>, val open: Set<Role>) {
     private val inOrder: List<Mention> by lazy { all.sortedBy { it.span.start } }
 
     /** Returns the mentions that begin in [span] or at its end, in the order of the text. */
-    fun within(span: Span): List<Mention> =
-        inOrder.subList(indexOf(span.start), indexOf(span.end + 1))
+    internal fun within(span: Span): List<Mention> = inOrder.subList(indexOf(span.start), indexOf(span.end + 1))
 
     private fun indexOf(offset: Int): Int = inOrder.binarySearch { if (it.span.start < offset) -1 else 1 }.inv()
 

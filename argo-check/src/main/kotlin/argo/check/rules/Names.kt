@@ -48,8 +48,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]; of many, only that they are
- * more than [MOST_SLIPS].
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]; a larger number than
+ * [MOST_SLIPS] may be too small.
  */
 private fun distance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length

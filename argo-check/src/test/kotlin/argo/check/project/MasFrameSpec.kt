@@ -12,7 +12,8 @@ import java.io.StringReader
 
 class MasFrameSpec : FunSpec({
     val root = tempdir().toPath()
-    fun found(text: String) = findingsIn(root, "m.mas2j" to text, "a.asl" to "", "b.asl" to "").filter { it.rule == "syntax" }.map { it.inShort }
+    fun found(text: String) =
+        findingsIn(root, "m.mas2j" to text, "a.asl" to "", "b.asl" to "").filter { it.rule == "syntax" }.map { it.inShort }
     fun isReadByJason(text: String) = try {
         mas2j(StringReader(text)).mas()
         true
@@ -20,7 +21,7 @@ class MasFrameSpec : FunSpec({
         false
     }
 
-    context("what Jason refuses is told at the first token that does not fit:") {
+    context("what Jason refuses is told at the first token that does not fit") {
         listOf(
             "" to "1:1 MAS, not the end of the file",
             "mas m { agents: a; }" to "1:1 MAS, not mas",
@@ -38,20 +39,22 @@ class MasFrameSpec : FunSpec({
             "MAS m { infrastructure: Local" to "1:30 a section, as agents, or }, not the end of the file",
             "MAS m { foo: x agents: a; }" to "1:9 a section, as agents, or }, not foo",
         ).forEach { (text, what) ->
-            test(text) {
+            test("in '$text'") {
                 isReadByJason(text) shouldBe false
                 withClue(found(text)) { found(text) shouldBe listOf(what.replaceFirst(" ", " syntax: here should be ") + "; correct it") }
             }
         }
     }
 
-    context("what Jason reads is not told of:") {
+    context("what Jason reads is not told of") {
         listOf(
-            "MAS m { agents: a; b; }", "MAS m { }", "MAS m { agents: a b.asl [verbose=1,x=\"y;}\"] agentArchClass argo.Arch #2 at \"h\"; b; }",
-            "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; aslSourcePath: \"x\"; }",
+            "MAS m { agents: a; b; }", "MAS m { }",
+            "MAS m { agents: a b.asl [verbose=1,x=\"y;}\"] agentArchClass argo.Arch #2 at \"h\"; b; }",
+            "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; " +
+                "aslSourcePath: \"x\"; }",
             "/* c */ MAS m { agents: a; directives: d=x.Y; } x",
         ).forEach { text ->
-            test(text) {
+            test("in '$text'") {
                 isReadByJason(text) shouldBe true
                 found(text) shouldBe emptyList()
             }

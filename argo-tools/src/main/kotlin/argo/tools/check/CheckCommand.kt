@@ -67,6 +67,7 @@ internal class CheckCommand : DataCommand() {
         if (!isFolder && place.extension !in CHECKED) {
             throw ToolException("$place cannot be checked; files that can: ${CHECKED.joinToString { ".$it" }}")
         }
+        if (!isFolder && !Files.isRegularFile(place)) throw ToolException("$place is no regular file")
         val projects = ProjectReader().projectsIn(place)
         if (projects.isEmpty()) throw ToolException("$place has no program, .asl, and no project file, .mas2j")
         val findings = projects.flatMap(ProjectCheck::check)

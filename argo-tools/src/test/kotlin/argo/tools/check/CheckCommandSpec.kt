@@ -11,6 +11,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
@@ -55,6 +56,13 @@ class CheckCommandSpec : FunSpec({
     test("a folder without programs, a file that is not there and one of another kind are refused") {
         val empty = folder("empty", "a.txt" to "")
         argo("check", "$empty").err shouldBe "$empty has no program, .asl, and no project file, .mas2j\n"
+        Files.createDirectory(empty.resolve("folder.asl"))
+        argo("check", "$empty/folder.asl").err shouldBe "$empty/folder.asl has no program, .asl, and no project file, .mas2j\n"
+        if (Files.exists(Path.of("/dev/null"))) {
+            Files.createSymbolicLink(empty.resolve("device.asl"), Path.of("/dev/null"))
+            argo("check", "$empty/device.asl").err shouldBe "$empty/device.asl is no regular file\n"
+            argo("check", "$empty").out shouldContain "device.asl:1:1: warning: this is not checked: it is no regular file [left-out]"
+        }
         argo("check", "$slips/none.asl").err shouldBe "there is no file $slips/none.asl\n"
         argo("check", "$empty/a.txt").err shouldBe "$empty/a.txt cannot be checked; files that can: .asl, .mas2j, .jcm\n"
     }
