@@ -241,14 +241,17 @@ class Board:
         if version == 1:
             self._send_messages(texts)
             return
-        size = _PART_WITH_RULES if self._rules else _PART
-        answer = self._shapes.write(texts, self._known)
-        if len(answer) > size * _MAX_PARTS:
-            tell("an answer has at most %d bytes%s: the last percepts are left out"
-                 % (size * _MAX_PARTS, " with rules" if self._rules else ""))
-        while len(answer) > size * _MAX_PARTS:
+        self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
+
+    def _send_as_fits(self, request, texts, write, words):
+        """Sends the answer that `write` makes of these texts; of too many for an answer only the first, with a warning."""
+        limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
+        answer = write(texts)
+        if len(answer) > limit:
+            tell("an answer has at most %d bytes%s: the last %s are left out" % (limit, " with rules" if self._rules else "", words))
+        while len(answer) > limit:
             texts = texts[:len(texts) * 3 // 4]
-            answer = self._shapes.write(texts, self._known)
+            answer = write(texts)
         self._send_answer(request, answer)
 
     def _send_answer(self, request, answer):
@@ -504,7 +507,7 @@ class Board:
         self._known = min(payload[0] if payload else 0, len(self._shapes))
         functors = to_text(payload[1:])
         if functors == _KINDS:
-            self._send_answer(number, self._shapes.write_without_ids(self._kinds))
+            self._send_as_fits(number, self._kinds, self._shapes.write_without_ids, "kinds of percepts")
             self._send_parts()
         else:
             self._answer(number, functors, 2)

@@ -70,6 +70,16 @@ class Descriptions(unittest.TestCase):
         bench.board.perceive(lambda: bench.board.percept("ready"))
         self.assertEqual(self.described(bench), [b"\x01"])
 
+    def test_more_kinds_than_an_answer_holds_are_left_out_from_the_end_with_a_warning(self):
+        bench = Bench()
+        bench.board.perceive(lambda: None, *["p%d(%s)" % (i, "x" * 200) for i in range(400)])
+        with self.assertWarnsRegex(RuntimeWarning, "at most 64515 bytes: the last kinds of percepts are left out"):
+            described = self.described(bench)
+        self.assertLessEqual(len(described), 255)
+        kinds = b"".join(payload[2:] for payload in described)
+        self.assertEqual(kinds.count(b"?p"), 300)
+        self.assertTrue(kinds.endswith(b"x);"))
+
 
 class Values(unittest.TestCase):
     def test_a_percepts_values_become_terms(self):

@@ -25,7 +25,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     val sensing = Sensing(port, agent.owner, this, agent.platform)
 
     /** The kinds of percepts that the board describes. */
-    val described = DescribedPercepts(port)
+    val described = DescribedPercepts(port) { agent.log.warning(it) }
 
     private val warning = agent.rateLimitedWarning() // by the rule whose reports are left out
 

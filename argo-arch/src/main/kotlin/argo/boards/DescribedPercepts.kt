@@ -2,12 +2,17 @@ package argo.boards
 
 import argo.connecting.OpenPort
 import javino.PerceptKind
+import javino.PortException
+import javino.PortInterruptedException
 
 /**
  * The kinds of percepts that the board on [port] describes. The board is asked for them once in each session, between two requests, but
- * only after somebody has called [get]: the board of an agent that nobody watches is not asked.
+ * only after somebody has called [get]: the board of an agent that nobody watches is not asked. Sensing waits for the answer, so a board
+ * that gives none in a short time is not asked again while the port is open.
+ *
+ * @param warn takes the reason why a board's kinds are not known, at most once
  */
-internal class DescribedPercepts(private val port: OpenPort) {
+internal class DescribedPercepts(private val port: OpenPort, private val warn: (String) -> Unit) {
     @Volatile
     private var isWanted = false
 
@@ -16,6 +21,8 @@ internal class DescribedPercepts(private val port: OpenPort) {
 
     @Volatile
     private var kinds = emptyList<PerceptKind>()
+
+    private var isGivenUp = false // used by the sensing thread
 
     /** Returns the kinds; none: they are not known yet, or the board describes none. Any thread. */
     fun get(): List<PerceptKind> {
@@ -30,8 +37,20 @@ internal class DescribedPercepts(private val port: OpenPort) {
 
     /** Asks the board if that is wanted and was not done in this session. Called by the sensing thread. */
     fun askIfWanted() {
-        if (!isWanted || isAsked || !port.link.isPaced) return
+        if (!isWanted || isAsked || isGivenUp || !port.link.isPaced) return
         isAsked = true
-        kinds = port.link.perceptKinds(port.options.timeoutMs)
+        try {
+            kinds = port.link.perceptKinds(minOf(port.options.timeoutMs, LIMIT_MS))
+        } catch (trouble: PortException) {
+            if (trouble is PortInterruptedException || !port.link.isOpen) throw trouble
+            isGivenUp = true
+            kinds = emptyList()
+            warn("${trouble.message}; it is not asked again until the port is opened anew, and its percepts have no units and ranges")
+        }
+    }
+
+    private companion object {
+        /** The time that sensing waits for a description, in ms: less than most boards take to be believed silent. */
+        const val LIMIT_MS = 300
     }
 }

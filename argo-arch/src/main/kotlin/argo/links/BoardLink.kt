@@ -77,7 +77,11 @@ interface BoardLink : AutoCloseable {
     @Throws(PortException::class)
     fun watch(timeoutMs: Int) = check()
 
-    /** Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most; none: it describes none. */
+    /**
+     * Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most; none: it describes none.
+     *
+     * @throws PortTimeoutException if no answer came
+     */
     @Throws(PortException::class)
     fun perceptKinds(timeoutMs: Int): List<PerceptKind> = emptyList()
 

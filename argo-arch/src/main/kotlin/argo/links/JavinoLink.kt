@@ -29,7 +29,7 @@ class JavinoLink(private val link: Link) : BoardLink {
     override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =
         (if (isPaced) link.request(text, timeoutMs, intervalMs) else link.request(text(), timeoutMs)).toMessage()
 
-    override fun perceptKinds(timeoutMs: Int): List<PerceptKind> = link.perceptKinds(timeoutMs)
+    override fun perceptKinds(timeoutMs: Int): List<PerceptKind> = link.perceptDescription(timeoutMs).kinds()
 
     override fun check() = link.check()
 

@@ -15,7 +15,6 @@ import javino.Frame;
 import javino.LineClock;
 import javino.NoSuchPortException;
 import javino.PerceptDescription;
-import javino.PerceptKind;
 import javino.PerceptsRequest;
 import javino.PortBusyException;
 import javino.PortException;
@@ -160,13 +159,21 @@ public final class Link implements AutoCloseable {
      * Asks the board for the kinds of its percepts, in turn with requests. Kinds that cannot be read are left out, with a line of log.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
-     * @return empty: the board describes no percepts, gave no answer in time, or is not known to speak version 2
+     * @return without kinds and problems: the board describes no percepts, or is not known to speak version 2
+     * @throws PortTimeoutException if the board speaks version 2 and gave no answer
      */
-    public List<PerceptKind> perceptKinds(int timeoutMillis) throws PortException {
+    public PerceptDescription perceptDescription(int timeoutMillis) throws PortException {
         requireTime(timeoutMillis);
-        Reply answer = reading(() -> channel.requestKinds(timeoutMillis));
+        Reply answer = reading(() -> {
+            Reply described = channel.requestKinds(timeoutMillis);
+            if (described == null && board.speaks2()) {
+                throw new PortTimeoutException(
+                        port(), "the board on port " + port() + " did not describe its percepts within " + timeoutMillis + " ms");
+            }
+            return described;
+        });
         if (answer == null) {
-            return List.of();
+            return new PerceptDescription(List.of(), List.of());
         }
         PerceptDescription description = PerceptDescription.read(answer.text());
         List<String> problems = description.problems();
@@ -176,7 +183,7 @@ public final class Link implements AutoCloseable {
                     "port " + port() + ": kinds of percepts that the board describes are left out, " + problems.size()
                             + " in all: " + problems.get(0));
         }
-        return description.kinds();
+        return description;
     }
 
     /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */

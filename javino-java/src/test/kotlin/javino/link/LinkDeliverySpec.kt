@@ -242,24 +242,27 @@ class LinkDeliverySpec : FunSpec({
         val kinds = PerceptKind.parseLines("dist(front|left, cm 0..400)\nready")
         val board = VirtualBoard2(kinds = kinds)
         VirtualBench(LinkSettings.defaults().withBootMillis(0), board, Protocol.AUTO).use { bench ->
-            bench.link.perceptKinds(500).shouldBeEmpty() // the version is not known yet
+            bench.link.perceptDescription(500).kinds().shouldBeEmpty() // the version is not known yet
             board.received.shouldBeEmpty()
             bench.link.request(REQUEST, 500).text() shouldBe "1;"
-            bench.link.perceptKinds(500) shouldContainExactly kinds
+            bench.link.perceptDescription(500).kinds() shouldContainExactly kinds
             bench.link.request(REQUEST, 500).text() shouldBe "2;"
             board.handled shouldContainExactly listOf("2:$REQUEST", "2:$REQUEST")
         }
     }
 
-    test("a board that describes no percepts, or answers with percepts, or is silent, stays undescribed") {
+    test("a board that describes no percepts, or answers with percepts, stays undescribed, and one that is silent is told from it") {
         val board = VirtualBoard2()
         bench(board).use { bench ->
             bench.link.request(REQUEST, 500)
-            bench.link.perceptKinds(500).shouldBeEmpty()
+            bench.link.perceptDescription(500).kinds().shouldBeEmpty()
             board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) answering(it, "\u007F\u0003on;") else it) }
-            bench.link.perceptKinds(500).shouldBeEmpty()
+            bench.link.perceptDescription(500).kinds().shouldBeEmpty()
             board.silent = true
-            bench.link.perceptKinds(500).shouldBeEmpty()
+            shouldThrow<PortTimeoutException> { bench.link.perceptDescription(500) }.message shouldContain
+                "did not describe its percepts within 500 ms"
+            board.silent = false
+            bench.link.request(REQUEST, 500)
         }
     }
 
@@ -269,7 +272,11 @@ class LinkDeliverySpec : FunSpec({
         board.posting = { listOf(if (it.kind() == FrameKind.PERCEPTS) answering(it, items) else it) }
         bench(board).use { bench ->
             bench.link.request(REQUEST, 500)
-            val warnings = logged("javino.link.Link") { bench.link.perceptKinds(500).map { "$it" } shouldBe listOf("ready") }
+            val warnings = logged("javino.link.Link") {
+                val description = bench.link.perceptDescription(500)
+                description.kinds().map { "$it" } shouldBe listOf("ready")
+                description.problems().size shouldBe 2
+            }
             warnings.single() shouldContain "kinds of percepts that the board describes are left out, 2 in all: argument 1 of dist()"
         }
     }

@@ -65,7 +65,7 @@ class SketchSpec : FunSpec({
             override fun perceptKinds() = kinds
         }
         for ((sketch, expected) in listOf(described to kinds, Wall { listOf("dist(front,9)") } to emptyList())) {
-            plugged(sketch, Protocol.V2) { it.perceptKinds(LIMIT_MS) shouldBe expected }
+            plugged(sketch, Protocol.V2) { it.perceptDescription(LIMIT_MS).kinds() shouldBe expected }
         }
     }
 

@@ -2,7 +2,6 @@ package argo.tools.board
 
 import argo.filters.matching.perceptsOf
 import argo.tools.command.printable
-import javino.PerceptKind
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.link.BoardListener
@@ -17,7 +16,7 @@ import java.util.concurrent.TimeUnit
  * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
  * itself
  * @property percepts the board's answer to one request
- * @property kinds the kinds of percepts that it describes; empty: it describes none
+ * @property described its answer to the question for the kinds of its percepts
  * @property lost the number of its sketch's actions that found no room in its memory
  * @property rules the number of critical rules that it holds; null: it is of version 1
  */
@@ -26,7 +25,7 @@ internal class BoardDescription(
     private val actions: List<String>?,
     private val lost: Int,
     private val percepts: List<String>,
-    private val kinds: List<PerceptKind>,
+    private val described: DescribedKinds,
     private val rules: Int?,
 ) {
     fun lines(): List<String> = listOf(
@@ -41,8 +40,8 @@ internal class BoardDescription(
         "percepts: " + percepts.joinToString("; ").ifEmpty { "none now" },
         "kinds of percepts: " + when {
             protocol != Protocol.V2 -> "unknown; a board of version 1 does not describe them"
-            kinds.isEmpty() -> "not described"
-            else -> kinds.joinToString("; ")
+            described.kinds.isEmpty() -> described.trouble ?: "not described"
+            else -> listOfNotNull(described.kinds.joinToString("; "), described.trouble).joinToString("; ")
         },
         "critical rules: " +
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
@@ -54,7 +53,8 @@ internal class BoardDescription(
         "actions" to actions,
         "actionsLost" to lost,
         "percepts" to percepts,
-        "kinds" to kinds.map { "$it" },
+        "kinds" to described.kinds.map { "$it" },
+        "kindsMissing" to described.trouble,
         "rules" to rules,
     )
 
@@ -72,9 +72,9 @@ internal class BoardDescription(
             val end = System.nanoTime() + VOCABULARY_NANOS
             while (isDescribing && link.vocabulary().isEmpty && System.nanoTime() - end < 0) link.watch(SLICE_MS)
             val actions = link.vocabulary().orElse(null)?.map(::written)
-            val kinds = link.perceptKinds(ANSWER_MS)
+            val described = DescribedKinds.of(link, ANSWER_MS)
             val rules = welcome.rules.takeIf { isDescribing }
-            return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), kinds, rules)
+            return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), described, rules)
         }
 
         private fun written(action: BoardAction) = action.name + when (action.arguments) {

@@ -1,16 +1,15 @@
 package argo.tools.board
 
-import argo.filters.matching.perceptsOf
-import argo.filters.matching.whyUnreadable
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.counted
 import argo.tools.command.making
+import argo.tools.command.printable
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
 import javino.PerceptKind
 import javino.PerceptsRequest
-import javino.PortTimeoutException
+import javino.PortInterruptedException
 import javino.link.Link
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
@@ -19,14 +18,13 @@ import picocli.CommandLine.Parameters
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption
-import java.util.concurrent.TimeUnit
 
 @Command(
     name = "describe",
     description = [
         "Writes the kinds of a board's percepts into a file, one a line, for checks of a project: as the board describes them, " +
             "or else as they are observed for some seconds.",
-        "Opening a port resets most boards.",
+        "Ctrl-C ends it, and what was observed until then is written. Opening a port resets most boards.",
     ],
 )
 internal class DescribeCommand : ToolCommand() {
@@ -54,38 +52,49 @@ internal class DescribeCommand : ToolCommand() {
     override fun call(): Int {
         spec.requireWithin("--seconds", seconds, 1..MAX_SECONDS)
         requireNew(file) // before the port is opened, which resets the board
-        val (origin, lines) = line.open(port).use(::described)
-        making(file) { Files.write(it, listOf("# Percepts of the board at $port, $origin") + lines, StandardOpenOption.CREATE_NEW) }
-        out.println("$file has ${counted(lines.size, "kind")} of percepts, $origin")
+        return try {
+            Interruption().use { line.open(port).use(::describe) }
+        } catch (_: PortInterruptedException) {
+            err.println("interrupted before the board was observed; nothing was written to $file")
+            ExitStatus.FAILED
+        }
+    }
+
+    private fun describe(link: Link): Int {
+        val first = message(link)
+        val described = DescribedKinds.of(link, line.timeoutMs)
+        val trouble = listOfNotNull(described.trouble?.let { "kinds of percepts: $it" })
+        if (described.kinds.isEmpty()) return observe(link, first, trouble)
+        val (own, kinds) = described.kinds.partition { it.indicator in OWN_BELIEFS }
+        write("as it describes them", kinds.map(PerceptKind::toString), trouble + listOfNotNull(ownLeftOut(own.map { it.indicator })))
         return ExitStatus.DONE
     }
 
-    /** Returns where the kinds of percepts come from, and a line for each. */
-    private fun described(link: Link): Pair<String, List<String>> {
-        val first = message(link)
-        val kinds = link.perceptKinds(line.timeoutMs)
-        return if (kinds.isEmpty()) observed(link, first) else "as it describes them" to kinds.map(PerceptKind::toString)
+    private fun observe(link: Link, first: String, trouble: List<String>): Int {
+        val observation = Observation(seconds, listens)
+        observation.run(first) {
+            if (!listens) link.watch(INTERVAL_MS)
+            message(link)
+        }
+        val kinds = observation.kinds().map { "$it # observed" }
+        write("as observed for ${counted(seconds, "second")}", kinds, trouble + observation.notes())
+        return if (observation.isLost) ExitStatus.FAILED else ExitStatus.DONE
     }
 
     private fun message(link: Link) =
         (if (listens) link.listen(line.timeoutMs) else link.request(PerceptsRequest.ALL, line.timeoutMs)).text()
 
-    private fun observed(link: Link, first: String): Pair<String, List<String>> {
-        val observed = ObservedKinds()
-        val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds.toLong())
-        var text: String? = first
-        while (System.nanoTime() - end < 0) {
-            text?.let(::perceptsOf)?.filter { whyUnreadable(it) == null }?.forEach(observed::add)
-            if (!listens) link.watch(INTERVAL_MS)
-            text = try {
-                message(link)
-            } catch (_: PortTimeoutException) {
-                null // the next message may come
-            }
-        }
-        val left = if (observed.others == 0L) "" else "; ${counted(observed.others, "percept")} of further kinds are left out"
-        return "as observed for ${counted(seconds, "second")}$left" to observed.kinds().map { "$it # observed" }
+    /** Writes the file, and tells where its [kinds] come from and what is missing, there and to the user. */
+    private fun write(origin: String, kinds: List<String>, missing: List<String>) {
+        val notes = missing.map(::printable)
+        val head = listOf("# Percepts of the board at $port, $origin") + notes.map { "# $it" }
+        Thread.interrupted() // Ctrl-C does not keep the file from being written
+        making(file) { Files.write(it, head + kinds, StandardOpenOption.CREATE_NEW) }
+        out.println("$file has ${counted(kinds.size, "kind")} of percepts, $origin")
+        notes.forEach { out.println(paint.doubtful(it)) }
     }
+
+    private val PerceptKind.indicator get() = "${functor()}/${arguments().size}"
 
     private companion object {
         const val MAX_SECONDS = 3600

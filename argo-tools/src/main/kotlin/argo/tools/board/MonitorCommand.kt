@@ -1,7 +1,6 @@
 package argo.tools.board
 
 import argo.filters.matching.perceptsOf
-import argo.filters.matching.whyUnreadable
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.jsonOf
@@ -33,7 +32,7 @@ import java.util.concurrent.locks.LockSupport
     name = "monitor",
     description = [
         "Shows the percepts of a board as they arrive, and at the end the rate of each. Ctrl-C ends it.",
-        "Percepts that no agent can read, or that are not as the board describes them, are marked with (!), and the reason is " +
+        "Percepts that no agent believes, or that are not as the board describes them, are marked with (!), and the reason is " +
             "printed once.",
         "Opening a port resets most boards.",
     ],
@@ -126,12 +125,18 @@ internal class MonitorCommand : DataCommand() {
             try {
                 val text = if (mode == "listen") link.listen(line.timeoutMs).text() else ask()
                 recording?.add(System.nanoTime(), Direction.IN, text)
-                val described = kinds ?: link.perceptKinds(line.timeoutMs).also { kinds = it }
+                val described = kinds ?: describedKinds().also { kinds = it }
                 show(text, described)
             } catch (late: PortTimeoutException) {
                 if (mode == "request") show(late) else silence = late.message
             }
             if (mode == "request") waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+        }
+
+        private fun describedKinds(): List<PerceptKind> {
+            val described = DescribedKinds.of(link, line.timeoutMs)
+            described.trouble?.let { err.println("kinds of percepts: ${printable(it)}") }
+            return described.kinds
         }
 
         private fun ask(): String {
@@ -167,7 +172,7 @@ internal class MonitorCommand : DataCommand() {
         private fun json(ms: Long, percepts: List<Shown>) = jsonOf(
             "ms" to ms,
             "percepts" to percepts.map { it.text },
-            "unreadable" to percepts.filter { it.whyUnreadable != null }.map { it.text },
+            "unreadable" to percepts.filter { it.whyUnbelieved != null }.map { it.text },
             "deviating" to percepts.filter { it.deviation != null }.map { it.text },
         )
 
@@ -200,10 +205,10 @@ internal class MonitorCommand : DataCommand() {
     /** The percept [text] and the problem with it, if there is one; the board describes these [kinds], or none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
-        val whyUnreadable = whyUnreadable(text)
+        val whyUnbelieved = whyUnbelieved(text)
         val deviation: String? = if (kinds.isEmpty()) null else PerceptKind.deviationOf(term, kinds).orElse(null)
         val words: String = PerceptKind.of(term, kinds).map { it.withUnits(term) }.orElse(text)
-        val problem = whyUnreadable?.let { "no agent believes $text: $it" }
+        val problem = whyUnbelieved?.let { "no agent believes $text: $it" }
             ?: deviation?.let { "$text is not as the board describes it: $it" }
     }
 

@@ -15,6 +15,7 @@ import io.kotest.matchers.string.shouldBeEmpty
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import javino.LineSettings
+import javino.PerceptDescription
 import javino.PerceptKind
 import javino.Protocol
 import javino.Transports
@@ -27,6 +28,9 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.atomic.AtomicReference
 
 class BoardCommandsSpec : FunSpec({
     val pairs: EnabledOrReasonIf = {
@@ -249,12 +253,86 @@ class BoardCommandsSpec : FunSpec({
 
     test("describe writes the percepts that are observed of a board that describes none") {
         val file = tempdir().resolve("percepts")
-        board { it.whenAsked("getPercepts").answer("dist(f,3);dist(b,40);Bad(1);") }.with { port ->
+        board { it.whenAsked("getPercepts").answer("dist(f,3);dist(b,40);") }.with { port ->
             argo("describe", port, "$file", "--seconds", "1", "--protocol", "1") shouldBe
                 Output(0, "$file has 1 kind of percepts, as observed for 1 second\n", "")
             file.readText() shouldBe
                 "# Percepts of the board at $port, as observed for 1 second\ndist(f|b, 3..40) # observed\n"
             PerceptKind.parseLines(file.readText()).single().toString() shouldBe "dist(f|b, 3..40)"
+        }
+    }
+
+    test("describe tells the percepts that it leaves out: those that no agent can read, and ARGO's own beliefs") {
+        val file = tempdir().resolve("percepts")
+        board { it.whenAsked("getPercepts").answer("Dist(3);x(Y);port(a,off);stale(a);a;") }.with { port ->
+            val said = argo("describe", port, "$file", "--seconds", "1", "--protocol", "1")
+            said.status shouldBe 0
+            listOf("2 percepts left out, which no agent can read, as Dist(3): its", "left out: port/2, stale/1, of beliefs of").forEach {
+                said.out shouldContain it
+                file.readText() shouldContain "# $it"
+            }
+            PerceptKind.parseLines(file.readText()).map { "$it" } shouldBe listOf("a")
+        }
+    }
+
+    test("describe leaves ARGO's own beliefs out of a board's description too, and says so") {
+        val file = tempdir().resolve("percepts")
+        board { it.version2().perceives("reflex(a, done)", "ready").whenAsked("getPercepts").answer("ready;") }.with { port ->
+            argo("describe", port, "$file", "--protocol", "2").out shouldContain "left out: reflex/2, of beliefs of ARGO's own"
+            PerceptKind.parseLines(file.readText()).map { "$it" } shouldBe listOf("ready")
+        }
+    }
+
+    test("describe tells that a board has fallen silent, or has gone, and keeps what was observed") {
+        val ends = mapOf<String, FakeBoard.() -> Unit>("and then gave no answer" to { stall() }, "is gone" to { unplug() })
+        for ((end, stop) in ends) {
+            val file = tempdir().resolve("percepts")
+            var asked = 0
+            board { it.whenAsked("getPercepts").answer { _ -> if (++asked == 3) it.stop(); "a;" } }.with { port ->
+                val said = argo("describe", port, "$file", "--seconds", "1", "--protocol", "1", "--timeout", "200")
+                said.status shouldBe if (end == "is gone") 1 else 0
+                said.out shouldContain Regex("the board was heard for [0-9.]+ s only.*$end")
+                PerceptKind.parseLines(file.readText()).map { "$it" } shouldBe listOf("a")
+            }
+        }
+    }
+
+    test("an interrupted describe writes what was observed until then, or says that nothing is written") {
+        for ((request, written) in listOf(1 to false, 3 to true)) {
+            val file = tempdir().resolve("percepts")
+            val command = AtomicReference<Thread>()
+            var asked = 0
+            board { it.whenAsked("getPercepts").answer { _ -> if (++asked == request) command.get().interrupt(); "a;" } }.with { port ->
+                val said = CompletableFuture<Output>()
+                command.set(Thread { said.complete(argo("describe", port, "$file", "--protocol", "1")) })
+                command.get().start()
+                said.get(30, TimeUnit.SECONDS).status shouldBe if (written) 0 else 1
+                if (written) said.get().out shouldContain "it was interrupted after "
+                else said.get().err shouldContain "nothing was written to $file"
+                file.exists() shouldBe written
+            }
+        }
+    }
+
+    test("a board that does not describe its percepts in time is told from one that describes none, by describe and ports") {
+        val file = tempdir().resolve("percepts")
+        var asked = 0
+        board { it.version2().perceives("a").whenAsked("getPercepts").answer { _ -> if (++asked == 1) it.stall(); "a;" } }.with { port ->
+            argo("describe", port, "$file", "--seconds", "1", "--protocol", "2", "--timeout", "200").out shouldContain
+                "kinds of percepts: unknown; the board did not describe them in time"
+        }
+        fun line(kinds: DescribedKinds) = BoardDescription(Protocol.V2, emptyList(), 0, emptyList(), kinds, 0).lines()[3]
+        line(DescribedKinds(null)) shouldBe "kinds of percepts: unknown; the board did not describe them in time"
+        line(described("")) shouldBe "kinds of percepts: not described"
+        line(described("?dist();")) shouldContain "kinds of percepts: none of the 1 that the board describes can be read: argument 1 of"
+        line(described("?dist();?a;")) shouldContain "kinds of percepts: a; 1 more are left out: argument 1 of dist()"
+    }
+
+    test("monitor marks percepts that claim beliefs of ARGO's own") {
+        board { it.whenAsked("getPercepts").answer("port(a,off);port(a,3);") }.with { port ->
+            val said = argo("monitor", port, "--count", "2", "--interval", "0").out
+            said shouldContain "port(a,off) (!)  port(a,3)\n"
+            said.split("no agent believes port(a,off): port/2 is a belief of ARGO's own, which no board can claim").size shouldBe 2
         }
     }
 
@@ -299,7 +377,7 @@ class BoardCommandsSpec : FunSpec({
     }
 
     test("a board's description says how many actions of its sketch found no room") {
-        fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), emptyList(), 0).lines()[1]
+        fun actions(lost: Int) = BoardDescription(Protocol.V2, listOf("ledOn", "speed/1"), lost, emptyList(), described(""), 0).lines()[1]
         actions(0) shouldBe "actions: ledOn, speed/1"
         actions(51) shouldContain "ledOn, speed/1; 51 more found no room (126 at most, fewer in little memory) and are refused"
     }
@@ -327,6 +405,8 @@ class BoardCommandsSpec : FunSpec({
         argo("replay", "no-such.rec").err shouldBe "there is no file no-such.rec\n"
     }
 })
+
+private fun described(answer: String) = DescribedKinds(PerceptDescription.read(answer))
 
 private fun board(rules: (FakeBoard) -> Unit) = rules
 

@@ -1,0 +1,88 @@
+package argo.tools.board
+
+import argo.filters.matching.perceptsOf
+import argo.filters.matching.whyUnreadable
+import argo.tools.command.counted
+import argo.tools.command.printable
+import javino.PerceptKind
+import javino.PerceptTerm
+import javino.PortException
+import javino.PortInterruptedException
+import javino.PortTimeoutException
+import java.util.concurrent.TimeUnit
+
+/**
+ * The percepts of a board, observed for some [seconds] from now on.
+ *
+ * @param mayBeSilent whether the board sends only when it has news
+ */
+internal class Observation(private val seconds: Int, private val mayBeSilent: Boolean) {
+    private val observed = ObservedKinds()
+    private val unreadable = LinkedHashSet<String>() // MAX_TEXTS at most
+    private val begun = System.nanoTime()
+    private val own = LinkedHashSet<String>()
+    private var heard = begun
+    private var end: String? = null
+
+    /** Whether the port was lost. */
+    var isLost = false
+        private set
+
+    /** Takes in the message [first], and those that [next] waits for; ends early if the port is lost or the thread interrupted. */
+    fun run(first: String, next: () -> String) {
+        add(first)
+        try {
+            while (System.nanoTime() - begun < TimeUnit.SECONDS.toNanos(seconds.toLong())) takeNext(next)
+        } catch (_: PortInterruptedException) {
+            end = "it was interrupted after ${heardSeconds()} s"
+        } catch (trouble: PortException) {
+            isLost = true
+            end = "the board was heard for ${heardSeconds()} s only: ${trouble.message}"
+        }
+    }
+
+    private fun takeNext(next: () -> String) {
+        try {
+            add(next())
+            end = null
+        } catch (_: PortTimeoutException) {
+            if (!mayBeSilent) end = "the board was heard for ${heardSeconds()} s only, and then gave no answer"
+        }
+    }
+
+    private fun heardSeconds() = Rates.seconds(TimeUnit.NANOSECONDS.toMillis(heard - begun))
+
+    private fun add(text: String) {
+        heard = System.nanoTime()
+        for (percept in perceptsOf(text)) {
+            val kind = PerceptTerm.of(percept).indicator()
+            when {
+                whyUnreadable(percept) != null -> if (unreadable.size < MAX_TEXTS) unreadable += percept
+                kind in OWN_BELIEFS -> own += kind
+                else -> observed.add(percept)
+            }
+        }
+    }
+
+    /** Returns the kinds in the order in which they were first observed. */
+    fun kinds(): List<PerceptKind> = observed.kinds()
+
+    /** Returns what is missing from [kinds], a sentence each. */
+    fun notes(): List<String> = listOfNotNull(
+        end,
+        unreadable.firstOrNull()?.let {
+            val number = counted(unreadable.size, "percept") + if (unreadable.size == MAX_TEXTS) " or more" else ""
+            "$number left out, which no agent can read, as ${printable(it)}: ${printable(whyUnreadable(it).orEmpty())}"
+        },
+        ownLeftOut(own),
+        if (observed.others == 0L) null else "${counted(observed.others, "percept")} of further kinds left out",
+    )
+
+    private companion object {
+        const val MAX_TEXTS = 1_000
+    }
+}
+
+/** Tells that the kinds [own], functors with numbers of arguments, are left out; null: there are none. */
+internal fun ownLeftOut(own: Collection<String>): String? =
+    if (own.isEmpty()) null else "left out: ${own.distinct().joinToString()}, of beliefs of ARGO's own, which no board can claim"
