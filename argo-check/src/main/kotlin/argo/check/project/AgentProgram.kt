@@ -2,6 +2,7 @@ package argo.check.project
 
 import argo.check.findings.Place
 import argo.check.syntax.Directive
+import argo.check.syntax.Literal
 import argo.check.syntax.Program
 import argo.check.syntax.Span
 import argo.check.syntax.StringTerm
@@ -25,6 +26,15 @@ class AgentProgram(val path: Path, text: String) {
 
     /** The files that this includes, as written. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
+
+    /** The names of the filters that this changes to. */
+    internal val filtersCalled: List<String> get() = mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
+        when (val name = it.literal.arguments.firstOrNull()) {
+            is Literal -> name.functor
+            is StringTerm -> name.text.substringAfterLast('/')
+            else -> null
+        }
+    }
 
     /** True if a directive with an inner program may make plans of its own, as the patterns of Jason do. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }

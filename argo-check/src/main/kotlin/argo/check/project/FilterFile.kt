@@ -7,6 +7,10 @@ import argo.filters.PerceptionFilter
 import argo.filters.Problem
 import argo.filters.format.JsonFilters
 import argo.filters.format.XmlFilters
+import com.fasterxml.jackson.core.JsonFactory
+import com.fasterxml.jackson.core.JsonProcessingException
+import com.fasterxml.jackson.core.JsonStreamContext
+import com.fasterxml.jackson.core.JsonToken
 import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.name
@@ -25,11 +29,19 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
     fun place(line: Int, column: Int = 1): Place = Place(path, Position(line, column), Position(line, column + 1))
 
     companion object {
-        private val MARKS = mapOf("xml" to "<PerceptionFilter", "json" to "\"rules\"")
+        private const val FOLDER = "filters"
+        private val ROOT =
+            Regex("(?:\\s++|\uFEFF|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*+<PerceptionFilter\\b.*", RegexOption.DOT_MATCHES_ALL)
+        private val LISTS = setOf("rules", "critical")
 
-        /** Returns the filter file at [path]; null: its [text] is none. */
-        internal fun of(path: Path, text: String): FilterFile? {
-            if (MARKS.getValue(path.extension) !in text) return null
+        /**
+         * Returns the filter file at [path]; null: its [text] is none.
+         *
+         * @param called the names of filters that programs change to
+         */
+        internal fun of(path: Path, text: String, called: Set<String>): FilterFile? {
+            val isMeant = path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called
+            if (!isMeant && !(if (path.extension == "xml") ROOT.matches(text) else hasRules(text))) return null
             return try {
                 val filter = text.byteInputStream().use { input ->
                     if (path.extension == "xml") XmlFilters.read(input, "$path") else JsonFilters.read(input, "$path")
@@ -38,6 +50,22 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
             } catch (refused: FilterException) {
                 FilterFile(path, text, null, refused.problems)
             }
+        }
+
+        /** Returns true if a list of the JSON document [text] holds a rule: an object with a predicate. Other documents have rules too. */
+        private fun hasRules(text: String): Boolean = try {
+            JsonFactory().createParser(text).use { parser ->
+                generateSequence(parser::nextToken).any {
+                    it == JsonToken.FIELD_NAME && parser.currentName() == "predicate" && isInRules(parser.parsingContext)
+                }
+            }
+        } catch (_: JsonProcessingException) {
+            false
+        }
+
+        private fun isInRules(rule: JsonStreamContext): Boolean {
+            val list = rule.parent
+            return list.inArray() && list.parent.inObject() && list.parent.currentName in LISTS && list.parent.parent.inRoot()
         }
     }
 }

@@ -3,6 +3,7 @@ package argo.check.project
 import argo.check.syntax.Belief
 import argo.check.syntax.ListTerm
 import argo.check.syntax.Literal
+import argo.check.syntax.SyntaxError
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 import argo.check.syntax.programOf
@@ -66,9 +67,9 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     /** Returns the tokens of each agent, without the `;` behind it. */
     private fun entries(): List<List<Token>> {
         val entries = arrayListOf(ArrayList<Token>())
-        val all = after("agents")
+        val all = after(MasFrame.AGENTS)
         for ((index, token) in all.withIndex()) {
-            if (token.isSymbol("}") || all.getOrNull(index + 1)?.isSymbol(":") == true && token.text in SECTIONS) break
+            if (token.isSymbol("}") || all.getOrNull(index + 1)?.isSymbol(":") == true && token.text in MasFrame.SECTIONS) break
             if (token.isSymbol(";")) entries += ArrayList<Token>() else entries.last() += token
         }
         return entries.filter { it.isNotEmpty() }
@@ -76,7 +77,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
 
     private fun agent(entry: List<Token>): MasAgent? {
         val name = entry.first().takeIf { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE } ?: return null
-        val file = entry.drop(1).takeWhile { !it.isSymbol("[") && it.text != "#" && it.text !in WORDS }
+        val file = entry.drop(1).takeWhile { !it.isSymbol("[") && it.text != "#" && it.text !in MasFrame.WORDS }
         val written = if (file.isEmpty()) name.text else text.substring(file.first().span.start, file.last().span.end)
         val behind = entry.zipWithNext()
         return MasAgent(
@@ -94,8 +95,6 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return list.indices.filter { list.getOrNull(it + 1)?.isSymbol("=") == true }.map { AgentOption(list[it], list.getOrNull(it + 2)) }
     }
 
-    private companion object {
-        val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
-        val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
-    }
+    /** The first token that Jason refuses in the head, in the sections or behind an agent; null: it reads these parts. */
+    internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 }

@@ -20,6 +20,7 @@ import argo.check.syntax.Operation
 import argo.check.syntax.Parallel
 import argo.check.syntax.Plan
 import argo.check.syntax.Prefixed
+import argo.check.syntax.Span
 import argo.check.syntax.Statement
 import argo.check.syntax.Term
 import argo.check.syntax.Trigger
@@ -194,6 +195,13 @@ internal class MentionReader {
 /** @property open the roles in which a variable is mentioned: what has them is not known */
 class Mentions(val all: List<Mention>, val open: Set<Role>) {
     private val byRole: Map<Role, List<Mention>> = all.groupBy { it.role }
+
+    private val inOrder: List<Mention> by lazy { all.sortedBy { it.span.start } }
+
+    /** Returns the mentions that begin in [span] or at its end, in the order of the text. */
+    internal fun within(span: Span): List<Mention> = inOrder.subList(indexOf(span.start), indexOf(span.end + 1))
+
+    private fun indexOf(offset: Int): Int = inOrder.binarySearch { if (it.span.start < offset) -1 else 1 }.inv()
 
     operator fun get(role: Role): List<Mention> = byRole[role].orEmpty()
 }

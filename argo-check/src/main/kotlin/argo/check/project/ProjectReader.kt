@@ -2,6 +2,8 @@ package argo.check.project
 
 import javino.PerceptKind
 import java.io.IOException
+import java.nio.file.FileSystemLoopException
+import java.nio.file.FileVisitOption
 import java.nio.file.FileVisitResult
 import java.nio.file.Files
 import java.nio.file.Path
@@ -29,14 +31,20 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         return files.groupBy { file -> generateSequence(file.parent) { it.parent }.firstOrNull { it in roots } ?: start }
             .filter { (_, inside) -> inside.any { it.extension == "asl" || it.extension in PROJECT_FILES } }
             .map { (root, inside) -> read(root, inside) }.sortedBy { it.root }
+            .ifEmpty { if (leftOut.isEmpty()) emptyList() else listOf(read(start, emptyList())) }
+            .let { all -> all.map { project -> project.copy(leftOut = leftOut.filterKeys { ownerOf(it, all) === project }) } }
     }
+
+    /** Returns the project among [projects] that tells that [file] is left out. */
+    private fun ownerOf(file: Path, projects: List<Project>): Project =
+        projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
     /** Returns the project that [file] belongs to: that of the nearest folder above with a project file, or only the file's folder. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
         val root = generateSequence(folder) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
         return projectsIn(root ?: folder).let { all -> all.find { file.toAbsolutePath().normalize() in it.programs } ?: all.firstOrNull() }
-            ?: read(folder, listOf(file))
+            ?: read(folder, listOf(file)).copy(leftOut = leftOut)
     }
 
     private fun hasProjectFile(folder: Path): Boolean = try {
@@ -47,18 +55,25 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
 
     private fun filesBelow(folder: Path): List<Path> {
         val found = ArrayList<Path>()
-        Files.walkFileTree(folder, object : SimpleFileVisitor<Path>() {
+        Files.walkFileTree(folder, setOf(FileVisitOption.FOLLOW_LINKS), Int.MAX_VALUE, object : SimpleFileVisitor<Path>() {
             override fun preVisitDirectory(dir: Path, attrs: BasicFileAttributes): FileVisitResult {
-                val isOutput = dir != folder && (dir.name in OUTPUTS || dir.name.startsWith("."))
-                return if (isOutput) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
+                return if (isOutput(dir)) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
             }
 
             override fun visitFile(file: Path, attrs: BasicFileAttributes): FileVisitResult {
-                if (attrs.isRegularFile && (file.extension in READ || file.name == PERCEPTS)) found.add(file)
+                if (file.extension in READ || isPercepts(file)) {
+                    if (attrs.isRegularFile) found.add(file) else if (!file.name.startsWith(EDITORS_LOCK)) leaveOut(file, NO_FILE)
+                }
                 return if (found.size < MAX_FILES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
-            override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult = FileVisitResult.CONTINUE
+            /** A link to a folder above is left out without a word: what it leads to is read there. */
+            override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult {
+                if (refused !is FileSystemLoopException && !isOutput(file)) leaveOut(file, "it cannot be read: $refused")
+                return FileVisitResult.CONTINUE
+            }
+
+            private fun isOutput(dir: Path) = dir != folder && (dir.name in OUTPUTS || dir.name.startsWith("."))
         })
         if (found.size >= MAX_FILES) leftOut[folder] = "it has more than $MAX_FILES files, and the others are left out"
         return (found.toList() + overlay.keys.filter { it.startsWith(folder) }).distinct().sorted()
@@ -67,17 +82,19 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     private fun read(root: Path, files: List<Path>): Project {
         val byKind = files.groupBy { it.extension }
         val masFiles = byKind["mas2j"].orEmpty().map { MasFile(it, textOf(it)) }
-        val programs = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
+        val sources = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
+        val programs = sources.distinct().associateWith { AgentProgram(it, textOf(it)) }
+        val called = programs.values.flatMap { it.filtersCalled }.toSet()
         val foreign = files.filter { it.extension in FOREIGN }.map { textOf(it) }
         return Project(
-            root, programs.distinct().associateWith { AgentProgram(it, textOf(it)) },
+            root, programs,
             masFiles + files.filter { it.extension in OTHER_PROJECT_FILES }.map { ProjectFile(it, textOf(it)) },
             foreign.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
             foreign.flatMap(::operationsIn).toSet(),
             javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
-            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it)) },
-            robotIn(files), files.filter { it.name == PERCEPTS }.map { ProjectFile(it, textOf(it)) },
-            leftOut.filterKeys { it == root || it in files },
+            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it), called) },
+            robotIn(files), files.filter { isPercepts(it) }.map { ProjectFile(it, textOf(it)) },
+            leftOut = emptyMap(),
         )
     }
 
@@ -87,8 +104,11 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
 
     private fun textOf(file: Path): String = overlay[file] ?: try {
-        val isSmall = Files.size(file) <= MAX_BYTES
-        if (isSmall) file.readBytes().toString(Charsets.UTF_8) else leaveOut(file, "it has more than $MAX_BYTES bytes")
+        when {
+            Files.exists(file) && !Files.isRegularFile(file) -> leaveOut(file, NO_FILE)
+            Files.size(file) > MAX_BYTES -> leaveOut(file, "it has more than $MAX_BYTES bytes")
+            else -> file.readBytes().toString(Charsets.UTF_8).let { if (isPercepts(file)) it.removePrefix("\uFEFF") else it }
+        }
     } catch (unreadable: IOException) {
         leaveOut(file, "it cannot be read: $unreadable")
     }
@@ -111,7 +131,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     private fun robotIn(files: List<Path>): Robot {
         val boards = files.filter { it.extension in BOARDS }.map { BoardProgram(textOf(it)) }
         val mappings = files.filter { it.name.endsWith(".ros.yaml") }.map { RosMapping(textOf(it)) }
-        val described = files.filter { it.name == PERCEPTS }.flatMap { kindsIn(textOf(it)) } +
+        val described = files.filter { isPercepts(it) }.flatMap { kindsIn(textOf(it)) } +
             boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts }
         val functors = described.map { it.functor() }.toSet()
         val recorded = files.filter { it.extension == RECORDING }.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
@@ -123,6 +143,10 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         const val PERCEPTS = "percepts"
         const val RECORDING = "rec"
         const val STDLIB = "stdlib"
+        const val NO_FILE = "it is no regular file"
+
+        /** The beginning of the name of a link to nowhere, with which Emacs locks a file. */
+        const val EDITORS_LOCK = ".#"
         const val MAX_FILES = 20_000
         const val MAX_BYTES = 2_000_000L
         const val MAX_HEIGHT = 5
@@ -135,6 +159,9 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         val WORD = Regex("[a-z]\\w*")
         val STRING = Regex("\"[^\"\n]*\"")
         val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
+
+        /** Returns true for the files that `describe` writes, `percepts` or `NAME.percepts`. */
+        fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
         /** Lines that describe no percepts are left out; `PerceptFileRules` tell of them. */
         fun kindsIn(text: String): List<PerceptKind> = text.lines().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }

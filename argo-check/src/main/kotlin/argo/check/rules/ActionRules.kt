@@ -7,14 +7,20 @@ import argo.check.project.Role
 internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val often = scene.project.programs.values.flatMap { it.mentions[Role.ACTION] }.groupingBy { it.functor }.eachCount()
-        scene.program.mentions[Role.ACTION].forEach { action(it, often, scene, report) }
+        val goals = scene.mentions(Role.HANDLED).map { it.functor }.toSet()
+        val namesOfMore = HashMap<Int, Names>()
+        for (action in scene.program.mentions[Role.ACTION]) {
+            val times = often.getValue(action.functor)
+            val names = namesOfMore.getOrPut(times) {
+                Names(often.filter { it.value > times }.keys + scene.project.operations + OF_ARTIFACTS)
+            }
+            action(action, names, goals, scene, report)
+        }
     }
 
-    private fun action(action: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
+    private fun action(action: Mention, names: Names, goals: Set<String>, scene: Scene, report: Report) {
         if (action.functor in scene.project.foreignNames || action.functor in OF_ARTIFACTS || scene.isSentByOthers(action)) return
-        val goals = scene.mentions(Role.HANDLED).map { it.functor }
-        val others = often.filter { it.value > often.getValue(action.functor) }.keys + scene.project.operations + OF_ARTIFACTS
-        val meant = Names.near(action.functor, others)
+        val meant = names.near(action.functor)
         val internal = "." + action.functor
         val what = "no action of the environment is called ${action.functor}"
         val why = "the action fails, and the plan with it"

@@ -16,7 +16,7 @@ internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val alike = scene.project.programs.values.flatMap { it.mentions.all }.filter(::isOpen).groupBy { it.literal.indicator }
         for (component in scene.program.program.components) {
-            val inside = scene.program.mentions.all.filter { isOpen(it) && it.span.start in component.span.start..component.span.end }
+            val inside = scene.program.mentions.within(component.span).filter(::isOpen)
             inside.forEach { mention(it, alike.getValue(it.literal.indicator), inside, report) }
         }
     }

@@ -19,14 +19,22 @@ internal object BeliefRules : Rule {
         val known = believed.map { it.literal.indicator }.toSet()
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.literal.indicator }.toSet()
         val often = scene.everyMention(*READS).groupingBy { it.functor }.eachCount()
-        val percepts = scene.project.robot.percepts.map { it.functor() }
+        val percepts = scene.project.robot.percepts.map { it.functor() }.toSet()
+        val arities = believed.groupBy({ it.functor }, { it.arity })
+        val base = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations
+        val names = Names(base)
+        val namesOfMore = Names(base + often.filter { it.value > 1 }.keys)
+        val namesOfAll = Names(base + often.keys)
         for (mention in READS.flatMap { scene.program.mentions[it] }) {
             val indicator = mention.literal.indicator
             if (indicator in known || indicator in tests || mention.functor in percepts || scene.isKnownElsewhere(mention)) continue
-            val sameName = believed.filter { it.functor == mention.functor }.map { it.arity }.distinct()
-            val candidates = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations +
-                often.filter { (it.value > 1 || mention.role == Role.DELETED) && often[mention.functor] == 1 }.keys
-            val meant = Names.near(mention.functor, candidates.distinct())
+            val sameName = arities[mention.functor].orEmpty().distinct()
+            val candidates = when {
+                often[mention.functor] != 1 -> names
+                mention.role == Role.DELETED -> namesOfAll
+                else -> namesOfMore
+            }
+            val meant = candidates.near(mention.functor)
             val what = "${mention.functor}/${mention.arity} is ${wordFor(mention.role)} and never believed"
             when {
                 sameName.isNotEmpty() -> report.warning(
@@ -41,18 +49,20 @@ internal object BeliefRules : Rule {
 
     private fun neverRead(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
         val everyRead = scene.everyMention(*READS).map { it.functor }.toSet()
+        val namesRead = Names(everyRead)
         for (mention in scene.program.mentions[Role.TOLD]) {
             if (mention.functor in everyRead || scene.isKnownElsewhere(mention)) continue
-            val meant = Names.near(mention.functor, everyRead) ?: continue
+            val meant = namesRead.near(mention.functor) ?: continue
             report.warning("belief-unread", mention.span, "no agent of the project reads ${mention.literal.indicator}",
                 "this message has no effect", "did you mean $meant?")
         }
         val known = (reads + scene.mentions(Role.TEST_HANDLED)).map { it.functor }.toSet()
         val often = believed.groupingBy { it.functor }.eachCount()
+        val names = Names(known)
+        val namesOfMore = Names(known + often.filter { it.value > 1 }.keys)
         for (mention in scene.program.mentions[Role.BELIEVED]) {
             if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
-            val candidates = known + often.filter { it.value > 1 && often.getValue(mention.functor) == 1 }.keys
-            val meant = Names.near(mention.functor, candidates) ?: continue
+            val meant = (if (often.getValue(mention.functor) == 1) namesOfMore else names).near(mention.functor) ?: continue
             val what = "${mention.literal.indicator} is believed and never read"
             report.warning("belief-unread", mention.span, what, "this belief has no effect", "did you mean $meant?")
         }

@@ -60,7 +60,8 @@ internal object FilterRules : Rule {
         val calls = scene.mentions(Role.INTERNAL).filter {
             ArgoActions.actionIn(it.functor) in setOf("change_filter", "filter") && it.arity == 1
         }
-        calls.filter { it in scene.program.mentions[Role.INTERNAL] }.forEach { missing(it, scene, report) }
+        val own = scene.program.mentions[Role.INTERNAL].toSet()
+        calls.filter { it in own }.forEach { missing(it, scene, report) }
         val used = calls.map { call -> nameIn(call)?.let { name -> scene.project.filters.find { it.isCalled(name) }?.filter } }
         if (used.isEmpty() || null in used) return // one is not known, or none is active at times
         dropped(scene, used.filterNotNull().distinct(), report)
@@ -89,7 +90,7 @@ internal object FilterRules : Rule {
 
     /** Tells of what a plan waits for and each of the agent's [filters] drops. */
     private fun dropped(scene: Scene, filters: List<PerceptionFilter>, report: Report) {
-        val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + setOf("port", "stale", "true", "false")
+        val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + Scene.OF_ARGO + setOf("true", "false")
         for (mention in scene.program.mentions[Role.EVENT] + scene.program.mentions[Role.READ]) {
             if (mention.functor in own || !filters.all { drops(it, mention.literal) }) continue
             report.warning(

@@ -16,16 +16,18 @@ internal object GoalRules : Rule {
         if (scene.isOpen(Role.HANDLED)) return
         val handled = scene.mentions(Role.HANDLED, Role.FAILURE_HANDLED)
         val others = handled.map { it.functor }.toSet() + scene.postedOften + if (scene.hasUnknownPlans) OF_JASON else emptySet()
+        val names = Names(others)
         val indicators = handled.map { it.literal.indicator }.toSet()
+        val arities = aritiesIn(handled)
         for (goal in scene.program.mentions[Role.POSTED]) {
             if (goal.literal.indicator in indicators) continue
-            val arities = handled.filter { it.functor == goal.functor }.map { it.arity }.distinct()
-            val meant = Names.near(goal.functor, others)
+            val handledWith = arities[goal.functor]
+            val meant = names.near(goal.functor)
             val isKnown = scene.isAgent && !scene.hasUnknownPlans && scene.program.program.errors.isEmpty()
             val what = "no plan is for the goal ${goal.literal.indicator}"
             val why = "the plan that posts it fails there with error(no_relevant)"
             when {
-                arities.isNotEmpty() -> report.warning("goal-arity", goal.span, "$what: the plans are for ${forms(goal, arities)}", why,
+                handledWith != null -> report.warning("goal-arity", goal.span, "$what: the plans are for ${forms(goal, handledWith)}", why,
                     "correct the arguments")
                 meant != null -> report.warning("goal-without-plan", goal.span, what, why, "did you mean $meant?")
                 isKnown -> report.warning("goal-without-plan", goal.span, what, why, "write a plan +!${goal.functor}, or remove the goal")
@@ -35,9 +37,10 @@ internal object GoalRules : Rule {
 
     private fun sentWithoutPlan(scene: Scene, report: Report) {
         val handled = scene.everyMention(Role.HANDLED).map { it.functor }.toSet()
+        val names = Names(handled)
         for (goal in scene.program.mentions[Role.SENT_GOAL]) {
             if (goal.functor in handled || scene.isKnownElsewhere(goal)) continue
-            val meant = Names.near(goal.functor, handled) ?: continue
+            val meant = names.near(goal.functor) ?: continue
             report.warning("goal-without-plan", goal.span, "no agent of the project has a plan for ${goal.literal.indicator}",
                 "the receiver fails", "did you mean $meant?")
         }
@@ -45,9 +48,10 @@ internal object GoalRules : Rule {
 
     private fun namedWithoutPlan(scene: Scene, report: Report) {
         val goals = scene.mentions(Role.HANDLED, Role.POSTED, Role.FAILURE_HANDLED).map { it.functor }.toSet()
+        val names = Names(goals)
         for (goal in scene.program.mentions[Role.NAMED_GOAL]) {
             if (goal.functor in goals || scene.isKnownElsewhere(goal)) continue
-            val meant = Names.near(goal.functor, goals) ?: continue
+            val meant = names.near(goal.functor) ?: continue
             report.warning("goal-unknown", goal.span, "the agent has no goal ${goal.literal.indicator}", "this has no effect",
                 "did you mean $meant?")
         }
@@ -57,17 +61,20 @@ internal object GoalRules : Rule {
         if (scene.isOpen(Role.POSTED, Role.SENT_GOAL)) return
         val posted = scene.mentions(Role.POSTED, Role.SENT_GOAL)
         val indicators = posted.map { it.literal.indicator }.toSet()
+        val arities = aritiesIn(posted)
+        val names = posted.map { it.functor }.toSet() + USUAL
+        val plans = scene.mentions(Role.HANDLED).groupingBy { it.functor }.eachCount()
+        val namesOfMore = HashMap<Int, Names>()
         for (plan in scene.program.mentions[Role.HANDLED] + scene.program.mentions[Role.FAILURE_HANDLED]) {
             if (plan.literal.indicator in indicators || scene.isKnownElsewhere(plan)) continue
-            val plans = scene.mentions(Role.HANDLED).filter { it !== plan }.groupingBy { it.functor }.eachCount()
-            val more = plans.filter { it.value > plans.getOrDefault(plan.functor, 0) }.keys
-            val meant = Names.near(plan.functor, posted.map { it.functor }.toSet() + more + USUAL)
-            val others = posted.filter { it.functor == plan.functor }.map { it.arity }.distinct()
+            val others = plans.getOrDefault(plan.functor, 0) - if (plan.role == Role.HANDLED) 1 else 0
+            val meant = namesOfMore.getOrPut(others) { Names(names + plans.filter { it.value > others }.keys) }.near(plan.functor)
+            val postedWith = arities[plan.functor]
             val what = "nothing in the project posts the goal ${plan.literal.indicator}"
             val why = "this plan is never used, unless a message from elsewhere posts the goal"
             when {
-                others.isNotEmpty() ->
-                    report.warning("plan-arity", plan.span, "$what, only ${forms(plan, others)}", why, "correct the arguments")
+                postedWith != null ->
+                    report.warning("plan-arity", plan.span, "$what, only ${forms(plan, postedWith)}", why, "correct the arguments")
                 meant != null -> report.warning("plan-without-cause", plan.span, what, why, "did you mean $meant?")
             }
         }
@@ -78,6 +85,9 @@ internal object GoalRules : Rule {
 
     /** Goals that come from elsewhere in many projects. */
     private val USUAL = setOf("start", "kqml_received")
+
+    private fun aritiesIn(mentions: List<Mention>): Map<String, List<Int>> =
+        mentions.groupBy({ it.functor }, { it.arity }).mapValues { (_, all) -> all.distinct() }
 
     private fun forms(mention: Mention, arities: List<Int>) = arities.sorted().joinToString(" and ") { "${mention.functor}/$it" }
 }

@@ -12,7 +12,7 @@ import javino.PerceptKind
 internal object PerceptFileRules {
     fun check(project: Project): List<Finding> = project.perceptFiles.flatMap(::lines) + project.leftOut.map { (file, why) ->
         Finding("left-out", Level.WARNING, Place(file, Position(1, 1), Position(1, 1)), "this is not checked: $why",
-            "its names are not known", "make it smaller, or readable")
+            "its names are not known", "make it a readable file, or smaller")
     }
 
     private fun lines(file: ProjectFile): List<Finding> = (1..file.lines.count).mapNotNull { number ->

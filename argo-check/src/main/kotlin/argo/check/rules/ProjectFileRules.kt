@@ -24,7 +24,12 @@ internal object ProjectFileRules {
             otherArgo(file.tokens[at], report)
             infrastructure(file.tokens, at, report)
         }
-        if (file is MasFile) file.agents.forEach { agent(project, file, it, report) } else options(file.tokens, report)
+        if (file is MasFile) {
+            file.error?.let { report.error("syntax", it.span, it.message, "Jason does not start the project", "correct it") }
+            file.agents.forEach { agent(project, file, it, report) }
+        } else {
+            options(file.tokens, report)
+        }
         return report.findings
     }
 

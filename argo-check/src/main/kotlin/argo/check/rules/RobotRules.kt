@@ -27,8 +27,7 @@ internal object RobotRules : Rule {
         val kinds = scene.project.robot.percepts.groupBy { it.functor() }
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet()
         for (component in scene.program.program.components) {
-            val inside = component.span.start..component.span.end
-            val reads = READS.flatMap { scene.program.mentions[it] }.filter { it.span.start in inside && it.functor !in own }
+            val reads = scene.program.mentions.within(component.span).filter { it.role in READS && it.functor !in own }
             val ranges = HashMap<String, PerceptArgument.Quantity>()
             reads.forEach { read -> kinds[read.functor]?.let { percept(read, it, ranges, report) } }
             comparisons(component, ranges, report)
@@ -39,10 +38,11 @@ internal object RobotRules : Rule {
 
     /** Tells of a belief that no board, no plan and no message of the project brings. */
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
+        val tests = scene.mentions(Role.TEST_HANDLED).map { it.functor }.toSet()
+        val names = Names(kinds + own)
         for (read in listOf(Role.EVENT, Role.READ).flatMap { scene.program.mentions[it] }) {
-            if (read.functor in kinds || read.functor in own || scene.isKnownElsewhere(read) ||
-                Names.near(read.functor, kinds + own) != null) continue
-            if (scene.mentions(Role.TEST_HANDLED).any { it.functor == read.functor }) continue
+            if (read.functor in kinds || read.functor in own || read.functor in tests || scene.isKnownElsewhere(read) ||
+                names.near(read.functor) != null) continue
             report.warning(
                 "percept-unknown", read.span,
                 "no board of the project has the percept ${read.literal.indicator}, and no agent believes or sends it",

@@ -48,22 +48,25 @@ internal class Scene(val project: Project, val program: AgentProgram) {
     /** True if a name may mean something that is not known here: data become formulas, other languages make beliefs. */
     fun isKnownElsewhere(mention: Mention): Boolean =
         mention.functor in everywhere || mention.functor in unread || mention.functor in project.foreignNames || isSentByOthers(mention) ||
-            mention.functor in LIBRARY || mention.functor in OF_JACAMO
+            mention.functor in OF_JASON || mention.functor in OF_ARGO || mention.functor in OF_JACAMO
 
     fun isSentByOthers(mention: Mention): Boolean = mention.functor in sentByOthers || mention.literal.indicator in sentByOthers
 
     private fun Mention.isTellHow() = (functor == ".send" || functor == ".broadcast") &&
         literal.arguments.any { it.toString() == "tellHow/0" || it.toString() == "askHow/0" }
 
-    private companion object {
-        val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
-        val PLAN_MAKERS = setOf(".add_plan", ".include", ".create_agent", ".clone")
+    companion object {
+        private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
+        private val PLAN_MAKERS = setOf(".add_plan", ".include", ".create_agent", ".clone")
 
-        /** Events, goals and beliefs that Jason and ARGO make. */
-        val LIBRARY = setOf("kqml_received", "jag_sleeping", "jag_awaking", "jag_shutting_down", "port", "stale", "source", "true", "false")
+        /** The beliefs that ARGO makes, and filters do not drop. */
+        val OF_ARGO = setOf("port", "stale", "reflex")
+
+        /** Events, goals and beliefs that Jason makes. */
+        private val OF_JASON = setOf("kqml_received", "jag_sleeping", "jag_awaking", "jag_shutting_down", "source", "true", "false")
 
         /** Beliefs of the organisations and workspaces of JaCaMo. */
-        val OF_JACAMO = setOf(
+        private val OF_JACAMO = setOf(
             "play", "responsible", "commitment", "group", "scheme", "schemes", "goalState", "goalArgument", "specification", "obligation",
             "permission", "focused", "focusing", "joined", "joinedWsp", "artifact", "workspace", "formationStatus", "destroyed",
             "parentGroup", "subgroup",

@@ -66,6 +66,12 @@ class ProjectReaderSpec : FunSpec({
         robot.actions.map { "$it" } shouldContainExactly listOf("stop/0", "say/*", "speed/1")
     }
 
+    test("files of percepts are called percepts, or end so") {
+        val folder = folder("a.asl" to "", "percepts" to "a(_)", "left.percepts" to "\uFEFFb(_)", "percepts.txt" to "c")
+        val robot = ProjectReader().projectsIn(folder).single().robot
+        robot.percepts.map { it.functor() } shouldContainExactly listOf("b", "a")
+    }
+
     test("what a mapping of ROS says of the robot is known, except for what is usual for a type") {
         fun robot(battery: String) = ProjectReader().projectsIn(
             folder(
@@ -86,6 +92,45 @@ class ProjectReaderSpec : FunSpec({
         val robot = ProjectReader().projectsIn(folder("a.asl" to "", "drive.rec" to recording, "percepts" to "say(_)\n")).single().robot
         robot.percepts.map { "$it" } shouldContainExactly listOf("say(_)", "dist(_, _)")
         robot.isComplete shouldBe false
+    }
+
+    test("a file is a filter if its folder, an agent or its rules say so, and else a document of another kind") {
+        val project = ProjectReader().projectsIn(
+            folder(
+                "a.asl" to "+a <- argo.change_filter(near); argo.change_filter(\"far.json\").",
+                ".eslintrc.json" to "{\"rules\": {\"semi\": 2}}",
+                "vectors.json" to "{\"of\": {\"rules\": [{\"predicate\": \"dist\"}]}}",
+                "broken.json" to "{\"rules\": [", "near.json" to "{", "far.json" to "[]", "filters/slip.json" to "{\"ruels\": []}",
+                "whole.json" to "{\"keep\": true, \"rules\": [{\"predicate\": \"dist\"}]}",
+                "page.xml" to "<page>Write &lt;filter> in <![CDATA[<PerceptionFilter>]]></page>",
+                "root.xml" to "<?xml version=\"1.0\"?>\n<!-- of the robot -->\n<PerceptionFilter/>",
+            ),
+        ).single()
+        project.filters.map { it.path.name } shouldContainExactly
+            listOf("far.json", "slip.json", "near.json", "root.xml", "whole.json")
+    }
+
+    test("links are followed, once around, and a link to nowhere is left out, and told of") {
+        val shared = folder("b.asl" to "b.")
+        val folder = folder("a.asl" to "a.")
+        Files.createSymbolicLink(folder.resolve("shared"), shared)
+        Files.createSymbolicLink(folder.resolve("loop"), folder)
+        Files.createSymbolicLink(folder.resolve("gone.asl"), folder.resolve("none"))
+        Files.createSymbolicLink(folder.resolve(".#a.asl"), folder.resolve("none"))
+        val project = ProjectReader().projectsIn(folder).single()
+        project.programs.keys.map { it.name } shouldContainExactly listOf("a.asl", "b.asl")
+        project.leftOut shouldBe mapOf(folder.resolve("gone.asl") to "it is no regular file")
+    }
+
+    test("a folder that cannot be read is told of by the project around it").config(enabled = System.getProperty("user.name") != "root") {
+        val folder = folder("a/a.mas2j" to "MAS a { agents: b; }", "a/b.asl" to "", "a/closed/c.asl" to "")
+        val closed = folder.resolve("a/closed").toFile()
+        try {
+            closed.setReadable(false)
+            ProjectReader().projectsIn(folder).single().leftOut.keys.map { it.name } shouldContainExactly listOf("closed")
+        } finally {
+            closed.setReadable(true)
+        }
     }
 
     test("a file that is too large is left out, and told of") {

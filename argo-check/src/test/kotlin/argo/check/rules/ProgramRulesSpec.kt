@@ -80,6 +80,14 @@ class ProgramRulesSpec : FunSpec({
         )
     }
 
+    test("a file that is no text has one error, and of more than 20 errors only the first are told") {
+        found("a(\uFFFD\uFFFD).\n\uFFFD.\n+a(1) <- .print(1).") shouldContainExactly
+            listOf("1:3 syntax: this is no text in UTF-8; correct it; the rest of the file is checked as far as it can be read")
+        val many = found("\u0001".repeat(50)).filter { "syntax" in it }
+        many.size shouldBe 21
+        many.last() shouldBe "1:21 syntax: from here on are 30 more errors; correct the first ones, and check again"
+    }
+
     test("names in the project's Java are known, and are what was meant") {
         val java = "Env.java" to
             "class Env { void a() { addPercept(Literal.parseLiteral(\"lamp(on)\")); if (a.getFunctor().equals(\"burn\")) b(); } }"

@@ -51,7 +51,7 @@ class RobotRulesSpec : FunSpec({
             "+temp(T) : T > 30 & ready <- argo.act(speed(T)); argo.act(say(a,b)).",
             "+ready : temp(T) & (T < -3 | T > 100) <- argo.act(\"speed(3)\").",
             "+left::dist(front,D) : D < 40 <- .print(D).",
-            "+port(P,S) <- .print(P,S). +stale(P) <- .print(P).",
+            "+port(P,S) <- .print(P,S). +stale(P) <- .print(P). +reflex(stop,done) <- .print(x).",
         ).forEach { agent -> test(agent) { found(agent).shouldBeEmpty() } }
     }
 

@@ -67,12 +67,13 @@ internal class CheckCommand : DataCommand() {
         if (!isFolder && place.extension !in CHECKED) {
             throw ToolException("$place cannot be checked; files that can: ${CHECKED.joinToString { ".$it" }}")
         }
+        if (!isFolder && !Files.isRegularFile(place)) throw ToolException("$place is no regular file")
         val projects = ProjectReader().projectsIn(place)
         if (projects.isEmpty()) throw ToolException("$place has no program, .asl, and no project file, .mas2j")
         val findings = projects.flatMap(ProjectCheck::check)
         val file = place.toAbsolutePath().normalize()
-        return if (isFolder) projects.sumOf(::filesOf) to
-            findings else 1 to findings.filter { it.place.file.toAbsolutePath().normalize() == file }
+        return if (isFolder || place.extension in PROJECT_FILES) projects.sumOf(::filesOf) to findings
+        else 1 to findings.filter { it.place.file.toAbsolutePath().normalize() == file }
     }
 
     private fun filesOf(project: Project) = project.programs.size + project.projectFiles.size + project.filters.size
@@ -104,7 +105,8 @@ internal class CheckCommand : DataCommand() {
     )
 
     private companion object {
-        val CHECKED = listOf("asl", "mas2j", "jcm")
+        val PROJECT_FILES = listOf("mas2j", "jcm")
+        val CHECKED = listOf("asl") + PROJECT_FILES
     }
 }
 

@@ -11,6 +11,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
@@ -35,7 +36,7 @@ class CheckCommandSpec : FunSpec({
         said.out shouldNotContain "variable S"
         argo("check", "$slips", "--hints").out shouldContain "3:7: hint: the variable S occurs once here"
         argo("check", "$slips", "--fail-on", "error").status shouldBe 1
-        argo("check", "$slips/robot.mas2j", "--fail-on", "hint").status shouldBe 0
+        argo("check", "$slips/robot.mas2j", "--fail-on", "error").status shouldBe 1
         argo("check", "$slips", "--fail-on",
             "always").run { status to err.lines().first() } shouldBe (2 to "--fail-on is error, warning or hint, not always")
     }
@@ -55,6 +56,13 @@ class CheckCommandSpec : FunSpec({
     test("a folder without programs, a file that is not there and one of another kind are refused") {
         val empty = folder("empty", "a.txt" to "")
         argo("check", "$empty").err shouldBe "$empty has no program, .asl, and no project file, .mas2j\n"
+        Files.createDirectory(empty.resolve("folder.asl"))
+        argo("check", "$empty/folder.asl").err shouldBe "$empty/folder.asl has no program, .asl, and no project file, .mas2j\n"
+        if (Files.exists(Path.of("/dev/null"))) {
+            Files.createSymbolicLink(empty.resolve("device.asl"), Path.of("/dev/null"))
+            argo("check", "$empty/device.asl").err shouldBe "$empty/device.asl is no regular file\n"
+            argo("check", "$empty").out shouldContain "device.asl:1:1: warning: this is not checked: it is no regular file [left-out]"
+        }
         argo("check", "$slips/none.asl").err shouldBe "there is no file $slips/none.asl\n"
         argo("check", "$empty/a.txt").err shouldBe "$empty/a.txt cannot be checked; files that can: .asl, .mas2j, .jcm\n"
     }
@@ -63,7 +71,8 @@ class CheckCommandSpec : FunSpec({
         listOf("../samples", "../experiment").forEach { argo("check", it).out shouldContain "0 errors, 0 warnings" }
     }
 
-    test("a program is checked with the project that it belongs to") {
+    test("a program is checked with the project that it belongs to, and a project file with its programs") {
+        argo("check", "$slips/robot.mas2j").out shouldBe argo("check", "$slips").out
         argo("check", "$slips/robot.asl").out shouldContain "1 file checked: 1 error"
     }
 })

@@ -1,0 +1,87 @@
+package argo.check.project
+
+import argo.check.syntax.SyntaxError
+import argo.check.syntax.Token
+import argo.check.syntax.TokenKind
+
+/**
+ * Reads what frames the agents of a project file of Jason: its head, its sections, and the end of each agent. It is used once.
+ *
+ * @param tokens without comments
+ * @param end stands behind them
+ */
+internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
+    private var at = 0
+    private var error: SyntaxError? = null
+
+    private val current: Token get() = tokens.getOrElse(at) { end }
+
+    /** Returns the first token that does not fit; null: Jason's parser finds none in these parts either. */
+    fun error(): SyntaxError? {
+        take("MAS") { it.text == "MAS" }
+        take("the name of the system, in lower case") { it.kind == TokenKind.ATOM }
+        take("{")
+        while (error == null && !current.isSymbol("}")) section()
+        return error
+    }
+
+    private fun section() {
+        val isOfAgents = current.text == AGENTS
+        take("a section, as agents, or }") { it.text in SECTIONS || isOfAgents }
+        take(":")
+        if (isOfAgents) do agent() while (error == null && !isAtSection()) else skipTo { isAtSection() }
+    }
+
+    private fun agent() {
+        take("the name of an agent, in lower case") { it.kind == TokenKind.ATOM }
+        skipTo { isAtSection() || current.text in BEHIND_SOURCE || current.text in WORDS }
+        while (error == null && !current.isSymbol(";")) part()
+        take(";")
+    }
+
+    /** Takes options, a number, a class or a host of an agent. */
+    private fun part() = when (current.text) {
+        "[" -> skipBehind("]")
+        "#" -> {
+            at++
+            take("a number") { it.kind == TokenKind.NUMBER }
+        }
+        in WORDS -> {
+            at++
+            take("a name") { it.kind == TokenKind.ATOM || it.kind == TokenKind.VARIABLE || it.kind == TokenKind.STRING }
+            skipTo { current.span.start > tokens[at - 1].span.end || current.text in BEHIND_NAME }
+            if (current.isSymbol("(")) skipBehind(")") else Unit
+        }
+        else -> take(";")
+    }
+
+    private fun isAtSection() = current.isSymbol("}") ||
+        (current.text in SECTIONS || current.text == AGENTS) && tokens.getOrNull(at + 1)?.isSymbol(":") == true
+
+    private fun skipBehind(symbol: String) {
+        skipTo { current.isSymbol(symbol) }
+        take(symbol)
+    }
+
+    private fun skipTo(isThere: () -> Boolean) {
+        while (error == null && at < tokens.size && !isThere()) at++
+    }
+
+    private fun take(symbol: String) = take(symbol) { it.isSymbol(symbol) }
+
+    private fun take(what: String, isIt: (Token) -> Boolean) {
+        if (error != null) return
+        val found = current.text.ifEmpty { "the end of the file" }
+        if (isIt(current)) at++ else error = SyntaxError(current.span, "here should be $what, not $found")
+    }
+
+    companion object {
+        const val AGENTS = "agents"
+        val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
+
+        /** What stands behind an agent's source, before the name of a class or a host. */
+        val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
+        private val BEHIND_SOURCE = setOf("[", "#", ";")
+        private val BEHIND_NAME = BEHIND_SOURCE + "("
+    }
+}

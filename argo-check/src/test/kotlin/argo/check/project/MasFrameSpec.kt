@@ -1,0 +1,63 @@
+package argo.check.project
+
+import argo.check.rules.findingsIn
+import argo.check.rules.inShort
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.shouldBe
+import jason.mas2j.parser.ParseException
+import jason.mas2j.parser.mas2j
+import java.io.StringReader
+
+class MasFrameSpec : FunSpec({
+    val root = tempdir().toPath()
+    fun found(text: String) =
+        findingsIn(root, "m.mas2j" to text, "a.asl" to "", "b.asl" to "").filter { it.rule == "syntax" }.map { it.inShort }
+    fun isReadByJason(text: String) = try {
+        mas2j(StringReader(text)).mas()
+        true
+    } catch (_: ParseException) {
+        false
+    }
+
+    context("what Jason refuses is told at the first token that does not fit") {
+        listOf(
+            "" to "1:1 MAS, not the end of the file",
+            "mas m { agents: a; }" to "1:1 MAS, not mas",
+            "MAS { agents: a; }" to "1:5 the name of the system, in lower case, not {",
+            "MAS M { agents: a; }" to "1:5 the name of the system, in lower case, not M",
+            "MAS m agents: a; }" to "1:7 {, not agents",
+            "MAS m { agents a; }" to "1:16 :, not a",
+            "MAS m { agents: }" to "1:17 the name of an agent, in lower case, not }",
+            "MAS m { agents: a }" to "1:19 ;, not }",
+            "MAS m { agents: a; b }" to "1:22 ;, not }",
+            "MAS m { agents: a agentArchClass argo.Arch\n b; }" to "2:2 ;, not b",
+            "MAS m { agents: a [verbose=1] b; }" to "1:31 ;, not b",
+            "MAS m { agents: a #x; }" to "1:20 a number, not x",
+            "MAS m { agents: a;" to "1:19 the name of an agent, in lower case, not the end of the file",
+            "MAS m { infrastructure: Local" to "1:30 a section, as agents, or }, not the end of the file",
+            "MAS m { foo: x agents: a; }" to "1:9 a section, as agents, or }, not foo",
+        ).forEach { (text, what) ->
+            test("in '$text'") {
+                isReadByJason(text) shouldBe false
+                withClue(found(text)) { found(text) shouldBe listOf(what.replaceFirst(" ", " syntax: here should be ") + "; correct it") }
+            }
+        }
+    }
+
+    context("what Jason reads is not told of") {
+        listOf(
+            "MAS m { agents: a; b; }", "MAS m { }",
+            "MAS m { agents: a b.asl [verbose=1,x=\"y;}\"] agentArchClass argo.Arch #2 at \"h\"; b; }",
+            "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; " +
+                "aslSourcePath: \"x\"; }",
+            "/* c */ MAS m { agents: a; directives: d=x.Y; } x",
+        ).forEach { text ->
+            test("in '$text'") {
+                isReadByJason(text) shouldBe true
+                found(text) shouldBe emptyList()
+            }
+        }
+    }
+})
