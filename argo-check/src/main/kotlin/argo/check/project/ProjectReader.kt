@@ -56,7 +56,8 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     private fun filesBelow(folder: Path): List<Path> {
         val found = ArrayList<Path>()
         Files.walkFileTree(folder, setOf(FileVisitOption.FOLLOW_LINKS), Int.MAX_VALUE, object : SimpleFileVisitor<Path>() {
-            override fun preVisitDirectory(dir: Path, attrs: BasicFileAttributes): FileVisitResult = if (isOutput(dir)) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
+            override fun preVisitDirectory(dir: Path, attrs: BasicFileAttributes): FileVisitResult =
+                if (isOutput(dir)) FileVisitResult.SKIP_SUBTREE else FileVisitResult.CONTINUE
 
             override fun visitFile(file: Path, attrs: BasicFileAttributes): FileVisitResult {
                 if (file.extension in READ || isPercepts(file)) {
