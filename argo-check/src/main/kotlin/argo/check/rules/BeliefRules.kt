@@ -49,12 +49,8 @@ internal object BeliefRules : Rule {
 
     private fun neverRead(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
         val everyRead = scene.everyMention(*READS).map { it.functor }.toSet()
-        val namesRead = Names(everyRead)
-        for (mention in scene.program.mentions[Role.TOLD]) {
-            if (mention.functor in everyRead || scene.isKnownElsewhere(mention)) continue
-            val meant = namesRead.near(mention.functor) ?: continue
-            report.warning("belief-unread", mention.span, "no agent of the project reads ${mention.literal.indicator}",
-                "this message has no effect", "did you mean $meant?")
+        report.slips("belief-unread", scene.program.mentions[Role.TOLD], everyRead, scene, "this message has no effect") {
+            "no agent of the project reads ${it.literal.indicator}"
         }
         val known = (reads + scene.mentions(Role.TEST_HANDLED)).map { it.functor }.toSet()
         val often = believed.groupingBy { it.functor }.eachCount()

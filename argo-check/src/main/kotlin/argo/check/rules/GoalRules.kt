@@ -37,23 +37,15 @@ internal object GoalRules : Rule {
 
     private fun sentWithoutPlan(scene: Scene, report: Report) {
         val handled = scene.everyMention(Role.HANDLED).map { it.functor }.toSet()
-        val names = Names(handled)
-        for (goal in scene.program.mentions[Role.SENT_GOAL]) {
-            if (goal.functor in handled || scene.isKnownElsewhere(goal)) continue
-            val meant = names.near(goal.functor) ?: continue
-            report.warning("goal-without-plan", goal.span, "no agent of the project has a plan for ${goal.literal.indicator}",
-                "the receiver fails", "did you mean $meant?")
+        report.slips("goal-without-plan", scene.program.mentions[Role.SENT_GOAL], handled, scene, "the receiver fails") {
+            "no agent of the project has a plan for ${it.literal.indicator}"
         }
     }
 
     private fun namedWithoutPlan(scene: Scene, report: Report) {
         val goals = scene.mentions(Role.HANDLED, Role.POSTED, Role.FAILURE_HANDLED).map { it.functor }.toSet()
-        val names = Names(goals)
-        for (goal in scene.program.mentions[Role.NAMED_GOAL]) {
-            if (goal.functor in goals || scene.isKnownElsewhere(goal)) continue
-            val meant = names.near(goal.functor) ?: continue
-            report.warning("goal-unknown", goal.span, "the agent has no goal ${goal.literal.indicator}", "this has no effect",
-                "did you mean $meant?")
+        report.slips("goal-unknown", scene.program.mentions[Role.NAMED_GOAL], goals, scene, "this has no effect") {
+            "the agent has no goal ${it.literal.indicator}"
         }
     }
 

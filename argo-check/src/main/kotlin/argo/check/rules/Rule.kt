@@ -3,6 +3,7 @@ package argo.check.rules
 import argo.check.findings.Finding
 import argo.check.findings.Level
 import argo.check.findings.Place
+import argo.check.project.Mention
 import argo.check.syntax.Span
 
 /** Finds what is wrong in one program; what it reads is fixed, so that it can be run again for another text. */
@@ -21,6 +22,16 @@ internal class Report(private val place: (Span) -> Place) {
     fun warning(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.WARNING, span, what, why, remedy)
 
     fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
+
+    /** Warns of each of [mentions] whose functor is no name of [known], nor known elsewhere, and nearly one of [known]. */
+    fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
+        val names = Names(known)
+        for (mention in mentions) {
+            if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
+            val meant = names.near(mention.functor) ?: continue
+            warning(rule, mention.span, what(mention), why, "did you mean $meant?")
+        }
+    }
 
     private fun add(rule: String, level: Level, span: Span, what: String, why: String, remedy: String) {
         collected += Finding(rule, level, place(span), what, why, remedy)
