@@ -12,11 +12,13 @@ import argo.lsp.filters.XmlFilterLanguage
 import argo.lsp.language.Language
 import argo.lsp.live.LiveValues
 import argo.lsp.project.Projects
+import argo.lsp.project.fileOf
 import argo.lsp.projectfile.ProjectFileLanguage
 import argo.lsp.text.OpenTexts
 import argo.lsp.text.Text
 import argo.tools.replay.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
+import java.nio.file.Path
 
 /**
  * Finds the language of a text by the ending of its file's name. Only the server's worker thread uses it, but for [of].
@@ -39,8 +41,8 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val byEnding = mapOf(
         "asl" to AgentLanguage(findings::inProgram, projects::of, { words }, ::lastValues),
         "mas2j" to ProjectFileLanguage(findings::inProjectFile, projects::of),
-        "xml" to XmlFilterLanguage(::filterWords),
-        "json" to JsonFilterLanguage(::filterWords),
+        "xml" to XmlFilterLanguage(::isFilter, ::filterWords),
+        "json" to JsonFilterLanguage(::isFilter, ::filterWords),
     )
 
     /** Returns the language of [uri]; null: this server knows nothing of such files. */
@@ -69,11 +71,14 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private fun viewOf(agent: MasAgent): Int? =
         agent.options.find { it.name.text == "argo_view" }?.value?.text?.toIntOrNull()?.takeIf { it in PORTS }
 
+    private fun isFilter(text: Text) =
+        projects.of(text).checked.isFilter(fileOf(text.uri) ?: Path.of(text.uri.substringAfterLast('/')), text.content)
+
     private fun filterWords(text: Text): FilterWords {
         val robot = projects.of(text).robot
-        val percepts = robot.percepts.groupBy({ it.meaning.functor() }) { "`${it.meaning}`" }
+        val percepts = robot.described.groupBy({ it.meaning.functor() }) { "`${it.meaning}`" }
         val meanings = percepts.mapValues { (_, kinds) -> "percepts of the board: ${kinds.joinToString()}" }
-        return FilterWords(meanings, robot.actions.map { it.meaning })
+        return FilterWords(meanings, robot.registered.map { it.meaning.name })
     }
 
     private companion object {

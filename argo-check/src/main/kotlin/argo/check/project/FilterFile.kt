@@ -34,23 +34,24 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
             Regex("(?:\\s++|\uFEFF|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*+<PerceptionFilter\\b.*", RegexOption.DOT_MATCHES_ALL)
         private val LISTS = setOf("rules", "critical")
 
+        /** Returns the filter in the file at [path]. */
+        internal fun of(path: Path, text: String): FilterFile = try {
+            val filter = text.byteInputStream().use { input ->
+                if (path.extension == "xml") XmlFilters.read(input, "$path") else JsonFilters.read(input, "$path")
+            }
+            FilterFile(path, text, filter, emptyList())
+        } catch (refused: FilterException) {
+            FilterFile(path, text, null, refused.problems)
+        }
+
         /**
-         * Returns the filter file at [path]; null: its [text] is none.
+         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter.
          *
          * @param called the names of filters that programs change to
          */
-        internal fun of(path: Path, text: String, called: Set<String>): FilterFile? {
-            val isMeant = path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called
-            if (!isMeant && !(if (path.extension == "xml") ROOT.matches(text) else hasRules(text))) return null
-            return try {
-                val filter = text.byteInputStream().use { input ->
-                    if (path.extension == "xml") XmlFilters.read(input, "$path") else JsonFilters.read(input, "$path")
-                }
-                FilterFile(path, text, filter, emptyList())
-            } catch (refused: FilterException) {
-                FilterFile(path, text, null, refused.problems)
-            }
-        }
+        internal fun isMeant(path: Path, text: String, called: Set<String>): Boolean =
+            path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called ||
+                if (path.extension == "xml") ROOT.matches(text) else hasRules(text)
 
         /** Returns true if a list of the JSON document [text] holds a rule: an object with a predicate. Other documents have rules too. */
         private fun hasRules(text: String): Boolean = try {

@@ -34,6 +34,10 @@ data class Project(
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
+    /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter: its folder, a program or its rules say so. */
+    fun isFilter(path: Path, text: String): Boolean =
+        FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())
+
     /** Returns the agents whose program is [path], or includes it. */
     fun agentsOf(path: Path): List<MasAgent> =
         masFiles.flatMap { mas -> mas.agents.filter { path in closure(sourceOf(mas, it) ?: return@filter false) } }

@@ -1,6 +1,5 @@
 package argo.check.project
 
-import javino.PerceptKind
 import java.io.IOException
 import java.nio.file.FileSystemLoopException
 import java.nio.file.FileVisitOption
@@ -10,16 +9,16 @@ import java.nio.file.Path
 import java.nio.file.SimpleFileVisitor
 import java.nio.file.attribute.BasicFileAttributes
 import kotlin.io.path.extension
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
 /**
  * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with all below it, and programs that
  * belong to no such folder are one together.
- *
- * @param overlay texts that take the place of files, as an editor has them, by absolute path
  */
-class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
+class ProjectReader {
     private val leftOut = LinkedHashMap<Path, String>()
 
     /** Returns the projects in [place], a folder, a project file or a program; each file is in one. */
@@ -42,16 +41,14 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     /** Returns the project that [file] belongs to: that of the nearest folder above with a project file, or only the file's folder. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
-        val root = generateSequence(folder) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
-        return projectsIn(root ?: folder).let { all -> all.find { file.toAbsolutePath().normalize() in it.programs } ?: all.firstOrNull() }
+        val all = projectsIn(rootOf(file) ?: folder)
+        return all.find { file.toAbsolutePath().normalize() in it.programs } ?: all.firstOrNull()
             ?: read(folder, listOf(file)).copy(leftOut = leftOut)
     }
 
-    private fun hasProjectFile(folder: Path): Boolean = try {
-        Files.newDirectoryStream(folder, "*.{mas2j,jcm}").use { it.any() }
-    } catch (_: IOException) {
-        false
-    }
+    /** Returns the programs in [folder] as a project, and reads nothing else: what is below a folder may be a whole disk. */
+    fun programsIn(folder: Path): Project =
+        read(folder, if (Files.isDirectory(folder)) folder.listDirectoryEntries("*.asl").filter { it.isRegularFile() } else emptyList())
 
     private fun filesBelow(folder: Path): List<Path> {
         val found = ArrayList<Path>()
@@ -75,7 +72,7 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
             private fun isOutput(dir: Path) = dir != folder && (dir.name in OUTPUTS || dir.name.startsWith("."))
         })
         if (found.size >= MAX_FILES) leftOut[folder] = "it has more than $MAX_FILES files, and the others are left out"
-        return (found.toList() + overlay.keys.filter { it.startsWith(folder) }).distinct().sorted()
+        return found.sorted()
     }
 
     private fun read(root: Path, files: List<Path>): Project {
@@ -84,25 +81,30 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
         val sources = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
         val programs = sources.distinct().associateWith { AgentProgram(it, textOf(it)) }
         val called = programs.values.flatMap { it.filtersCalled }.toSet()
-        val foreign = files.filter { it.extension in FOREIGN }.map { textOf(it) }
+        val foreign = files.filter { it.extension in FOREIGN }.associateWith { textOf(it) }
+        val perceptFiles = files.filter { isPercepts(it) }.map { ProjectFile(it, textOf(it)) }
         return Project(
             root, programs,
             masFiles + files.filter { it.extension in OTHER_PROJECT_FILES }.map { ProjectFile(it, textOf(it)) },
-            foreign.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
-            foreign.flatMap(::operationsIn).toSet(),
+            foreign.values.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
+            foreign.values.flatMap(::operationsIn).toSet(),
             javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
-            files.filter { it.extension == "xml" || it.extension == "json" }.mapNotNull { FilterFile.of(it, textOf(it), called) },
-            robotIn(files), files.filter { isPercepts(it) }.map { ProjectFile(it, textOf(it)) },
+            filtersIn(files, called),
+            robotIn(foreign, perceptFiles, files.filter { it.extension == RECORDING }), perceptFiles,
             leftOut = emptyMap(),
         )
     }
+
+    private fun filtersIn(files: List<Path>, called: Set<String>): List<FilterFile> =
+        files.filter { it.extension == "xml" || it.extension == "json" }.associateWith { textOf(it) }
+            .filter { (path, text) -> FilterFile.isMeant(path, text, called) }.map { (path, text) -> FilterFile.of(path, text) }
 
     /** Returns a program that a project file names outside of the project's folder. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
 
-    private fun textOf(file: Path): String = overlay[file] ?: try {
+    private fun textOf(file: Path): String = try {
         when {
             Files.exists(file) && !Files.isRegularFile(file) -> leaveOut(file, NO_FILE)
             Files.size(file) > MAX_BYTES -> leaveOut(file, "it has more than $MAX_BYTES bytes")
@@ -127,43 +129,52 @@ class ProjectReader(private val overlay: Map<Path, String> = emptyMap()) {
     }.toSet()
 
     /** Returns what sketches, boards in Python, mappings of ROS, files of percepts and recordings say. */
-    private fun robotIn(files: List<Path>): Robot {
-        val boards = files.filter { it.extension in BOARDS }.map { BoardProgram(textOf(it)) }
-        val mappings = files.filter { it.name.endsWith(".ros.yaml") }.map { RosMapping(textOf(it)) }
-        val described = files.filter { isPercepts(it) }.flatMap { kindsIn(textOf(it)) } +
-            boards.flatMap { it.percepts } + mappings.flatMap { it.robot.percepts }
-        val functors = described.map { it.functor() }.toSet()
-        val recorded = files.filter { it.extension == RECORDING }.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
-        val isComplete = mappings.all { it.isComplete } && recorded.isEmpty()
-        return Robot((described + recorded).distinct(), boards.flatMap { it.actions } + mappings.flatMap { it.robot.actions }, isComplete)
+    private fun robotIn(foreign: Map<Path, String>, perceptFiles: List<ProjectFile>, recordings: List<Path>): Robot {
+        val boards = foreign.filterKeys { it.extension in BOARDS }.map { (path, text) -> BoardProgram(ProjectFile(path, text)) }
+        val mappings = foreign.filterKeys { it.name.endsWith(".ros.yaml") }.values.map(::RosMapping)
+        val descriptions = perceptFiles.map(::perceptsFile) + boards.map { it.descriptions }
+        val described = descriptions.flatMap { it.percepts }
+        val mapped = mappings.flatMap { it.percepts }
+        val functors = (described.map { it.meaning } + mapped).map { it.functor() }.toSet()
+        val recorded = recordings.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
+        return Robot(
+            described, boards.flatMap { it.actions }, descriptions.flatMap { it.unreadable }.map { "${it.file.path.name}: ${it.reason}" },
+            mapped + recorded, mappings.flatMap { it.actions }, isComplete = mappings.all { it.isComplete } && recorded.isEmpty(),
+        )
     }
 
-    private companion object {
-        const val PERCEPTS = "percepts"
-        const val RECORDING = "rec"
-        const val STDLIB = "stdlib"
-        const val NO_FILE = "it is no regular file"
+    companion object {
+        private const val PERCEPTS = "percepts"
+        private const val RECORDING = "rec"
+        private const val STDLIB = "stdlib"
+        private const val NO_FILE = "it is no regular file"
 
         /** The beginning of the name of a link to nowhere, with which Emacs locks a file. */
-        const val EDITORS_LOCK = ".#"
-        const val MAX_FILES = 20_000
-        const val MAX_BYTES = 2_000_000L
-        const val MAX_HEIGHT = 5
-        val PROJECT_FILES = setOf("mas2j", "jcm")
-        val OTHER_PROJECT_FILES = setOf("jcm", "gradle", "kts")
-        val BOARDS = setOf("ino", "cpp", "py")
-        val FOREIGN = setOf("java", "kt", "py", "jcm", "ino", "cpp", "c", "h", "yaml", "yml", "properties")
-        val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts", RECORDING)
-        val OUTPUTS = setOf("build", "target", "bin", "node_modules")
-        val WORD = Regex("[a-z]\\w*")
-        val STRING = Regex("\"[^\"\n]*\"")
-        val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
+        private const val EDITORS_LOCK = ".#"
+        private const val MAX_FILES = 20_000
+        private const val MAX_BYTES = 2_000_000L
+        private const val MAX_HEIGHT = 5
+        private val PROJECT_FILES = setOf("mas2j", "jcm")
+        private val OTHER_PROJECT_FILES = setOf("jcm", "gradle", "kts")
+        private val BOARDS = setOf("ino", "cpp", "py")
+        private val FOREIGN = setOf("java", "kt", "py", "jcm", "ino", "cpp", "c", "h", "yaml", "yml", "properties")
+        private val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts", RECORDING)
+        private val OUTPUTS = setOf("build", "target", "bin", "node_modules")
+        private val WORD = Regex("[a-z]\\w*")
+        private val STRING = Regex("\"[^\"\n]*\"")
+        private val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
 
         /** Returns true for the files that `describe` writes, `percepts` or `NAME.percepts`. */
-        fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
+        private fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
-        /** Lines that describe no percepts are left out; `PerceptFileRules` tell of them. */
-        fun kindsIn(text: String): List<PerceptKind> = text.lines().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }
-            .mapNotNull { runCatching { PerceptKind.parse(it) }.getOrNull() }
+        /** Returns the nearest folder above [file] with a project file, which is its project's; null: there is none near. */
+        fun rootOf(file: Path): Path? =
+            generateSequence(file.toAbsolutePath().normalize().parent) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
+
+        private fun hasProjectFile(folder: Path): Boolean = try {
+            Files.newDirectoryStream(folder, "*.{mas2j,jcm}").use { it.any() }
+        } catch (_: IOException) {
+            false
+        }
     }
 }

@@ -8,11 +8,25 @@ import javino.PerceptTerm
 /**
  * What is known of a robot; each list is empty if nothing is.
  *
- * @property percepts the kinds of percepts that its boards have
- * @property actions the actions that its boards have registered
+ * @property described the kinds of percepts that files describe, with their places
+ * @property registered the actions that programs of boards register, with their places
+ * @property unreadable the reasons why descriptions of percepts cannot be read, each with the name of its file
  * @property isComplete false if it has percepts besides these
  */
-class Robot(val percepts: List<PerceptKind>, val actions: List<BoardAction>, val isComplete: Boolean = true)
+class Robot(
+    val described: List<Described<PerceptKind>> = emptyList(),
+    val registered: List<Described<BoardAction>> = emptyList(),
+    val unreadable: List<String> = emptyList(),
+    otherPercepts: List<PerceptKind> = emptyList(),
+    otherActions: List<BoardAction> = emptyList(),
+    val isComplete: Boolean = true,
+) {
+    /** The kinds of percepts that its boards have, also those from mappings and recordings. */
+    val percepts: List<PerceptKind> = (described.map { it.meaning } + otherPercepts).distinct()
+
+    /** The actions that its boards have registered, also those from mappings. */
+    val actions: List<BoardAction> = registered.map { it.meaning } + otherActions
+}
 
 /** @property arity the number of its arguments; null: any */
 data class BoardAction(val name: String, val arity: Int?) {
@@ -21,26 +35,6 @@ data class BoardAction(val name: String, val arity: Int?) {
     companion object {
         /** Reads `speed/1`, or `say` with any number of arguments. */
         fun of(text: String): BoardAction = BoardAction(text.substringBefore('/'), text.substringAfter('/', "").toIntOrNull())
-    }
-}
-
-/** What a sketch, or a program in Python, says in calls of the Javino library: the kinds of its percepts, and its actions. */
-internal class BoardProgram(private val text: String) {
-    val percepts: List<PerceptKind> = (DESCRIBED.findAll(text) + PERCEIVED.findAll(text).flatMap { STRING.findAll(it.value) })
-        .map { it.groupValues[1] }.mapNotNull { runCatching { PerceptKind.parse(it) }.getOrNull() }.toList()
-
-    val actions: List<BoardAction> = ACT.findAll(text).map { BoardAction(it.groupValues[1], 0) }.toList() +
-        ON_ACTION.findAll(text).map { BoardAction(it.groupValues[1], it.groupValues[2].toIntOrNull()) }
-
-    private companion object {
-        val STRING = Regex("\"([^\"\n]*)\"")
-        val DESCRIBED = Regex("\\bdescribe\\(\\s*(?:F\\(\\s*)?\"([^\"\n]*)\"")
-        val PERCEIVED = Regex("\\bperceive\\([^)\"]*(?:\"[^\"\n]*\"[^)\"]*)+\\)")
-        val ACT = Regex("\\.act\\[[\"'](\\w+)[\"']]\\s*=")
-        private const val NAME = "[\"'](\\w+)[\"']"
-        private const val FUNCTION = "(?:\\s*,\\s*[a-zA-Z_]\\w*)?"
-        private const val NUMBER = "(?:\\s*,\\s*(?:arguments\\s*=\\s*)?(\\d+))?"
-        val ON_ACTION = Regex("\\b(?:onAction|on_action)\\(\\s*$NAME$FUNCTION$NUMBER\\s*\\)")
     }
 }
 

@@ -9,8 +9,9 @@ import javino.PerceptKind
  * @property isComplete false if topics have the percepts that are usual for their type, which are not known here
  */
 internal class RosMapping(text: String) {
-    private val percepts: List<String>
-    private val commands: List<String>
+    val isComplete: Boolean
+    val percepts: List<PerceptKind>
+    val actions: List<BoardAction>
 
     init {
         val sections = HashMap<String, MutableList<String>>()
@@ -19,18 +20,14 @@ internal class RosMapping(text: String) {
             if (line.endsWith(":") && !line.startsWith(" ")) section = line.dropLast(1)
             ITEM.matchEntire(line)?.let { sections.getOrPut(section, ::ArrayList) += it.groupValues[1] }
         }
-        percepts = sections["percepts"].orEmpty()
-        commands = sections["commands"].orEmpty()
-    }
-
-    val isComplete: Boolean = percepts.all { ARROW in it }
-
-    val robot: Robot = Robot(
-        percepts.filter { ARROW in it }.mapNotNull { headOf(it.substringAfter(ARROW)) }.map { (name, arity) ->
+        val topics = sections["percepts"].orEmpty()
+        isComplete = topics.all { ARROW in it }
+        percepts = topics.filter { ARROW in it }.mapNotNull { headOf(it.substringAfter(ARROW)) }.map { (name, arity) ->
             PerceptKind(name, List(arity) { PerceptArgument.Anything() })
-        },
-        commands.mapNotNull { headOf(it.substringBefore(ARROW)) }.map { (name, arity) -> BoardAction(name, arity) },
-    )
+        }
+        actions = sections["commands"].orEmpty().mapNotNull { headOf(it.substringBefore(ARROW)) }
+            .map { (name, arity) -> BoardAction(name, arity) }
+    }
 
     /** Returns the functor and the number of arguments of the literal that [text] begins with. */
     private fun headOf(text: String): Pair<String, Int>? {

@@ -1,5 +1,8 @@
 package argo.check.rules
 
+/** The names of Jason's and ARGO's internal actions, as programs write them: `.print`, `argo.act`. */
+val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
+
 /**
  * What is known of an internal action.
  *

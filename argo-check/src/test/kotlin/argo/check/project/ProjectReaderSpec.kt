@@ -50,7 +50,7 @@ class ProjectReaderSpec : FunSpec({
 
     test("a text that an editor has takes the place of the file") {
         val folder = folder("a.mas2j" to "MAS a { agents: bob; }", "bob.asl" to "a.")
-        val project = ProjectReader(mapOf(folder.resolve("bob.asl") to "b.")).projectsIn(folder).single()
+        val project = ProjectReader().projectsIn(folder).single().with(folder.resolve("bob.asl"), "b.")
         project.programs.getValue(folder.resolve("bob.asl")).program.text shouldBe "b."
     }
 
@@ -64,6 +64,19 @@ class ProjectReaderSpec : FunSpec({
         ).single().robot
         robot.percepts.map { "$it" } shouldContainExactly listOf("dist(cm 0..400)", "light(0..1023)", "ready")
         robot.actions.map { "$it" } shouldContainExactly listOf("stop/0", "say/*", "speed/1")
+    }
+
+    test("what describes the robot has its place, and what cannot be read its reason") {
+        val robot = ProjectReader().projectsIn(
+            folder(
+                "a.asl" to "", "b.ino" to "javino.describe( F(\"ready\") );\njavino.onAction(\"go\", [](const JavinoArguments &a) {});",
+                "percepts" to "  dist(cm 0..9) # near\nDist\n",
+            ),
+        ).single().robot
+        robot.described.map { "${it.meaning} ${it.file.path.name}:${it.file.lines.position(it.span.start)}" } shouldContainExactly
+            listOf("dist(cm 0..9) percepts:1:3", "ready b.ino:1:21")
+        robot.registered.map { "${it.meaning} ${it.file.lines.position(it.span.start)}" } shouldContainExactly listOf("go/* 2:18")
+        robot.unreadable.single() shouldContain "percepts: \"Dist\" is no functor"
     }
 
     test("files of percepts are called percepts, or end so") {

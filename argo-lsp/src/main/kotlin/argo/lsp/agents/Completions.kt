@@ -1,7 +1,7 @@
 package argo.lsp.agents
 
+import argo.check.project.BoardAction
 import argo.check.syntax.Span
-import argo.lsp.project.Described
 import argo.lsp.project.Occurrence
 import argo.lsp.project.Project
 import argo.lsp.project.Source
@@ -45,7 +45,7 @@ internal class Completions(private val project: Project, private val source: Sou
             words.errors.map { (error, cause) -> item(error, CompletionItemKind.EnumMember, cause) }
         call.isInList && action == null -> option(typing.calls.drop(1).firstOrNull())
         action == "change_filter" && call.argument == 0 -> filters()
-        action == "act" && call.argument == 0 || action == "can" -> project.robot.actions.map(::command)
+        action == "act" && call.argument == 0 || action == "can" -> project.robot.registered.map { command(it.meaning) }
         action == "percepts" -> listOf("open", "block", "close").map { item(it, CompletionItemKind.EnumMember, "") }
         action == "age" && call.argument == 0 || action == "explain" && call.argument == 0 -> percepts()
         call.isInList -> option(call)
@@ -57,8 +57,8 @@ internal class Completions(private val project: Project, private val source: Sou
 
     private fun filters() = (project.filterNames + "none").map { item(it, CompletionItemKind.File, "") }
 
-    private fun command(described: Described<String>) =
-        item(described.meaning, CompletionItemKind.Function, "a command that the board has registered")
+    private fun command(action: BoardAction) =
+        item(action.name, CompletionItemKind.Function, "a command that the board has registered")
 
     private fun goals(): List<CompletionItem> = symbols(Subject.GOAL, CompletionItemKind.Method)
 
@@ -80,7 +80,7 @@ internal class Completions(private val project: Project, private val source: Sou
     private fun textOf(span: Span, place: Occurrence): String =
         family.first { place in it.occurrences }.text.content.substring(span.start, span.end)
 
-    private fun percepts(): List<CompletionItem> = project.robot.percepts.map { described ->
+    private fun percepts(): List<CompletionItem> = project.robot.described.map { described ->
         val kind = described.meaning
         item(kind.functor(), CompletionItemKind.Event, "a percept of the board: `$kind`", kind.arguments().size, insertOf(kind))
     }

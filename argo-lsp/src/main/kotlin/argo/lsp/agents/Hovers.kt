@@ -9,6 +9,7 @@ import argo.lsp.project.Subject
 import org.eclipse.lsp4j.Hover
 import org.eclipse.lsp4j.MarkupContent
 import org.eclipse.lsp4j.MarkupKind
+import kotlin.io.path.name
 
 /** What an editor shows of the word under the cursor. [lastValues] returns the newest percepts of a running agent that match a functor. */
 internal class Hovers(
@@ -32,16 +33,16 @@ internal class Hovers(
 
     private fun command(around: Literal?, literal: Literal): String? {
         if (around == null || words.actionIn(around.functor) !in COMMANDS) return null
-        val described = project.robot.actions.find { it.meaning == literal.functor } ?: return null
-        return "`${literal.functor}`: a command that the board has registered, ${nameOf(described.text.uri)}"
+        val described = project.robot.registered.find { it.meaning.name == literal.functor } ?: return null
+        return "`${literal.functor}`: a command that the board has registered, ${described.file.path.name}"
     }
 
     private fun symbol(literal: Literal): String? {
-        val kinds = project.robot.percepts.filter { it.meaning.functor() == literal.functor }
+        val kinds = project.robot.described.filter { it.meaning.functor() == literal.functor }
         val kind = kinds.find { it.meaning.arguments().size == literal.arity }
         val occurrence = source.occurrences.find { it.literal === literal }
         return when {
-            kind != null -> percept("${kind.meaning}", nameOf(kind.text.uri), literal)
+            kind != null -> percept("${kind.meaning}", kind.file.path.name, literal)
             occurrence == null -> null
             kinds.isNotEmpty() -> "`${literal.indicator}` is no percept of the board, but: ${kinds.joinToString { "`${it.meaning}`" }}"
             else -> places(occurrence)
@@ -83,7 +84,5 @@ internal class Hovers(
         val COMMANDS = setOf("act", "can")
 
         fun counted(count: Int, noun: String) = if (count == 1) "1 $noun" else "$count ${noun}s"
-
-        fun nameOf(uri: String) = uri.substringAfterLast('/')
     }
 }

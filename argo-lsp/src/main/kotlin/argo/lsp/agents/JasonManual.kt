@@ -1,5 +1,6 @@
 package argo.lsp.agents
 
+import argo.check.rules.INTERNAL_ACTION_NAMES
 import java.io.File
 import java.net.URL
 import java.net.URLClassLoader
@@ -16,11 +17,7 @@ internal class JasonManual(classPath: String?) {
     private val loader = classPath?.let { URLClassLoader(urlsOf(it), ClassLoader.getPlatformClassLoader()) }
 
     /** The pages of actions in Markdown, by their names, as `.print`. */
-    val actions: Map<String, String> = table().associateWith { page(it).orEmpty() }
-
-    private fun table(): List<String> =
-        checkNotNull(javaClass.getResourceAsStream("/argo/check/rules/internal-actions.txt")) { "there is no table of Jason's actions" }
-            .use { it.readBytes().decodeToString() }.lines().map { it.substringBefore(' ') }.filter { it.startsWith(".") }
+    val actions: Map<String, String> = INTERNAL_ACTION_NAMES.filter { it.startsWith(".") }.associateWith { page(it).orEmpty() }
 
     /** Returns what the class of the action says in its annotation; classes of other versions may have none. */
     private fun page(action: String): String? {

@@ -1,5 +1,6 @@
 package argo.lsp.agents
 
+import argo.check.project.Described
 import argo.check.syntax.Directive
 import argo.check.syntax.Literal
 import argo.check.syntax.Span
@@ -26,8 +27,8 @@ internal class Navigation(private val project: Project, private val source: Sour
         val action = literals.takeWhile { it !== literal }.lastOrNull()?.let { words.actionIn(it.functor) }
         if (action == "change_filter") return filter(literal.functor)
         if (action == "act" || action == "can") {
-            val registered = project.robot.actions.filter { it.meaning == literal.functor }
-            if (registered.isNotEmpty()) return registered.map { location(it.text, it.span) }
+            val registered = project.robot.registered.filter { it.meaning.name == literal.functor }
+            if (registered.isNotEmpty()) return registered.map(::location)
         }
         return occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
     }
@@ -42,9 +43,9 @@ internal class Navigation(private val project: Project, private val source: Sour
 
     private fun definitionsOf(occurrence: Occurrence): List<Location> {
         val symbol = occurrence.symbol
-        val percepts = project.robot.percepts
+        val percepts = project.robot.described
             .filter { it.meaning.functor() == symbol.functor && it.meaning.arguments().size == symbol.arity }
-        if (!occurrence.isDefinition && percepts.isNotEmpty()) return percepts.map { location(it.text, it.span) }
+        if (!occurrence.isDefinition && percepts.isNotEmpty()) return percepts.map(::location)
         val own = places { it.symbol == symbol && it.isDefinition }
         return own.ifEmpty { places(project.sources) { it.symbol == symbol && it.isDefinition } }
     }
@@ -69,6 +70,9 @@ internal class Navigation(private val project: Project, private val source: Sour
         project.filters.filter { it.nameWithoutExtension == name.substringAfterLast('/') || it.name == name }.map(::begin)
 
     private fun begin(file: Path) = Location(file.toUri().toString(), Range(Position(0, 0), Position(0, 0)))
+
+    private fun location(described: Described<*>) =
+        location(Text(described.file.path.toUri().toString(), 0, described.file.text), described.span)
 
     private fun location(text: Text, span: Span) = Location(text.uri, text.range(span))
 }

@@ -18,10 +18,9 @@ internal class Renaming(private val project: Project, private val source: Source
     fun renamedAt(offset: Int): Occurrence? {
         val occurrence = source.occurrences.find { it.name.touches(offset) } ?: return null
         val symbol = occurrence.symbol
-        val described = project.robot.percepts.find { it.meaning.functor() == symbol.functor }
+        val described = project.robot.described.find { it.meaning.functor() == symbol.functor }
         if (described != null) {
-            val file = described.text.uri.substringAfterLast('/')
-            throw RefusedException("${symbol.functor} is a percept of the board: its name is in $file")
+            throw RefusedException("${symbol.functor} is a percept of the board: its name is in ${described.file.path.fileName}")
         }
         val namespaces = placesOf(occurrence).map { (_, place) -> place.namespace }.distinct()
         if (namespaces.size > 1) {

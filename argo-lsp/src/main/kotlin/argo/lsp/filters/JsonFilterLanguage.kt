@@ -10,9 +10,9 @@ import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
 /** Filters in JSON. Other JSON has none of this. */
-internal class JsonFilterLanguage(private val words: (Text) -> FilterWords) : Language {
+internal class JsonFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> =
-        if ("\"rules\"" in text.content) problemsOf(text, JsonFilters::read) else emptyList()
+        if (isFilter(text)) problemsOf(text, JsonFilters::read) else emptyList()
 
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
         val place = JsonPlace.at(text.content, offset)

@@ -10,7 +10,7 @@ import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
 /** Filters in XML. Other XML has none of this. */
-internal class XmlFilterLanguage(private val words: (Text) -> FilterWords) : Language {
+internal class XmlFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> = if (isFilter(text)) problemsOf(text, XmlFilters::read) else emptyList()
 
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
@@ -54,8 +54,6 @@ internal class XmlFilterLanguage(private val words: (Text) -> FilterWords) : Lan
         }
         return found?.let(::hoverOf)
     }
-
-    private fun isFilter(text: Text) = "<PerceptionFilter" in text.content
 
     private companion object {
         const val PREDICATE = "predicate"

@@ -1,6 +1,7 @@
 package argo.lsp.project
 
 import argo.check.project.AgentProgram
+import argo.check.project.Robot
 import argo.lsp.text.Text
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
@@ -9,9 +10,10 @@ import kotlin.io.path.nameWithoutExtension
  * The files of a project, with what the editor has open in place of what is on the disk.
  *
  * @property checked the project as the analyser has it
- * @property robot what its boards say of themselves
  */
-internal class Project(val checked: argo.check.project.Project, val robot: Robot, private val open: Map<Path, Text>) {
+internal class Project(val checked: argo.check.project.Project, private val open: Map<Path, Text>) {
+    val robot: Robot get() = checked.robot
+
     /** The agents' programs. */
     val sources: List<Source> by lazy { checked.programs.values.map(::source) }
 

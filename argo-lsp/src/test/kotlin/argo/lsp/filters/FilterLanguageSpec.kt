@@ -38,6 +38,8 @@ class FilterLanguageSpec : FunSpec({
             editor.diagnostics(JSON).single().message.left shouldContain "the filter has no rules"
             editor.open("file:///pom.xml", "<project><x></project>")
             editor.diagnostics("file:///pom.xml").shouldBeEmpty()
+            editor.open("file:///.eslintrc.json", """{"rules": {"semi": "error"}}""")
+            editor.diagnostics("file:///.eslintrc.json").shouldBeEmpty()
         }
     }
 
