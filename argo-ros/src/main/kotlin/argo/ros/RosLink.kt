@@ -65,7 +65,7 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn)
 
-    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, like all fields below
+    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, like all below
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private var wish: Wish? = null
     private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
