@@ -169,7 +169,7 @@ internal class Membership(
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
-                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the others itself
+                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the others
                 bridge.send(last)
                 try {
                     last.left.get(CLOSING_MS, TimeUnit.MILLISECONDS)
