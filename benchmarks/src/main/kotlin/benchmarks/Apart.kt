@@ -6,7 +6,6 @@ import java.util.concurrent.TimeUnit
 /**
  * Runs this program with [arguments] in a new Java machine, and returns the numbers in its last line.
  *
- * @param options the options of the Java machine
  * @throws IllegalStateException if the program fails, or prints no numbers
  */
 internal fun figuresApart(vararg arguments: String, options: List<String> = emptyList()): List<Double> {

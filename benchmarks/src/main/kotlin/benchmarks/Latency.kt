@@ -31,7 +31,6 @@ private fun measureApart(course: LatencyCourse): List<Long> {
     return latencies.map(Double::toLong)
 }
 
-/** Returns the latencies of the course [name], in ns. */
 internal fun latencyCourse(name: String): List<Long> = LatencyCourse.valueOf(name).measure(EXCHANGES).asList()
 
 /** Measures all courses and prints the figures, and the ratio of ARGO's latency to that of the agent on one thread. */

@@ -130,7 +130,6 @@ class TimedArch(platform: Platform) : Arch(platform) {
     }
 }
 
-/** A board with twelve percepts that all change each time. */
 private class Changing : Sketch {
     private val requests = AtomicInteger()
 

@@ -37,7 +37,6 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private val runs = directory.resolve("runs")
     private var claim: FileChannel? = null
 
-    /** Returns the settings of the experiment in this directory; null if none has been begun. */
     fun settings(): Settings? {
         if (!settingsFile.exists()) return null
         return try {

@@ -12,8 +12,6 @@ import kotlin.concurrent.thread
 /**
  * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of the lines aborts the experiment. For one
  * thread.
- *
- * @param tell receives the instruction for the user
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
     private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come

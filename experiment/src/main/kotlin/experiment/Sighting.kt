@@ -34,7 +34,6 @@ internal class Sighting(private val limit: Int) {
         perceived = now
     }
 
-    /** Returns a witness that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
     fun witness(record: RecordWriter, begin: Long, clock: LineClock) = Witness { front, events, intentions ->
         val now = clock.nanos()
         see(front, now)

@@ -23,7 +23,6 @@ internal class SlowTime(private val factor: Double) {
         return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
     }
 
-    /** Subtracts [nanos] ns of waiting. */
     fun paid(nanos: Long) {
         owed -= nanos
     }

@@ -106,7 +106,6 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
     return Entry.Result(outcome, course.distanceAt(now), sinceLimitMs, msSince(perceived, end))
 }
 
-/** Returns the time from [start] to [end] in ms; null if there is no [start]. */
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
 /** A robot whose percepts and actions are recorded, with the robot's true place. */

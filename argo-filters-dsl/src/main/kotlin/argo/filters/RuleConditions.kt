@@ -72,12 +72,10 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** Notes that the rule names [term]. The rule needs a condition or a deadband on it. */
     internal fun mention(term: Any) {
         unsaid += term
     }
 
-    /** Notes that the rule has a condition or a deadband on [term]. */
     internal fun specify(term: Any) {
         unsaid.removeAll { it === term }
     }
@@ -122,7 +120,6 @@ class CriticalConditions internal constructor() : RuleConditions() {
  */
 @FilterDsl
 sealed class AnyTerm {
-    /** The term must meet all [tests]. */
     internal abstract fun must(vararg tests: TermTest)
 
     /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */

@@ -124,7 +124,6 @@ internal class RosLink private constructor(
         }?.let(::wants)
     }
 
-    /** Returns the subscriptions for [wish]: its topics, and a simulator's clock. */
     private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
         val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
@@ -266,7 +265,6 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Closes the link, whose connection may already have ended. */
     private fun abandon() {
         close()
         bridge?.close()

@@ -90,7 +90,6 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
 /** Errors after which it makes no sense to repeat the command. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
-/** Returns the time by which [command] should have been sent again; null: its reason or its board has gone. */
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {
     val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
     val again = perceived.firstOrNull { it.received > lost.at } ?: return null

@@ -81,7 +81,6 @@ internal val WorldEvent.form: EventForm
         },
     )
 
-/** Writes [value], a time, a number or a text, in Kotlin. */
 internal fun kotlinOf(value: Any): String = when (value) {
     is Duration -> "${value.inWholeMilliseconds}.milliseconds"
     is String -> "\"${value.replace("\\", "\\\\").replace("\"", "\\\"").replace("$", "\\$")}\""

@@ -13,7 +13,6 @@ internal class EventSource(private val exploration: Exploration, private val age
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
 
-    /** Returns the events of the run with [seed], in the order of their times. */
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
@@ -45,7 +44,6 @@ internal class EventSource(private val exploration: Exploration, private val age
         return (events + kinds[random.nextInt(kinds.size)](at, command.port)).sortedBy { it.at }
     }
 
-    /** Returns makers of the faults that can hit a command. */
     private fun hits(random: Random): List<(Duration, String) -> WorldEvent> = exploration.played.mapNotNull { fault ->
         when (fault) {
             Fault.CABLES -> { at, port -> Unplugged(at, port, lasts(random)) }

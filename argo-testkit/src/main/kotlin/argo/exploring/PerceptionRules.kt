@@ -124,7 +124,6 @@ private class BlindTime(
     }
 }
 
-/** A condition on an agent's percepts. */
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 

@@ -30,7 +30,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         entries += entry
     }
 
-    /** Watches the reasoning of [agent], which has not begun. */
     fun watch(agent: TestAgent) {
         minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
@@ -114,7 +113,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         override fun commandIssued(command: IssuedCommand) =
             record(Issued(now, agent.name, command.number, command.port, command.text, planThatRuns()))
 
-        /** Returns the running plan; null on sensing threads, which send reflexes. */
         private fun planThatRuns() = if (mas.time.running == null) planOf(agent.circumstance.selectedIntention) else null
 
         override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =

@@ -99,5 +99,4 @@ data class MessagesLate(override val at: Duration, val agent: String, val by: Du
     override val words get() = "messages to $agent take $by, for $lasts"
 }
 
-/** The time between two messages of [Floods]. */
 internal val FLOOD_INTERVAL = 5.milliseconds

@@ -294,7 +294,6 @@ class Board internal constructor(private val time: VirtualTime) {
         return taken.add(index)
     }
 
-    /** True if the board's port has been opened at least once. */
     internal var wasOpened = false
         private set
 

@@ -36,7 +36,6 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     /** Returns the board of the first port; if there is none so far, of the first port that the agent will open. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
-    /** Returns the boards on the named ports, by these names. */
     fun named(): Map<String, Board> = boards
 
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)

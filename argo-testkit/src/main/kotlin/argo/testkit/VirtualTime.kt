@@ -24,7 +24,6 @@ internal class VirtualTime : LineClock {
     /** Does a part of the agents' due work on the driver's thread; returns false if there was none. */
     var work: () -> Boolean = { false }
 
-    /** The agents in this time; null before there are any. */
     var mas: TestMas? = null
 
     override fun nanos(): Long = nowNanos

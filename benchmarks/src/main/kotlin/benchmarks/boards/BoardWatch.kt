@@ -67,7 +67,6 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     }
 }
 
-/** Returns the least growth of a count from [before] to [after]. */
 internal fun leastMore(before: Map<String, Long>, after: Map<String, Long>): Long =
     after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 

@@ -17,9 +17,7 @@ internal enum class Firmware(val sketch: String) {
 /**
  * A robot, a line and an agent.
  *
- * @property version the version of the protocol
  * @property loopMs the time of each `loop()` of the sketch, besides the library's work, in ms
- * @property filter the agent's filter
  * @property cycleTime the time of a reasoning cycle of the agent
  */
 internal data class StopCourse(

@@ -15,7 +15,6 @@ import kotlin.time.Duration.Companion.seconds
  * @property worst the timeline of line and board in the longest response, in ms from the limit on
  * @property commands the number of commands that the sketch has carried out
  * @property sent the number of commands sent in version 1; in version 2 they are not counted
- * @property starts the number of the sketch's starts
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,

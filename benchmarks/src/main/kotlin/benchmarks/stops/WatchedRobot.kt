@@ -26,7 +26,6 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     val acted: Int get() = edges.getOrDefault(ACTED, 0)
 
-    /** The number of times that the sketch has read its sensors. */
     val looked: Int get() = edges.getOrDefault(LOOKED, 0)
 
     val started: Int get() = edges.getOrDefault(STARTED, 0)
@@ -90,7 +89,6 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     companion object {
-        /** The distance at which the agent stops the robot, in mm. */
         const val LIMIT_MM = 800
 
         const val MILLIMETRE_NANOS = 10_000_000L

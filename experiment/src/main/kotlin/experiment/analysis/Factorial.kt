@@ -17,7 +17,6 @@ internal enum class Source(val factors: Set<Int>) {
  * effects.
  *
  * @property levels the level of each of the source's factors, from 0, in the order of the factors
- * @property interval the effect's confidence interval
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     /** True if the interval does not contain 0. */
@@ -51,7 +50,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
 
-    /** The number of all responses. */
     val count = cells.size * replications
 
     /** Smaller values come only from rounding in sums of such large numbers. */

@@ -7,7 +7,6 @@ import kotlin.math.log10
 
 internal const val CONFIDENCE = 0.95
 
-/** A confidence interval at [CONFIDENCE]. */
 internal data class Interval(val low: Double, val high: Double) {
     /**
      * The number of meaningful decimals, from 0 to 3. Half the width has two digits if they are below 36, otherwise one. That is the rule

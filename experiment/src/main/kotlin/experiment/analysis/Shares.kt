@@ -17,7 +17,6 @@ internal data class Squares(val sum: Double, val freedom: Int) {
  * error's share is smaller by the same amount. So a small share can lie outside of its interval.
  *
  * @property sources the intervals of factors and interactions
- * @property error the interval of the error
  */
 internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
 
@@ -47,12 +46,10 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * 2004). For several effects it gives none.
  *
  * @param error has at least one degree of freedom
- * @param draws the number of random shares
  */
 internal class SharePivots(
     private val error: Squares, private val count: Int, private val random: RandomGenerator, private val draws: Int,
 ) {
-    /** Returns the interval at [confidence] of the share of [own] beside the effects in [others]. */
     fun interval(own: Squares, others: Squares, confidence: Double): Interval {
         if (error.sum == 0.0) return (own.sum / (own.sum + others.sum)).let { if (it.isNaN()) Interval(0.0, 0.0) else Interval(it, it) }
         val errors = chiSquared(error.freedom)

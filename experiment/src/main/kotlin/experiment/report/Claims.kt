@@ -23,8 +23,6 @@ internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"),
 /**
  * A published result or a promise, and the result of these runs.
  *
- * @property claim the published result or the promise
- * @property seen the measured result
  * @property why the explanation of the claim
  */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
@@ -170,5 +168,4 @@ internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
 internal fun three(value: Double): String = rounded(value, 3)
 
-/** Writes [value] with two significant digits. */
 internal fun twoDigits(value: Double): String = BigDecimal(value).round(MathContext(2)).toPlainString()

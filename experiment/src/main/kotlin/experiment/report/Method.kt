@@ -26,8 +26,6 @@ internal class Provenance(val build: String, val at: Instant, val machine: Strin
 /**
  * Describes the method of the experiment with [settings], as items of a list in HTML.
  *
- * @param runs the runs that count
- * @param failed the runs that do not count
  * @param made the program and the machine behind the report
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =

@@ -7,8 +7,6 @@ import kotlin.time.DurationUnit
 /**
  * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
  * thread may call.
- *
- * @param clock the robot's time
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
@@ -85,7 +83,6 @@ internal class Carrier(private val clock: LineClock) {
         /** The sensor's reading if nothing is before the robot, in cm. */
         const val FAR_CM = 200.0
 
-        /** The robot's speed, in cm/s. */
         const val SPEED_CM_S = 20.0
     }
 }

@@ -5,7 +5,6 @@ import java.util.Locale
 /**
  * The end of a run of the collision experiment.
  *
- * @property sentence the printed sentence
  * @property exitStatus the program's exit status: 0 if the robot was stopped
  */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {

@@ -9,7 +9,6 @@ import kotlin.concurrent.thread
  * A JADE container with Jason's agents, in another process: `jason.infra.jade.RunJadeMAS` in the directory of the project.
  *
  * @property name the container's name in the `.mas2j`, behind `at`
- * @property port the port at which it listens
  * @param printed receives each line that it prints, on its own thread
  */
 internal class Container private constructor(
@@ -44,7 +43,6 @@ internal class Container private constructor(
         /**
          * Starts a container of [project], a `.mas2j` file. It listens only on [HOST].
          *
-         * @param port the port at which it listens
          * @param mainPort the port of the main container, even if this is the main container
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {

@@ -11,7 +11,6 @@ import kotlin.concurrent.withLock
  * use by several threads.
  *
  * @param inPlace whether [out] is a terminal, on which the line is rewritten
- * @param charset the character set of [out]
  */
 class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "

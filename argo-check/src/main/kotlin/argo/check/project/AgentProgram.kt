@@ -27,7 +27,6 @@ class AgentProgram(val path: Path, text: String) {
     /** The files that this program includes, as written. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
-    /** The names of the filters that this program changes to. */
     internal val filtersCalled: List<String> get() = mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
         when (val name = it.literal.arguments.firstOrNull()) {
             is Literal -> name.functor

@@ -42,7 +42,6 @@ class MasAgent(
         const val ARCHITECTURE = "argo.Arch"
         private val INITIAL = mapOf("beliefs" to Role.BELIEVED, "goals" to Role.POSTED)
 
-        /** Returns the literals in the value of [option], which Jason reads as the elements of a list. */
         private fun literalsIn(option: AgentOption): List<Literal> {
             val text = option.value?.text.orEmpty().removeSurrounding("\"").replace("\\\"", "\"")
             val holder = programOf("initial([$text]).").components.singleOrNull() as? Belief
@@ -65,7 +64,6 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return if (start == null) emptyList() else tokens.drop(start + 2)
     }
 
-    /** Returns the tokens of each agent, without the `;` that ends it. */
     private fun entries(): List<List<Token>> {
         val entries = arrayListOf(ArrayList<Token>())
         val all = after(MasFrame.AGENTS)

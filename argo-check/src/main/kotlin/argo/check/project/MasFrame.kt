@@ -7,7 +7,6 @@ import argo.check.syntax.TokenKind
 /**
  * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file.
  *
- * @param tokens the tokens without comments
  * @param end a token for the end of the file
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {

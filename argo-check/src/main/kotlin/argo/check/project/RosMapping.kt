@@ -29,7 +29,6 @@ internal class RosMapping(text: String) {
             .map { (name, arity) -> BoardAction(name, arity) }
     }
 
-    /** Returns the functor and the number of arguments of the literal at the beginning of [text]. */
     private fun headOf(text: String): Pair<String, Int>? {
         val name = NAME.find(text.trim())?.value ?: return null
         val rest = text.trim().removePrefix(name)

@@ -13,7 +13,6 @@ import kotlin.math.roundToLong
 
 /** Calls of ARGO's internal actions: arguments and options, and the forms of other versions of ARGO. */
 internal object ArgoCallRules : Rule {
-    /** The actions whose arguments this rule checks. */
     val CHECKED = setOf("port", "limit", "percepts", "act", "filter", "change_filter")
 
     override fun check(scene: Scene, report: Report) {

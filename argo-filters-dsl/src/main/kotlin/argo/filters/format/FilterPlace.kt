@@ -91,7 +91,6 @@ internal class FilterDirectory(private val directory: Path, private val boundary
     override fun toString(): String = directory.toString()
 }
 
-/** A folder on the class path. */
 internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->

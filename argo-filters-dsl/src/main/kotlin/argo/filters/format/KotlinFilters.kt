@@ -99,7 +99,6 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     }
 }
 
-/** Returns [text] as a Kotlin string literal. */
 internal fun kotlinString(text: String): String = text.toCharArray().joinToString("", "\"", "\"") { character ->
     when (character) {
         '"', '\\', '$' -> "\\$character"

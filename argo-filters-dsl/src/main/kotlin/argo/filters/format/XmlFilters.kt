@@ -53,6 +53,5 @@ object XmlFilters {
     }
 }
 
-/** Returns the name of a filter whose text comes from [source]. */
 internal fun nameOf(source: String, extension: String): String =
     source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(extension)

@@ -20,7 +20,6 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
 
     var isClosed = false
 
-    /** The text directly in the element, without blanks around it. */
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 

@@ -54,7 +54,6 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept meets the condition. The parameters are those of [CompiledRule.areMet]. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false

@@ -68,7 +68,6 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             }
         }
 
-        /** Describes the part of [percept] that [condition] tests. */
         private fun found(percept: PerceptText, condition: Condition): String {
             if (condition is Condition.Annotation) return unmet(condition)
             val (index, test) = condition as Condition.Argument

@@ -25,7 +25,6 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
 
     private val mode = filter?.mode
 
-    /** True if no rule has a rate. */
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = object : LinkedHashMap<Key, LetThrough<P>>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
@@ -46,7 +45,6 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         }
     }
 
-    /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
     fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
             if (rule.rate == null || isLong(text)) continue

@@ -34,7 +34,6 @@ internal class Begun {
     fun carryOut(end: End): Boolean = open.remove(end.number)?.let { it(end) } != null
 }
 
-/** Sets the result of [action] to its [end] in the environment. */
 internal fun complete(action: ActionExec, end: End) {
     action.result = end.failure == null
     end.failure?.let { action.setFailureReason(if (it.error.isEmpty()) null else ASSyntax.parseLiteral(it.error), it.message) }

@@ -14,7 +14,6 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
 
-/** The events, intentions, waits and plans of an agent at the end of a cycle. */
 internal class Mind(
     val events: ArrayList<Event>,
     val atomicEvent: Event?,
@@ -63,7 +62,6 @@ internal class Wait(
     }
 }
 
-/** Describes [wait], a `.wait` of Jason, for a key frame. [timer] is the number of its timer. */
 internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Boolean) = WaitEvents.run {
     Wait(
         timer, isListening, trigger[wait], formula[wait], reason[wait], key[wait], unifier[wait], intention[wait], isDropped[wait],

@@ -183,7 +183,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return ArithExpr(left as NumberTerm, operator, next() as NumberTerm)
     }
 
-    /** Reads a variable or a literal, with its namespace. */
     private fun literalHere(): Literal {
         val isNegated = take("~")
         val first = name()
@@ -377,7 +376,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             mapOf("NaN" to Double.NaN, "Infinity" to Double.POSITIVE_INFINITY, "-Infinity" to Double.NEGATIVE_INFINITY)
         val LOGICAL = listOf(LogExpr.LogicalOp.and, LogExpr.LogicalOp.or)
 
-        /** The relational signs, longer ones first. */
         val RELATIONAL = RelExpr.RelationalOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
         val ARITHMETIC = ArithExpr.ArithmeticOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
     }

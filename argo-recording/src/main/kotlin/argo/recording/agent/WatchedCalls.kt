@@ -86,7 +86,6 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** Leaves the watch out if the project's program serializes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {

@@ -72,7 +72,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private var isStale = false
     private var unknown: UnknownCodeException? = null // looked-up code that cannot be watched
 
-    /** The agent with this code. */
     val agent: Agent get() = ts.ag
 
     /** Watches the agent's present plans and rules, and all code that the agent looks up later. */
@@ -132,7 +131,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
-    /** Returns [function] in its watched form if it must be watched. */
     fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
@@ -209,7 +207,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
             else -> WatchedAction(calledName(name, action), action, watch)
         }
 
-        /** Returns [function]. If it must be watched, the result asks [watch] about each call. */
         fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
             function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
             isPlain(function) -> WatchedFunction(function, watch)

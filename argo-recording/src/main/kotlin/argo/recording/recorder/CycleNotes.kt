@@ -40,7 +40,6 @@ internal class CycleNotes(val ns: Long) {
     var refusal: Refusal? = null
         private set
 
-    /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
     /**

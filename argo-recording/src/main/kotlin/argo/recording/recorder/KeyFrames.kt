@@ -67,7 +67,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
      *
      * @param begun the number of operations that the agent has begun outside of its thread
      * @param open the numbers of the operations that have not ended
-     * @param perceived the percepts of the agent
      */
     fun take(cycle: CycleNote, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
         if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
@@ -90,7 +89,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
     }
 
-    /** Returns the reason why the agent cannot be described now; null: none is known. */
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
@@ -111,7 +109,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** Returns true if [intention] waits for the answer of another agent, which is recorded. */
     private fun isAsk(intention: Intention) = "${intention.suspendedReason}" == "waiting_ask"
 
     private fun described(intention: Intention): String {

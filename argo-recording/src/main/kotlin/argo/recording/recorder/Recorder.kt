@@ -135,7 +135,6 @@ internal class Recorder(
         end(agent)
     }
 
-    /** Ends the recording of the agent, which runs on. */
     private fun end(agent: Running) {
         isRefused = true
         agent.ts.c.removeEventListener(agent.events)
@@ -416,7 +415,6 @@ internal class Recorder(
         if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay from here on
     }
 
-    /** Returns the agent if the calling thread carries out one of its cycles. */
     private fun current() = if (inCycle === Thread.currentThread()) running else null
 
     override fun messagePerceived(message: PerceivedMessage) {

@@ -28,7 +28,6 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     private var inclusions = 0
     private val root: Path
 
-    /** The name of the attachment with the agent's own file. */
     val main: String
 
     init {
@@ -60,7 +59,6 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     /**
      * Stores the file called [name] that the agent includes at run time, found as Jason will find it.
      *
-     * @param outer the address of the including file
      * @param within the name of that file by [KeptInclude.placeOf]
      */
     fun include(name: String, outer: String?, within: String) =

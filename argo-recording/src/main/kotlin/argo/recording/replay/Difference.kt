@@ -12,9 +12,7 @@ import argo.recording.Step
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
- * @property recorded the recorded value; null: none
  * @property now the value in the replay; null: none
- * @property cause the likely cause, in a sentence
  */
 data class Difference(
     val agent: String,
@@ -73,7 +71,6 @@ private fun Course.asFarAs(recorded: Course) = copy(
     beliefs = recorded.beliefs,
 )
 
-/** Returns true if [all] contain these [lines] in their order. */
 private fun isWithin(lines: List<String>, all: List<String>): Boolean =
     all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 

@@ -30,8 +30,6 @@ import java.nio.file.Path
 /**
  * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
- * @param source the agent's program
- * @param includes the files that the program includes
  * @param isCarryingOut whether an architecture of the project may be made, which may do anything
  * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or Jason cannot read the program
  */

@@ -37,7 +37,6 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
         .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
 
-    /** Returns the end of the operation with this [number]; null: the operation did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
     /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */

@@ -27,7 +27,6 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     /** The watch for the code of the program and of its included files. */
     val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
 
-    /** The running agent; null while its program is read. */
     var running: Agent? = null
 
     private var isInRecorded = false // whether a recorded file is being read

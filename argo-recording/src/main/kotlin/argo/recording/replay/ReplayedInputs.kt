@@ -38,11 +38,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
-/**
- * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations.
- *
- * @param senses the percepts of the agent
- */
+/** Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations. */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
     private var counters: List<Int> = emptyList() // counters after the agent's last cycle
@@ -97,7 +93,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Puts an event into the agent's queue at [place]; null: at its end. */
     private fun addEvent(trigger: Trigger, place: Int?) {
         ts.c.addExternalEv(trigger)
         if (place == null) return

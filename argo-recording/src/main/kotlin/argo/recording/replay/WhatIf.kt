@@ -29,7 +29,6 @@ import java.time.Duration
  * Close it at the end. For one thread; a program can run one replay at a time.
  *
  * @param program the agent's program; null: the recorded program
- * @param senses the agent's percepts
  * @param cycles the agent's recorded cycles, from [Recording.start] on
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read

@@ -10,7 +10,6 @@ interface RecordSink : AutoCloseable {
      *
      * @param topic the channel's name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
-     * @param jsonSchema the JSON Schema
      */
     fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel
 

@@ -81,7 +81,6 @@ class RecordingRing(
         }
     }
 
-    /** Drops all records, and refuses later records. */
     override fun close() {
         waiting.close()
         keeping.join()

@@ -39,7 +39,6 @@ data class Frame(
 /**
  * The arrival or the departure of a percept.
  *
- * @property belief the percept
  * @property isGone true for a departure
  * @property seconds the beginning of the cycle in which the agent noticed that
  * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
@@ -60,7 +59,6 @@ data class PerceptCause(
 /**
  * The reflex of a filter's critical rule, sent without a plan.
  *
- * @property rule the rule in words
  * @property isByBoard whether the board watched the rule and carried the reflex out; otherwise the computer sent it
  * @property failure the reason why the reflex failed; null: it succeeded
  * @property percept the percept that met the rule; null: the agent perceived no frame with such a percept
@@ -116,12 +114,9 @@ data class StepCause(
 /**
  * The choice of a plan for an event.
  *
- * @property place the plan's place in the program
- * @property trigger the event
  * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of that cycle
  * @property conditions the parts of the plan's context with their values at that time
- * @property event the cause of the event
  * @property again the number of times that the plan had called itself before, as its last step
  */
 @Serializable

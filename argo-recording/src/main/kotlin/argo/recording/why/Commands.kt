@@ -6,11 +6,7 @@ import argo.recording.ReflexEnd
 import argo.recording.replay.Recording
 import kotlin.math.abs
 
-/**
- * Finds all commands of one agent of [recording], by any sender.
- *
- * @param cycles all cycles of the agent
- */
+/** Finds all commands of one agent of [recording], by any sender. */
 internal class Commands(
     private val recording: Recording,
     private val agent: String,
@@ -30,7 +26,6 @@ internal class Commands(
         }
     }
 
-    /** Returns the outcome of [command] if it is a reflex; null: it is no reflex. */
     fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
 
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->

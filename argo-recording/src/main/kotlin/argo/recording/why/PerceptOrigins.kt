@@ -50,7 +50,6 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     /** Returns the arrival of [percept]; null: the agent does not perceive it now, or its arrival is not known. */
     fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
 
-    /** Returns the last departure of [percept]; null: none is known. */
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
     /** Returns the last departure of a percept that [matches]; null: none is known. */

@@ -16,7 +16,6 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     private var ofAll: FilterSession<String>? = null
     private val ofBoards = HashMap<String, FilterSession<String>?>()
 
-    /** Applies [changes] of filters, which are in force from the agent's next cycle on. */
     fun changed(changes: List<FilterChange>) = changes.forEach { change ->
         val port = change.port
         if (port == null) {

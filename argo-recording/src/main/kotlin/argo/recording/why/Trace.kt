@@ -30,8 +30,6 @@ import java.util.WeakHashMap
  * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
  * steps. Stands around the [inputs] of the agent, and changes nothing.
  *
- * @param answers the answers to the agent
- * @param filters the filters in the recording
  * @param taken called when the agent has taken an event from the queue, before it looks for a plan
  */
 internal class Trace(
@@ -278,7 +276,6 @@ internal class Trace(
     private fun beginning(literal: Literal): Cause = if (start != null) UnknownCause(keyOf(literal), BEFORE) else
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
-    /** The beginning of the present cycle, in seconds since the first cycle. */
     val now: Double get() = clock.seconds(cycle.ns)
 
     /** Returns the cause of [event], which the agent took in this cycle; null: it is not known. */

@@ -43,7 +43,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
     private var asked: List<Plan>? = null
     private var open: List<Last> = emptyList()
 
-    /** Notes that the agent of [trace] has taken [event] from its queue. */
     fun taken(trace: Trace, event: Event) {
         settle(trace)
         val plans = asked ?: asked(trace).also { asked = it }
@@ -56,7 +55,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         }
     }
 
-    /** Notes the chosen plan, which [trace] knows at the end of the cycle. */
     fun settle(trace: Trace) {
         open.forEach { it.chosen = trace.chosen }
         open = emptyList()
@@ -132,7 +130,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
             goal.predicateIndicator == trigger.literal.predicateIndicator
     }
 
-    /** Returns all steps in [body], including those of branches and loops. */
     private fun steps(body: PlanBody?): Sequence<PlanBody> = sequence {
         var step = body
         while (step != null && !step.isEmptyBody) {

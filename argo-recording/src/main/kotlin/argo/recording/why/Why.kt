@@ -107,7 +107,6 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
-    /** Returns true if the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
         val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
@@ -142,7 +141,6 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun trial(agent: String, cycles: List<Cycle>) =
         Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
 
-    /** Returns the number of commands that plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
         return ofPlans(command.agent).count { it.index > start && it.number < command.number }

@@ -175,7 +175,6 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /**
          * Connects to the bridge at [address].
          *
-         * @param port the port's name, for messages
          * @param token the token for the bridge, sent as `Authorization: Bearer …`; null: none
          * @throws NoSuchPortException if the host does not exist, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted

@@ -30,7 +30,6 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     override fun ping() = listener.isAlive()
 
-    /** Publishes [message] on [topic] like a node. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }

@@ -45,7 +45,6 @@ internal class RobotGraph(
         known
     }
 
-    /** Asks for the type of [topic]; an empty answer means that no node uses the topic. */
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 

@@ -87,7 +87,6 @@ internal class RobotTime(
      * which is the latest result. It is also the result for a stamp older than [MAX_AGE_NANOS] or far ahead, which comes from another
      * clock.
      *
-     * @param topic the message's topic, for warnings
      * @param stampNanos null: the message has no stamp
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {

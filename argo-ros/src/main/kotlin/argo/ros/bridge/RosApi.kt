@@ -12,8 +12,6 @@ import java.util.concurrent.atomic.AtomicLong
 /**
  * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so they are
  * found only by asking. Safe for use by several threads.
- *
- * @param send sends a message to the bridge
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
     /** An answer, and the time of its arrival by the platform's clock. */
@@ -62,7 +60,6 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     companion object {
         private const val ID = "argo-api-"
 
-        /** Part of a bridge's answer for a service that does not exist. */
         private const val MISSING = "does not exist"
 
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10)

@@ -63,7 +63,6 @@ internal class SimulatedClock {
         /** The interval between requested samples, in ms. A change of speed is noticed after at most this time. */
         const val INTERVAL_MS = 50
 
-        /** The number of kept samples, enough for a minute. */
         private const val KEPT = 1_200
 
         /** The number of samples from which the present speed follows. */

@@ -12,7 +12,6 @@ import kotlinx.serialization.json.JsonPrimitive
  * way of `argo.act`.
  *
  * @param warn takes reports of percepts that are not published, each text once
- * @param leave takes the agent off the graph
  */
 internal class AgentRos(
     private val agent: ObservedAgent,

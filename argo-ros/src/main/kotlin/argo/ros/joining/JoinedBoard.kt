@@ -18,12 +18,9 @@ import java.util.concurrent.TimeUnit
  * A board in a ROS graph without an agent. It is asked for its percepts at an interval, and opened again after a loss. Each command is sent
  * once at most.
  *
- * @param port the board's port, for messages
  * @param intervalMs the time from one request to the next, in ms
  * @param timeoutMs the longest time for an answer, in ms
  * @param listens whether the board sends its percepts unasked
- * @param open opens the board
- * @param tell takes a line for the user
  * @param warn takes reports of percepts that are not published, each text once
  */
 internal class JoinedBoard(

@@ -14,7 +14,6 @@ import java.util.concurrent.atomic.AtomicInteger
  * participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may call [hear],
  * another one [renew].
  *
- * @param send sends an operation to the bridge
  * @param warn takes reports of actions that the graph is not told, each text once
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
@@ -36,10 +35,8 @@ internal class Offers(private val participant: Participant, private val send: (S
     private val underWay = AtomicInteger()
     private val goals = ActGoals(action, send)
 
-    /** The services that the graph should have, with their types. */
     val services: Map<String, String> get() = offers.mapValues { it.value.serviceType }
 
-    /** The topics that the graph should have, with their types. */
     val topics: Map<String, String> get() = offers.entries.associate { (name, offer) -> topicOf(name) to offer.topicType }
 
     /** Advertises newly known actions and withdraws the actions that are gone. Returns true if an offer is new. */

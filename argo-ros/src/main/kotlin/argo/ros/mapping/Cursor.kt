@@ -19,7 +19,6 @@ internal class Cursor(private val text: String, private val start: Place) {
 
     val isAtEnd: Boolean get() = at == text.length
 
-    /** The text up to the next blank, for messages. */
     val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
 
     /** Takes [symbol] if it is next. If [symbol] is a word, the text's word must end there too. */

@@ -144,7 +144,6 @@ internal data class Comparison(val left: Expression, val operator: String, val r
     private fun incomparable(a: Value, b: Value) = Value.None("$operator cannot compare ${a.inWords()} with ${b.inWords()}")
 
     companion object {
-        /** All operators, the longer ones first. */
         val OPERATORS = listOf("<=", ">=", "==", "!=", "<", ">")
     }
 }
@@ -152,7 +151,6 @@ internal data class Comparison(val left: Expression, val operator: String, val r
 /**
  * The functions of mappings.
  *
- * @property taken the function's argument, in words
  * @property of returns the function's value; null: the function does not accept the argument
  */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
@@ -170,7 +168,6 @@ internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     }
 }
 
-/** Returns the numbers in an array. Its other items were not measured. */
 private fun Value.numbers(): List<Double> =
     ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { Value.of(it).number() }.orEmpty()
 

@@ -6,7 +6,6 @@ import java.math.BigDecimal
 /**
  * Reads expressions.
  *
- * @param cursor a cursor in their rule
  * @param nameOf returns the meaning of a bare name that is an argument of a literal
  */
 internal class ExpressionReader(private val cursor: Cursor, private val nameOf: (String, Place) -> Expression) {

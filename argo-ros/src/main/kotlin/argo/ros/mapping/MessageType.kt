@@ -146,7 +146,6 @@ internal class MessageType private constructor(
             listOf("int$bits" to -half..half - BigInteger.ONE, "uint$bits" to BigInteger.ZERO..half + half - BigInteger.ONE)
         }.toMap().let { it + mapOf("byte" to it.getValue("int8"), "char" to it.getValue("uint8"), "octet" to it.getValue("uint8")) }
 
-        /** Reads the type [name] from [answer], a description by `rosapi`; null: [answer] does not contain it. */
         fun of(answer: JsonObject, name: String): MessageType? {
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }

@@ -25,7 +25,6 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
-        /** Asks the board on [link], and waits [timeoutMs] ms at most. */
         fun of(link: Link, timeoutMs: Int): DescribedKinds = DescribedKinds(
             try {
                 link.perceptDescription(timeoutMs)

@@ -73,7 +73,6 @@ class LineOptions {
     }
 }
 
-/** Names the version that a link speaks. */
 internal fun versionSpoken(protocol: Protocol): String = when (protocol) {
     Protocol.AUTO -> "an unknown version"
     Protocol.V1 -> "version 1"

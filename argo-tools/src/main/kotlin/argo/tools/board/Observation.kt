@@ -63,7 +63,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
         }
     }
 
-    /** Returns the kinds in the order in which they were first observed. */
     fun kinds(): List<PerceptKind> = observed.kinds()
 
     /** Returns the reasons why [kinds] are incomplete, a sentence each. */

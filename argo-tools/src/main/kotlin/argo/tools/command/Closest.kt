@@ -19,5 +19,4 @@ private fun distance(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Longer words may differ by two letters. */
 private const val LONG = 4

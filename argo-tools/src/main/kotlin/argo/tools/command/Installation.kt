@@ -33,7 +33,6 @@ internal class Installation(jar: Path) {
     fun jason(): String? =
         if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
 
-    /** Returns the jar of the test kit; null: it is missing. */
     fun testKit(): Path? {
         val built = outputOf("argo-testkit").takeIf { it.isDirectory() }?.listDirectoryEntries("argo-testkit-*.jar").orEmpty()
         return file.resolveSibling("argo-testkit.jar").takeIf { it.isRegularFile() }

@@ -121,7 +121,6 @@ internal class ExploreCommand : ToolCommand() {
         const val MOST_RUNS = 1_000_000
         const val MOST_SECONDS = 86_400
 
-        /** The exit status if the exploration could not decide. */
         const val NOTHING_KNOWN = 3
 
         /** The exit status of the exploration's program if it has found a run that breaks a rule. */

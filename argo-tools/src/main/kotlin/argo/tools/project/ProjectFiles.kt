@@ -20,7 +20,6 @@ internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: In
 private const val AGENT = "src/agt/robot.asl"
 private const val AGENT_TEST = "src/test/kotlin/RobotSpec.kt"
 
-/** The files of every project, with their resources. */
 private val COMMON = mapOf(
     "README.md" to "README.md",
     ".gitignore" to "gitignore",

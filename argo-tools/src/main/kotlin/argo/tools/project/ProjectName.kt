@@ -16,7 +16,6 @@ internal data class ProjectName(val name: String) {
         private val TAKEN = setOf("con", "prn", "aux", "nul") + (1..9).flatMap { listOf("com$it", "lpt$it") } +
             setOf("agents", "environment", "infrastructure", "mas")
 
-        /** Returns the problem with [name]; null: none. */
         fun problem(name: String): String? = when {
             !PATTERN.matches(name) -> "a project's name begins with a letter and has ASCII letters, digits, - and _, unlike \"$name\""
             name.length > MAX_LENGTH -> "a project's name has at most $MAX_LENGTH characters, not ${name.length}"

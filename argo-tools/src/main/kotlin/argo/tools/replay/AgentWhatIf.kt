@@ -74,7 +74,6 @@ internal class AgentWhatIf(
 /**
  * The result of [agent] with [what]: another program, another filter.
  *
- * @property recorded the number of recorded commands
  * @property now the number of commands in this run
  * @property problem the reason why the run could not be finished, in words; null: it was finished
  */
