@@ -37,8 +37,7 @@ internal object Calibration {
 
     /**
      * Measures the events a second of this computer in 1.5 s. Takes the best of some rounds, since other programs only slow it down.
-     *
-     * @param nanoTime the time that the calling thread has worked, in ns, without the time of other threads
+     * [nanoTime] is the time that the calling thread has worked, in ns, without the time of other threads.
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()

@@ -34,11 +34,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     val isVersion2: Boolean get() = protocol == "2"
 }
 
-/**
- * The part of the percepts that the agent perceives.
- *
- * @property word the view's name on the command line and in records
- */
+/** The part of the percepts that the agent perceives. [word] is the view's name on the command line and in records. */
 @Serializable
 internal enum class View(val word: String) {
     /** The agent perceives all sensors. */

@@ -4,11 +4,7 @@ import kotlin.random.Random
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
-/**
- * Draws the events of a run of [exploration]. The same seed gives the same events.
- *
- * @param agents the names of the agents, for messages
- */
+/** Draws the events of a run of [exploration]. The same seed gives the same events. [agents] are the names of the agents, for messages. */
 internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }

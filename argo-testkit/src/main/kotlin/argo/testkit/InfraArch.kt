@@ -13,9 +13,8 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking.
- *
- * @param mas the agents with which it exchanges messages
+ * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking. [mas] are the agents with which it
+ * exchanges messages.
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()

@@ -37,9 +37,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places the robot [millimetres] from the wall.
-     *
-     * @param departure returns the time at which its first millimetre begins, in ns, if it has driven off at the time of the argument
+     * Places the robot [millimetres] from the wall. [departure] returns the time at which its first millimetre begins, in ns, if it has
+     * driven off at the time of the argument.
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres

@@ -14,9 +14,7 @@ internal enum class Source(val factors: Set<Int>) {
 
 /**
  * The effect of one combination of levels of a [source]'s factors: the difference of the response from the sum of the mean and the lower
- * effects.
- *
- * @property levels the level of each of the source's factors, from 0, in the order of the factors
+ * effects. [levels] has the level of each of the source's factors, from 0, in the order of the factors.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     /** True if the interval does not contain 0. */
@@ -26,10 +24,9 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
 /**
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
  * Analysis, Wiley 1991, chapters 22 and 23. Its model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
- * the levels of each factor. The share of a source in the variation is its sum of squares over the total one.
- *
- * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r. All cells have equally many
- *   responses, at least one. With one the error cannot be estimated: its share is 0 and the confidence intervals are infinite.
+ * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
+ * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one the error
+ * cannot be estimated: its share is 0 and the confidence intervals are infinite.
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)

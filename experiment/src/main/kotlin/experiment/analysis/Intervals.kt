@@ -23,9 +23,8 @@ internal data class Interval(val low: Double, val high: Double) {
 
 /**
  * Returns the interval of an event's probability if [found] of [of] runs had the event. It is Wilson's score interval, recommended for few
- * runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16 (2001).
- *
- * @param of at least 1
+ * runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16 (2001). [of] is at
+ * least 1.
  */
 internal fun proportionInterval(found: Int, of: Int): Interval =
     WilsonScoreInterval().createInterval(of, found, CONFIDENCE).let { Interval(it.lowerBound, it.upperBound) }

@@ -20,11 +20,7 @@ import kotlin.math.abs
 /** The finding of these runs on a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
-/**
- * A published result or a promise, and the result of these runs.
- *
- * @property why the explanation of the claim
- */
+/** A published result or a promise, and the result of these runs. [why] is the explanation of the claim. */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter {

@@ -24,9 +24,8 @@ import java.time.temporal.ChronoUnit
 internal class Provenance(val build: String, val at: Instant, val machine: String)
 
 /**
- * Describes the method of the experiment with [settings], as items of a list in HTML.
- *
- * @param made the program and the machine behind the report
+ * Describes the method of the experiment with [settings], as items of a list in HTML. [made] is the program and the machine behind the
+ * report.
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))

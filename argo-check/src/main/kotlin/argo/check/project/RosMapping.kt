@@ -4,9 +4,8 @@ import javino.PerceptArgument
 import javino.PerceptKind
 
 /**
- * The percepts and commands in the mapping of a ROS robot, a file `.ros.yaml`.
- *
- * @property isComplete false if topics also have the usual percepts of their type, which are not known here
+ * The percepts and commands in the mapping of a ROS robot, a file `.ros.yaml`. [isComplete] is false if topics also have the usual percepts
+ * of their type, which are not known here.
  */
 internal class RosMapping(text: String) {
     val isComplete: Boolean

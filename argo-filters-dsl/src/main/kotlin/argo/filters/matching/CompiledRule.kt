@@ -13,11 +13,7 @@ import argo.filters.Rule
 import argo.filters.Syntax
 import argo.filters.TermTest
 
-/**
- * A rule in a form that is fast to apply.
- *
- * @property critical the critical rule with this rule; null: the rule is an ordinary one
- */
+/** A rule in a form that is fast to apply. [critical] is the critical rule with this rule; null: the rule is an ordinary one. */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
     private val isPlain = !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE

@@ -32,9 +32,8 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters.
- *
- * @param agent the agent whose functions the text may name; null: only Jason's own functions
+ * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters. [agent] is the agent whose functions the text
+ * may name; null: only Jason's own functions.
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
     /** The text does not come from [TermWriter]. */

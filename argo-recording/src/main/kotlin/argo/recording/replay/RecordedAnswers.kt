@@ -22,9 +22,8 @@ import java.util.concurrent.TimeUnit
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * Answers with the recorded results for an agent that must repeat its recording. Reports each difference.
- *
- * @param isChecking whether to carry out the project's own actions and functions again, to compare their results
+ * Answers with the recorded results for an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to
+ * carry out the project's own actions and functions again, to compare their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()

@@ -58,9 +58,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         private set
 
     /**
-     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
-     *
-     * @param recorded the agent with the recorded program, if the agent of [ts] has another program
+     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start]. [recorded] is the agent with
+     * the recorded program, if the agent of [ts] has another program.
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts

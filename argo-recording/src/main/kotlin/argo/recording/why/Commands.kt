@@ -60,9 +60,8 @@ internal class Commands(
 }
 
 /**
- * Converts between ns of the agents' clock and seconds since the first cycle of a recording.
- *
- * @param firstNs the beginning of that cycle, in ns of the agents' clock
+ * Converts between ns of the agents' clock and seconds since the first cycle of a recording. [firstNs] is the beginning of that cycle, in
+ * ns of the agents' clock.
  */
 internal class RecordingClock(private val firstNs: Long) {
     fun seconds(ns: Long): Double = (ns - firstNs) / NANOS

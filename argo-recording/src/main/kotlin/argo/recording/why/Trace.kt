@@ -28,9 +28,8 @@ import java.util.WeakHashMap
 
 /**
  * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
- * steps. Stands around the [inputs] of the agent, and changes nothing.
- *
- * @param taken called when the agent has taken an event from the queue, before it looks for a plan
+ * steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the queue,
+ * before it looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,

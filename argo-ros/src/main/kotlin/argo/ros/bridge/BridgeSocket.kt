@@ -40,9 +40,7 @@ internal interface BridgeListener {
 }
 
 /**
- * Reads a bridge's operations, one after the other.
- *
- * @param warn takes each unreadable message and each complaint of the bridge, each text once
+ * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
     /** Handles [operation]; returns false if the operation is unknown here. */
@@ -81,9 +79,8 @@ internal interface Bridge : AutoCloseable {
 }
 
 /**
- * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others.
- *
- * @param client the client of [socket]; this reference keeps it alive
+ * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others. [client] is the client of [socket]; this
+ * reference keeps it alive.
  */
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }

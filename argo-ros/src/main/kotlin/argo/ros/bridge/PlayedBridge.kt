@@ -8,9 +8,7 @@ import java.util.concurrent.ConcurrentHashMap
 
 /**
  * A bridge within this program, for tests. It answers at once, on the thread of the request. Services and goals succeed. There is no
- * `rosapi`.
- *
- * @param heard takes each message to a topic, and the request or goal of each service and action, with its name
+ * `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and action, with its name.
  */
 internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
     private val subscribed = ConcurrentHashMap.newKeySet<String>()

@@ -59,8 +59,7 @@ internal class RobotGraph(
 
     /**
      * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     *
-     * @param lost called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
+     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"

@@ -85,9 +85,7 @@ internal class RobotTime(
     /**
      * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The message came at [nowNanos],
      * which is the latest result. It is also the result for a stamp older than [MAX_AGE_NANOS] or far ahead, which comes from another
-     * clock.
-     *
-     * @param stampNanos null: the message has no stamp
+     * clock. Null as [stampNanos]: the message has no stamp.
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos

@@ -12,10 +12,8 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic.
- *
- * @property throttleMs the least time between two messages from the bridge, in ms. The bridge keeps only the newest message (`queue_length`
- *   1) for that time, so no message comes older, and skipped messages cost no time here.
+ * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps only the newest
+ * message (`queue_length` 1) for that time, so no message comes older, and skipped messages cost no time here.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
 

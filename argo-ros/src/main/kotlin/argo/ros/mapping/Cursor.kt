@@ -3,11 +3,7 @@ package argo.ros.mapping
 /** A mapping's line has wrong text at [place]. */
 internal class Refusal(val place: Place, message: String) : Exception(message)
 
-/**
- * Reads a rule from its beginning to its end.
- *
- * @param start the place of [text] in its file
- */
+/** Reads a rule from its beginning to its end. [start] is the place of [text] in its file. */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0
 

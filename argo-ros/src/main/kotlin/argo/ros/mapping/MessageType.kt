@@ -30,11 +30,7 @@ internal data class FieldType(val name: String, val length: Int) {
     }
 }
 
-/**
- * A type of messages with all types in it, as a robot describes it. Immutable.
- *
- * @property name the type, as the mapping writes it
- */
+/** A type of messages with all types in it, as a robot describes it. Immutable. [name] is the type, as the mapping writes it. */
 internal class MessageType private constructor(
     val name: String,
     private val own: String,
