@@ -261,8 +261,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms, and not while it is {@linkplain
-     * #stall stalled}. Then fails, unless the board is lenient, if a message was surprising, missing or lost.
+     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms, and not while it is
+     * {@linkplain #stall stalled}. Then fails, unless the board is lenient, if a message was surprising, missing or lost.
      *
      * @throws AssertionError that lists the faults and all messages received
      */
@@ -301,8 +301,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with these messages in turn; the last one is repeated. The board compares the rules that it {@linkplain
-         * FakeBoard#holdsRules holds} with the answer whose turn is next.
+         * Answers with these messages in turn; the last one is repeated. The board compares the rules that it
+         * {@linkplain FakeBoard#holdsRules holds} with the answer whose turn is next.
          */
         public Rule answer(String first, String... next) {
             FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);
