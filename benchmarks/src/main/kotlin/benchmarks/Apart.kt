@@ -18,7 +18,7 @@ internal fun figuresApart(vararg arguments: String, options: List<String> = empt
     return figures.filterNotNull()
 }
 
-/** Starts this program with [arguments] in a new Java machine. Its errors appear among this program's errors. */
+/** Starts this program with [arguments] in a new Java machine. Errors of the started program appear among this program's errors. */
 internal fun programApart(vararg arguments: String, options: List<String> = emptyList()): Process {
     val java = listOf(File(System.getProperty("java.home"), "bin/java").path, "--enable-native-access=ALL-UNNAMED")
     val program = listOf("-cp", System.getProperty("java.class.path"), "benchmarks.MainKt")

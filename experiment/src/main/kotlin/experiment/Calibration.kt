@@ -8,7 +8,7 @@ import kotlin.math.sqrt
  * Compares the speed of this computer with a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000
  * by trial division.
  *
- * It compares only whole-number division by compiled code in one thread, not caches and memory. So the factor is a stated assumption, and a
+ * Only whole-number division by compiled code in one thread is compared, not caches and memory. So the factor is a stated assumption, and a
  * parameter of the experiment.
  */
 internal object Calibration {

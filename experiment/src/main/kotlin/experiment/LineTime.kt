@@ -24,7 +24,7 @@ internal fun answerLimitMs(trial: Trial): Int =
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
 /**
- * Returns how late this machine may be in a run of [condition], in ms. That is a third of the time for a request and the answer of the
+ * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time for a request and the answer of the
  * twelve sensors at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6

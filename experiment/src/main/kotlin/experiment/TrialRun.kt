@@ -93,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course]; null while the robot drives or stands at the start. Its agent was to stop it at [limit] cm and perceived
- * the wall at [perceived]; null: it has not.
+ * Measures a robot on [course]; null while the robot drives or stands at the start. The robot's agent was to stop it at [limit] cm and
+ * perceived the wall at [perceived]; null: the agent has not.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {

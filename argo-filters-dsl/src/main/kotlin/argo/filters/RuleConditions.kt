@@ -91,7 +91,7 @@ open class RuleConditions internal constructor() {
 }
 
 /**
- * The conditions of a critical rule under construction, and its reflex. Such a rule can have neither [everyMs] nor a [deadband].
+ * The conditions of a critical rule under construction, and its reflex. A critical rule can have neither [everyMs] nor a [deadband].
  *
  * ```kotlin
  * critical("dist") { argument(1) lt 15; reflex("stop") }

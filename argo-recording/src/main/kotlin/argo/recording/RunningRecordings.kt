@@ -11,8 +11,8 @@ interface RunningRecording {
     val trouble: String?
 
     /**
-     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. This
-     * waits for the disk, so the agent's thread must not call it.
+     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. The
+     * function waits for the disk, so the agent's thread must not call it.
      *
      * @throws java.io.IOException if there is no such file, or it cannot be written
      */

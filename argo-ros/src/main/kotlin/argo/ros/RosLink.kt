@@ -43,7 +43,7 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. It perceives the newest message of each topic, except topics whose percepts the
+ * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
  * agent's filter drops completely.
  *
  * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns them into percepts. So no message waits

@@ -18,9 +18,10 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
     }
 
 /**
- * An agent without percepts stops its motion. It is blind from [blindAfter] after its newest message until the next message. A blind agent
- * sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and [safe],
- * was one of [moving]. It has [within] for that from the time of getting blind or, if the port was off, from the port's return.
+ * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
+ * agent sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and
+ * [safe], was one of [moving]. The agent has [within] for sending [safe], from the time of getting blind or, if the port was off, from the
+ * port's return.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */

@@ -19,7 +19,9 @@ data class Happened(override val at: Duration, val event: WorldEvent) : TraceEnt
 /** A message of the board on [port] has come. The agent perceives it soon, or never if a newer one comes before. */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
-/** The agent perceives a message of the board on [port]. Its last byte came at [received], and the filter let [percepts] through. */
+/**
+ * The agent perceives a message of the board on [port]. The message's last byte came at [received], and the filter let [percepts] through.
+ */
 data class Perceived(
     override val at: Duration,
     override val agent: String,

@@ -6,9 +6,9 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). It leaves out halves, smaller parts and
- * single events. The remaining events then get rounder times and numbers. [breaks] plays events and returns true if they still break the
- * rule.
+ * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). The shrinker leaves out halves, smaller
+ * parts and single events. The remaining events then get rounder times and numbers. [breaks] plays events and returns true if they still
+ * break the rule.
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {

@@ -15,7 +15,7 @@ import jason.asSyntax.InternalActionLiteral
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Records the trace of a run of [mas]. Its threads run one at a time. */
+/** Records the trace of a run of [mas]. The threads of [mas] run one at a time. */
 internal class TraceRecorder(private val mas: TestMas) {
     private val entries = ArrayList<TraceEntry>()
     private val minds = ArrayList<AgentWatch>()

@@ -46,7 +46,7 @@ data class Unplugged(override val at: Duration, val board: String, val lasts: Du
     override val words get() = "the cable of $board is pulled, and back after $lasts"
 }
 
-/** The board on port [board] neither answers nor acts for [lasts]. It then continues with the bytes that have arrived. */
+/** The board on port [board] neither answers nor acts for [lasts]. The board then continues with the bytes that have arrived. */
 data class Hangs(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "the board on $board hangs for $lasts"
@@ -64,7 +64,7 @@ data class AnswersLate(override val at: Duration, val board: String, val by: Dur
     override val words get() = "the board on $board answers $by late, for $lasts"
 }
 
-/** The board on port [board] restarts, and loses bytes that arrive within [booting]. Its port stays open. */
+/** The board on port [board] restarts, and loses bytes that arrive within [booting]. The port stays open. */
 data class Restarts(override val at: Duration, val board: String, val booting: Duration) : WorldEvent {
     override val ends get() = at + booting
     override val words get() = "the board on $board restarts, which takes it $booting"

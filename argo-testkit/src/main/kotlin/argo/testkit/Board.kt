@@ -26,11 +26,11 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * The board on a port of an agent under test. It answers each request for percepts with the values that its sensors [show][shows], and
- * takes every other message as a command. It speaks version 1 of the protocol unless [version2] is called.
+ * The board on a port of an agent under test. The board answers each request for percepts with the values that its sensors [show][shows],
+ * and takes every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
  *
- * Its line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and takes
- * effect at once. The agent reacts to it when time advances.
+ * The board's line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and
+ * takes effect at once. The agent reacts to it when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
@@ -108,7 +108,7 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * From now on the board answers no request for percepts, until [shows] is called. It still takes commands. The agent believes
+     * From now on the board answers no request for percepts, until [shows] is called. The board still takes commands. The agent believes
      * `port(P,timeout)`.
      */
     fun ignoresRequests(): Board = apply {
@@ -131,8 +131,8 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. It takes any command. Its
-     * other settings have no effect then, except those of its port.
+     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. The board then takes any
+     * command. Its other settings have no effect, except those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -189,9 +189,9 @@ class Board internal constructor(private val time: VirtualTime) {
     fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
 
     /**
-     * The board has room for [count] critical rules, which it watches itself. It compares them every 5 ms with the percepts that its
-     * sensors [show][shows], and carries out their reflexes, which count as arrived [commands]. Only in version 2. Call this before the
-     * port is opened.
+     * The board has room for [count] critical rules, which it watches itself. Every 5 ms the board compares the rules with the percepts
+     * that its sensors [show][shows]. The board carries out the rules' reflexes, which count as arrived [commands]. Only in version 2. Call
+     * this before the port is opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
@@ -220,8 +220,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
 
     /**
-     * The board restarts now, as after a reset by its watchdog or a dip of its supply. Its port stays open. It forgets the session of
-     * version 2, and loses all bytes that arrive within [booting].
+     * The board restarts now, as after a reset by its watchdog or a dip of its supply. The port stays open. The board forgets the session
+     * of version 2, and loses all bytes that arrive within [booting].
      */
     fun restarts(booting: Duration): Board = apply {
         if (!isOpen) return@apply
@@ -380,7 +380,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** Refuses a misspelt percept. It would let each later `shouldNotSend` pass. */
+/** Refuses a misspelt percept, since a misspelt percept would let each later `shouldNotSend` pass. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

@@ -112,7 +112,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new. This is the first of the agent's architectures. */
+/** Counts how often the agent has perceived something new. This architecture is the first of the agent's. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

@@ -172,7 +172,7 @@ class TestAgent internal constructor(
     /** Expects that the agent is stopped, as by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** Stops the agent, as `.kill_agent` does. Its boards remain, with their ports closed. */
+    /** Stops the agent, as `.kill_agent` does. The agent's boards remain, with their ports closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)

@@ -50,7 +50,7 @@ internal object Bench {
 
     val agents: Path = home.resolve("experiment/agent")
 
-    /** Returns the compiled sketch. It may not exist. */
+    /** Returns the compiled sketch, which may not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }

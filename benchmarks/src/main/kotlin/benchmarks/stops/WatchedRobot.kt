@@ -3,8 +3,8 @@ package benchmarks.stops
 import javino.LineClock
 
 /**
- * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. It drives at 10 cm/s towards a wall while the
- * sketch's pin is on. Its front sensor gives 1 mV for each mm from the wall.
+ * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. The robot drives at 10 cm/s towards a wall while
+ * the sketch's pin is on. The robot's front sensor gives 1 mV for each mm from the wall.
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0

@@ -23,7 +23,7 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
 
 /**
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
- * Analysis, Wiley 1991, chapters 22 and 23. Its model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
+ * Analysis, Wiley 1991, chapters 22 and 23. The model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
  * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
  * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one the error
  * cannot be estimated: its share is 0 and the confidence intervals are infinite.

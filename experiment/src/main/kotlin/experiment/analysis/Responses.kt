@@ -30,7 +30,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** The robot's time. It includes the time that readings take on their way. */
+    /** The robot's time, which includes the time that readings take on their way. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },

@@ -37,8 +37,8 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and P.
  * Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
  *
- * A sum of squares over the variance is noncentral chi-squared. Its noncentrality is the variance's share in the responses, times their
- * [count], so a share is `own / (own + others + count)` in noncentralities. A random number replaces each noncentrality. The distribution
+ * A sum of squares over the variance is noncentral chi-squared. The noncentrality is the variance's share in the responses, times their
+ * [count]. So a share is `own / (own + others + count)` in noncentralities. A random number replaces each noncentrality. The distribution
  * function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The variance is
  * replaced by [error] over a chi-squared random number. The interval lies between the percentiles of the share.
  *
@@ -93,5 +93,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** The number of draws. It puts an end of an interval at the wanted percentile, give or take 0.2. */
+/** The number of draws. This number puts an end of an interval at the wanted percentile, give or take 0.2. */
 private const val DRAWS = 10_000

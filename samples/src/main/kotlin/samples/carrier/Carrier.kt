@@ -5,8 +5,8 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
 /**
- * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
- * thread may call.
+ * A robot on a straight way with a can at its end. The robot can drive there, grip the can and bring it back. The robot's three boards
+ * share this object. Any thread may call.
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
@@ -59,14 +59,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** A direction. Its percept contains the [word]. */
+    /** A direction, with the [word] for it in percepts. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** A state of the robot's hand. Its percept contains the [word]. */
+    /** A state of the robot's hand, with the [word] for it in percepts. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),

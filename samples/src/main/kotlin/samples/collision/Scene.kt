@@ -18,8 +18,8 @@ internal interface Scene {
 }
 
 /**
- * The simulated [robot]. Its place is known whatever its agent believes. If the robot stands, the run has ended only if the agent believes
- * so, since an agent that waits for its board's answer will go on.
+ * The simulated [robot], whose place is known whatever its agent believes. If the robot stands, the run has ended only if the agent
+ * believes so, since an agent that waits for its board's answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,

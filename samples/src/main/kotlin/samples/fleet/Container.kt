@@ -41,8 +41,8 @@ internal class Container private constructor(
         private const val PATIENCE_S = 5L
 
         /**
-         * Starts a container of [project], a `.mas2j` file. It listens only on [HOST]. [mainPort] is the port of the main container, even
-         * if this is the main container.
+         * Starts a container of [project], a `.mas2j` file. The container listens only on [HOST]. [mainPort] is the port of the main
+         * container, even if this is the main container.
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()

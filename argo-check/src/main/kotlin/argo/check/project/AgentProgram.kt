@@ -17,7 +17,7 @@ class AgentProgram(val path: Path, text: String) {
 
     val mentions: Mentions by lazy { MentionReader().read(program.components) }
 
-    /** The words in parts that the reader skipped after an error. Such a word may mean anything. */
+    /** The words in parts that the reader skipped after an error. A skipped word may mean anything. */
     val unread: Set<String> by lazy {
         val spans = program.components.filterIsInstance<Unread>().map { it.span }
         val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }

@@ -45,7 +45,7 @@ enum class Role {
 
     INTERNAL,
 
-    /** An argument. It may become a literal of any other role. */
+    /** An argument, which may become a literal of any other role. */
     DATA,
 }
 

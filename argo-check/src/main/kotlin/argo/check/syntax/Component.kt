@@ -36,7 +36,7 @@ class Plan(
     override val children: List<Node> get() = listOfNotNull(label, trigger, context, goalCondition, body) + plans
 }
 
-/** Text that the reader skipped after an error. Its tokens and their meaning are not known. */
+/** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
 class Unread(override val span: Span) : Component {
     override val children: List<Node> get() = emptyList()
 }

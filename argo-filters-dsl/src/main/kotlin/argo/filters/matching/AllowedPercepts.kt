@@ -52,7 +52,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
 
 /** Numbers between two limits. An open limit (see [isFromOpen]) is outside of the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
-    /** The numbers that meet [test]. Its operator is an ordering. */
+    /** The numbers that meet [test], whose operator is an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
 
     private constructor(operator: Operator, limit: Double) : this(

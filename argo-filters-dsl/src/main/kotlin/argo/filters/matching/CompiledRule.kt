@@ -28,7 +28,10 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
 
-    /** Returns true if the percept in [text] meets all conditions. Its functor ends at [functorEnd], and [tail] describes the rest. */
+    /**
+     * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] describes the
+     * rest.
+     */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail) }
 

@@ -18,7 +18,7 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThr
  * numbers are of one kind.
  *
  * The memory is bounded. Above [CAPACITY] kinds it forgets the kind that came longest ago, so the next percept of that kind is let through.
- * It does not remember percepts longer than [MAX_LENGTH] characters, so these are never held back.
+ * Percepts longer than [MAX_LENGTH] characters are not remembered, and so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)

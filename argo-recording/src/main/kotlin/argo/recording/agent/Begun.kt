@@ -21,7 +21,7 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations. Those in [open] have not ended. */
+    /** Continues after [last] begun operations. The operations in [open] have not ended. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)

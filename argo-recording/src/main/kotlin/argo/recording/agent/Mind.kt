@@ -28,7 +28,7 @@ internal class Mind(
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions with a number. Their [numbers] have the same order. */
+    /** The intentions with a number, in the order of their [numbers]. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
     /** The agent's plans; null: those of its program. */

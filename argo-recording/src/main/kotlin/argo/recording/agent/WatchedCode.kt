@@ -48,8 +48,8 @@ internal class UnknownCodeException(name: String) :
     )
 
 /**
- * Makes this object the keeper and the watch of the agent of [ts]. It then gets the operations that the agent begins outside of its thread,
- * and decides on the agent's calls. Returns the agent's watched code.
+ * Makes this object the keeper and the watch of the agent of [ts]. This object then gets the operations that the agent begins outside of
+ * its thread, and decides on the agent's calls. Returns the agent's watched code.
  * @throws UnknownCodeException if the program has code that cannot be watched; this object is then not the agent's keeper
  */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
@@ -216,7 +216,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must be watched and is not yet. That includes unknown code, so that no replay carries it out. */
+        /** Returns true if [code] must be watched and is not yet. Unknown code must be watched too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true

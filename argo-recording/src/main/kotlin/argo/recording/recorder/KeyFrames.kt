@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts] from time to time. It takes one at the end of a cycle in which all of the agent's activities can be
- * described. Make it before the agent's first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle in which all of the agent's
+ * activities can be described. Make it before the agent's first cycle. Belongs to the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)

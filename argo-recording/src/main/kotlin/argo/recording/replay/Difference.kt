@@ -50,8 +50,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * Returns the comparable part of this replayed course of [cycle]. It lacks the parts that the recording lacks because its agent or Java was
- * ending. Unless [isChecking] carries out the project's own actions, it contains the recorded lines of these actions.
+ * Returns the comparable part of this replayed course of [cycle]. The result has no parts that the recording lacks, as when the agent or
+ * Java was ending. Unless [isChecking] carries out the project's own actions, the result contains the recorded lines of these actions.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)

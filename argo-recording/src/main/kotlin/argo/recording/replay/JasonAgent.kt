@@ -87,7 +87,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
+/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Cycles in which nothing happens are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -192,7 +192,7 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }
 
-/** The platform of an agent in a replay, with the recorded input. It opens no port and runs no thread. */
+/** The platform of an agent in a replay, with the recorded input. This platform opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
 

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds recorded calls, and the ends of their operations, in [cycles]. They answer an agent that may make other calls, or calls at other
- * times.
+ * Finds recorded calls, and the ends of their operations, in [cycles]. The recorded calls answer an agent that may make other calls, or
+ * calls at other times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {

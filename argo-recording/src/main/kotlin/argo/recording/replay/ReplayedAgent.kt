@@ -7,8 +7,8 @@ import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
- * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. It begins at the beginning
- * of its program, or at the key frame [Recording.start] of [recording].
+ * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. The agent begins at the
+ * beginning of its program, or at the key frame [Recording.start] of [recording].
  *
  * @param programs the file of its program, whose code has been checked
  * @param isChecking whether to carry out the project's code

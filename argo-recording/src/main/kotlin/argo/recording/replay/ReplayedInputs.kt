@@ -137,8 +137,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [work], which only asks. Its calls get the results recorded in this cycle, and do not count as the agent's calls. For the
-     * agent's thread.
+     * Does [work], which only asks. The calls in [work] get the results recorded in this cycle, and do not count as the agent's calls. For
+     * the agent's thread.
      */
     fun <T> asking(work: () -> T): T {
         val around = isAsking

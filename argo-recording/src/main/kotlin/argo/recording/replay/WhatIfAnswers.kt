@@ -215,7 +215,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")
 
-        /** The index of an additional cycle. It was not recorded and has no input. */
+        /** The index of an additional cycle, which was not recorded and has no input. */
         const val BETWEEN = 0L
     }
 }

@@ -33,7 +33,7 @@ interface RecordSink : AutoCloseable {
     /** Adds a file, such as a program's text. A file is never dropped. */
     fun attach(name: String, mediaType: String, data: ByteArray)
 
-    /** Adds names and values under [name], such as versions. They are never dropped. */
+    /** Adds names and values under [name], such as versions. Metadata are never dropped. */
     fun metadata(name: String, values: Map<String, String>)
 
     /** The reason why storing has ended before [close], in words; null: it has not. */

@@ -49,7 +49,10 @@ internal class Commands(
         return RecordedCommand(agent, 0, text, port, clock.seconds(ns), cycle?.number ?: 0, by, sent, cycle?.index ?: 0)
     }
 
-    /** Removes and returns the computer's reflex whose command has ended with [end]. Both were recorded at about the same time. */
+    /**
+     * Removes and returns the computer's reflex whose command has ended with [end]. The reflex and [end] were recorded at about the same
+     * time.
+     */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
             ?.also { remove(it) }

@@ -20,7 +20,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
     val newestFrames: Collection<Frame> get() = newest.values
 
-    /** Begins with [percepts], which the agent perceives at the beginning of the replay. Their frames are not known. */
+    /** Begins with [percepts], which the agent perceives at the beginning of the replay. The frames of [percepts] are not known. */
     fun beginWith(percepts: List<Literal>) {
         percepts.mapTo(earlier, ::keyOf)
     }

@@ -210,7 +210,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means], which the agent adopted before the replay begins. Its cause is not known. */
+    /** Returns the plan of [means], which the agent adopted before the replay begins. The cause of that plan is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)

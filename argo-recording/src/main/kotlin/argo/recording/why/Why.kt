@@ -9,7 +9,8 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Explains why the agents of [recording] issued a command, or did not. It watches Jason run them again on their recorded input.
+ * Explains why the agents of [recording] issued a command, or did not. The explanation comes from watching Jason run the agents again on
+ * their recorded input.
  *
  * Close it at the end. For one thread; a program can run one replay at a time.
  */

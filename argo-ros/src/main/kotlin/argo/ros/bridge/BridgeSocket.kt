@@ -159,10 +159,10 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 
-        /** The number of characters of a dropped message that are logged. They contain the topic's name. */
+        /** The number of characters of a dropped message that are logged. The logged part contains the topic's name. */
         private const val SHOWN_LENGTH = 60
 
-        /** The client for all sockets, since each client has threads of its own. It ends when no socket uses it any more. */
+        /** The client for all sockets, since each client has threads of its own. The client ends when no socket uses it any more. */
         private var shared = WeakReference<HttpClient>(null)
 
         @Synchronized

@@ -25,8 +25,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val number = AtomicLong()
 
     /**
-     * Calls [service]. The answer completes on the bridge's thread. It completes with a [NotKnown] if the call fails or takes longer than
-     * [LIMIT_NANOS].
+     * Calls [service]. The answer completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"

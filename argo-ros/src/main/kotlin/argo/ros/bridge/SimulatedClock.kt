@@ -2,7 +2,10 @@ package argo.ros.bridge
 
 import java.util.concurrent.TimeUnit
 
-/** The time of a simulator, as its topic `/clock` shows it. It may run at any speed, stop, and jump. Safe for use by several threads. */
+/**
+ * The time of a simulator, as its topic `/clock` shows it. A simulator's time may run at any speed, stop, and jump. Safe for use by several
+ * threads.
+ */
 internal class SimulatedClock {
     private class Sample(val simNanos: Long, val atNanos: Long)
 

@@ -15,8 +15,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A board in a ROS graph without an agent. It is asked for its percepts at an interval, and opened again after a loss. Each command is sent
- * once at most.
+ * A board in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each command
+ * is sent once at most.
  *
  * @param intervalMs the time from one request to the next, in ms
  * @param timeoutMs the longest time for an answer, in ms

@@ -5,8 +5,8 @@ import argo.filters.Problem
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**
- * Reads a mapping. Its syntax is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain texts of one
- * line.
+ * Reads a mapping. The syntax of mappings is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain
+ * texts of one line.
  *
  * @throws MappingException with all problems, if there are any
  */

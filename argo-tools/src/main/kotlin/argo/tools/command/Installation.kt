@@ -16,7 +16,7 @@ internal class Installation(jar: Path) {
     private val releasedJars = if (release.isDirectory()) release.listDirectoryEntries("*.jar") else emptyList()
 
     /**
-     * Returns the class path of [module], the samples or the experiment. They are not in `argo.jar`, since they need Jason.
+     * Returns the class path of [module], the samples or the experiment. These modules are not in `argo.jar`, since they need Jason.
      *
      * @throws ToolException if the module is missing
      */
