@@ -15,7 +15,7 @@ internal object Calibration {
     /**
      * Events a second of a Raspberry Pi 3 Model B (February 2016, Cortex-A53 at 1.2 GHz). The published figure is 687.45 for the 3 Model
      * B+, the same core at 1.4 GHz, one thread, sysbench 1.0.20 (https://leoncode.co.uk/articles/raspberry-pi-benchmarks). This constant is
-     * 1.2 / 1.4 of that.
+     * 1.2 / 1.4 of that figure.
      */
     const val REFERENCE_EVENTS_PER_S = 589.2
 

@@ -34,8 +34,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with only the front distance, at
-     * one limit and interval.
+     * Returns the runs beyond the factorial design, at one limit and interval. The design is extended by more sensors and faster lines,
+     * each with all sensors and with only the front distance.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {

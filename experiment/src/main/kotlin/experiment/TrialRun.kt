@@ -63,8 +63,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again, until the
-     * agent stops it.
+     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again. The robot
+     * then drives until the agent stops it.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)

@@ -63,8 +63,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come before
-     * everything else. A critical rule drops nothing.
+     * Adds a critical rule. Percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come first. A
+     * critical rule drops nothing.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }

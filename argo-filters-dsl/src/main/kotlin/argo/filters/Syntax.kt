@@ -84,7 +84,8 @@ internal object Syntax {
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
     /**
-     * Returns the end of the string in double quotes that starts at [start]; -1 if it is not closed or [GroundTerm.Text] cannot hold it.
+     * Returns the end of the string in double quotes that starts at [start]; -1 if the string is not closed or does not fit in a
+     * [GroundTerm.Text].
      */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1

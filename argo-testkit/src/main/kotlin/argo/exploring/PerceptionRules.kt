@@ -128,7 +128,10 @@ private class BlindTime(
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
-    /** Returns each message with which the condition begins to hold, and the message with which it ends; null: it holds at the end. */
+    /**
+     * Returns each message with which the condition begins to hold, and the message with which it ends; null: the condition holds at the
+     * end of the run.
+     */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
         val periods = ArrayList<Pair<Perceived, Perceived?>>()

@@ -79,7 +79,7 @@ internal class TraceRecorder(private val mas: TestMas) {
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** True if the run is over. Agents that stop after it stop for that reason. */
+    /** True if the run is over. Agents that stop after the run stop because of its end. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()

@@ -177,8 +177,9 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board tells agents of version 2 that it has only these [actions]: `ledOn`, `speed/1` with one argument, `say` with a slash and a
-     * star behind it for any number. Without this call it describes no actions, and agents check no command before they send it.
+     * The board tells agents of version 2 that it has only these [actions]. Examples are `ledOn`, `speed/1` with one argument, and `say`
+     * with a slash and a star behind it for any number. Without this call it describes no actions, and agents check no command before they
+     * send it.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
@@ -204,7 +205,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board refuses every command for which [kind] is true: see the other form. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** From now on the board carries [command] out without delay, even if it [refuses] it or [takes] time for it so far. */
+    /** From now on the board carries [command] out without delay, even if the board [refuses] the command or [takes] time for it so far. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** The board needs [duration] to carry out [command], and does nothing else during that time. */
@@ -232,7 +233,7 @@ class Board internal constructor(private val time: VirtualTime) {
         threads.forEach(Thread::interrupt)
     }
 
-    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. The agent's `argo.port` waits for it. */
+    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. The agent's `argo.port` waits for that time. */
     fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
 
     /** The board hangs: it neither answers nor acts until [recovers] is called. The agent believes `port(P,timeout)`. */

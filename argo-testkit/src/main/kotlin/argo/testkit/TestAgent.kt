@@ -15,7 +15,8 @@ import kotlin.time.Duration.Companion.seconds
  * and their lines.
  *
  * An expectation waits until it is met, up to one second of virtual time or the given time. An expectation that something does not happen
- * watches for that time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
+ * watches for the whole time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
+ * log.
  *
  * May be used by one thread at a time.
  */

@@ -11,7 +11,7 @@ import java.util.concurrent.locks.Lock
  * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest
  * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The driver of this time is the test's thread: it calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
+ * The driver of this time is the test's thread, which calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
  * There must be one driver at a time.
  */
 internal class VirtualTime : LineClock {

@@ -12,9 +12,9 @@ internal data class Squares(val sum: Double, val freedom: Int) {
 /**
  * The intervals at [CONFIDENCE] of the shares of an experiment with infinitely many runs of each combination.
  *
- * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), where s is the mean
- * square of its effects and t that of all effects. A share in the sample is larger, since the means behind the effects contain errors. The
- * error's share is smaller by the same amount. So a small share can lie outside of its interval.
+ * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), with the mean square s
+ * of its effects and the mean square t of all effects. A share in the sample is larger, since the means behind the effects contain errors.
+ * The error's share is smaller by the same amount. So a small share can lie outside of its interval.
  *
  * @property sources the intervals of factors and interactions
  */
@@ -65,8 +65,8 @@ internal class SharePivots(
 
     /**
      * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw subtracts a central
-     * chi-squared number from the observed one. If the rest is negative, the result is 0. Otherwise it is a noncentral chi-squared number
-     * with two degrees of freedom and the rest as its noncentrality.
+     * chi-squared number from the observed one. If the remainder is negative, the result is 0. Otherwise it is a noncentral chi-squared
+     * number with two degrees of freedom and the rest as its noncentrality.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)

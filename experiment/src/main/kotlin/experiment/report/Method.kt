@@ -80,7 +80,10 @@ private fun common(settings: Settings, failed: List<Finished>, made: Provenance)
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
 
-/** Writes the warning that the machine was too late in some of [runs], with their names; an empty text if it was not. */
+/**
+ * Writes the warning that the machine was too late in some of [runs], with the names of these runs. If the machine was never too late, the
+ * text is empty.
+ */
 internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +

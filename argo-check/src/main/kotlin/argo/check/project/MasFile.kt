@@ -17,8 +17,8 @@ class AgentOption(val name: Token, val value: Token?)
  *
  * @property source the program's path as written, with its ending
  * @property architectures the names behind `agentArchClass`
- * @property hasOwnClass true if the agent has an agent class or a belief base class of its own, which may choose other events, options and
- *   intentions or hold other beliefs
+ * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
+ *   options and intentions, or hold other beliefs.
  */
 class MasAgent(
     val name: Token,

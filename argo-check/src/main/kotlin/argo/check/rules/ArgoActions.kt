@@ -24,7 +24,7 @@ internal object ArgoActions {
     )
 
     /**
-     * Returns the name that a call such as `.argo.port` gives to an action of ARGO, in upper or lower case; null: the call is of no such
+     * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such
      * action. An action of that name need not [exist][exists].
      */
     fun actionIn(called: String): String? {

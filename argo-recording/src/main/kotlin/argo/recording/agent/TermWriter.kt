@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term: in Jason's notation where that has only one meaning, otherwise as `#kind(…)`, with
- * which no term of Jason's begins.
+ * Writes terms so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
+ * No term of Jason's begins with `#kind(…)`.
  *
  * | written | is |
  * |---|---|

@@ -128,7 +128,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. The rest of that cycle's course is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. How that cycle would have gone on is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")

@@ -82,9 +82,9 @@ private fun described(step: Step) =
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
 /**
- * Returns [text] without parts that do not depend on the agent: numbers that Jason gives to variables, plans and messages of all agents;
- * the place of a failure's code, which is a path on the recording machine and missing in messages; and hashes of Java objects, such as the
- * iterator in the steps of a loop.
+ * Returns [text] without numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of all
+ * agents. The place of a failure's code is a path on the recording machine, and missing in messages. A hash belongs to a Java object, such
+ * as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

@@ -44,8 +44,8 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; null: none is left
-     * there. Returns each call once.
+     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]. Null: none
+     * is left there. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }

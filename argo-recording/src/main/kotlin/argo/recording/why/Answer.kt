@@ -5,7 +5,7 @@ import kotlinx.serialization.Serializable
 /**
  * The reasons for which a [command] was issued.
  *
- * @property cause the step of a plan that issued it; null: no plan issued it, or the replay did not see the step
+ * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
  * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
  * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests

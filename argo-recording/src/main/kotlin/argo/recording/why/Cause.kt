@@ -43,7 +43,8 @@ data class Frame(
  * @property seconds the beginning of the cycle in which the agent noticed that
  * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
- * @property filter the reason why the filter let it through; null: there was no filter, or the recording does not contain it
+ * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
+ *   reason
  */
 @Serializable
 @SerialName("percept")

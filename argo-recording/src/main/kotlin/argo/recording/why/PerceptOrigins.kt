@@ -26,7 +26,8 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     }
 
     /**
-     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New ones come from [snapshots], the others stay.
+     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], the others
+     * stay.
      */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)

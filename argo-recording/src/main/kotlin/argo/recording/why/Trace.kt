@@ -27,9 +27,9 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
- * steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the queue,
- * before it looks for a plan.
+ * Follows an agent in its replay. A trace finds the causes of events, the chosen plans and their conditions, and the beliefs and commands
+ * of steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the
+ * queue, before it looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -162,7 +162,10 @@ internal class Trace(
         issued += Issued(cycle, port, text, step)
     }
 
-    /** Returns why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one that fails. */
+    /**
+     * Returns why [plan], which is relevant under [un], is not applicable now. The result is the parts of the context up to the first part
+     * that fails.
+     */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
 

@@ -48,8 +48,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Replays the agent with [percept] in place of the recorded percept of its kind: with the same functor, and the same arguments except
-     * numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
+     * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
+     * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
      * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
      */

@@ -72,7 +72,7 @@ internal class RobotGraph(
     }
 
     /**
-     * Looks for subscribers of the rule's topic. The bridge publishes on the topic; if `rosapi` still does not show it, the topic is hidden
+     * Looks for subscribers of the rule's topic. The bridge publishes on the topic. If `rosapi` still does not show the topic, it is hidden
      * and nothing is known about it.
      */
     private fun lookForSubscribers(rule: CommandRule) {

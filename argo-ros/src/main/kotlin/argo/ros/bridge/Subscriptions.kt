@@ -37,7 +37,10 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
     }
 }
 
-/** Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: it does not. */
+/**
+ * Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: percepts of this
+ * form are not held back.
+ */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
     if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }

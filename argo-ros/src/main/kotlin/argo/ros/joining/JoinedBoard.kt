@@ -142,7 +142,10 @@ internal class JoinedBoard(
     }
 }
 
-/** Returns the outcome of a command with the failure [trouble], under the agent's name for it; null means that it was carried out. */
+/**
+ * Returns the outcome of a command with the failure [trouble], under the agent's name for it. Null as [trouble]: the command was carried
+ * out.
+ */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble
     return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")

@@ -169,7 +169,7 @@ internal class MessageType private constructor(
 internal fun rosType(type: String) = type.replace("/msg/", "/")
 
 /**
- * Returns a text in base64 as a list of its bytes, and any other value unchanged; null: the text is not in base64, or has more than
+ * Returns a text in base64 as a list of its bytes, and any other value unchanged. Null: the text is not in base64, or has more than
  * [MAX_ITEMS] bytes.
  */
 internal fun bytesOf(value: JsonElement): JsonElement? {

@@ -9,7 +9,10 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
-/** The parts of ARGO around [jar], its `argo.jar`: beside it in a release, or in the Maven outputs of the source tree that has built it. */
+/**
+ * The parts of ARGO around [jar], its `argo.jar`. In a release, the parts are beside the jar; in a source tree, they are in the outputs of
+ * Maven.
+ */
 internal class Installation(jar: Path) {
     private val file = jar.toAbsolutePath().normalize()
     private val release = file.resolveSibling("samples")
