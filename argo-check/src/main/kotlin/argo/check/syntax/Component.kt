@@ -88,7 +88,6 @@ class Parallel(override val span: Span, val branches: List<Statement>) : Stateme
     override val children: List<Node> get() = branches
 }
 
-/** One branch of an `if`. */
 class Branch(override val span: Span, val condition: Term, val body: Body) : Node {
     override val children: List<Node> get() = listOf(condition, body)
 }

@@ -25,5 +25,4 @@ class FilteredPercepts<P> internal constructor(
     val critical: List<CriticalPercept<P>> = Collections.unmodifiableList(critical)
 }
 
-/** A percept that meets a critical rule. */
 data class CriticalPercept<P>(val rule: CriticalRule, val percept: P)
