@@ -120,6 +120,7 @@ data class End(
     val thread: String? = null,
 )
 
+/** The failure of a call. */
 @Serializable
 data class CallFailure(
     @Holds("the atom of the annotation error(…) of the failed plan")

@@ -26,6 +26,7 @@ private fun runsOf(outcome: Outcome) =
     (if (outcome.runs == 1) "1 run" else "${outcome.runs} runs") +
         ", ${outcome.played.inWholeMinutes} min ${outcome.played.inWholeSeconds % SECONDS} s of virtual time"
 
+/** Lists the events in words. */
 fun wordsOf(events: List<WorldEvent>): String =
     if (events.isEmpty()) "  nothing" else events.joinToString("\n") { "  ${timeOf(it.at)}  ${it.words}" }
 

@@ -4,6 +4,7 @@ import kotlin.time.Duration
 import kotlin.time.TimeMark
 import kotlin.time.TimeSource
 
+/** The outcome of an exploration. */
 sealed interface Outcome {
     /** The number of runs, including those for shrinking. */
     val runs: Int

@@ -54,15 +54,18 @@ class Course private constructor(private val speed: Double, private val legs: Li
         return null
     }
 
+    /** The states of a robot. */
     enum class State {
         /** The robot has never driven. */
         STANDING,
 
+        /** The robot drives towards the wall. */
         DRIVING,
 
         /** The robot has driven and stands in front of the wall. */
         STOPPED,
 
+        /** The robot has run into the wall. */
         COLLIDED,
     }
 
@@ -70,6 +73,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** The distance from the wall at which the robot of the experiment starts, in cm. */
         const val START_CM = 200.0
 
+        /** The speed of the robot of the experiment, in cm/s. */
         const val SPEED_CM_S = 10.0
 
         /** Returns the course of a robot that stands [distance] cm from the wall since [now] and drives at [speed] cm/s on command. */

@@ -12,6 +12,7 @@ import java.util.logging.StreamHandler
 
 /** The log of Jason, ARGO and the agents during a run, one line each: `[robot] port "sim:robot" is on`. */
 object Logs {
+    /** Sends the log to [out]. */
     fun to(out: PrintStream) {
         LogManager.getLogManager().reset()
         Logger.getLogger("").apply {

@@ -55,6 +55,7 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
         /** The longest line for a terminal of the usual width. A longer line would wrap, and could not be rewritten. */
         const val MAX_COLUMNS = 79
 
+        /** Shows progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
 
         /**

@@ -12,6 +12,7 @@ import argo.filters.PerceptionFilter.Mode
  * percept as the first of its kind, which no rate holds back.
  */
 class PerceptMatcher internal constructor(
+    /** The filter of this matcher. */
     val filter: PerceptionFilter,
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })

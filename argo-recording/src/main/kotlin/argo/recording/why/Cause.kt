@@ -8,6 +8,7 @@ import kotlinx.serialization.Transient
 /** A cause of something in a recording. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
 @Serializable
 sealed interface Cause {
+    /** The causes of this cause. */
     val causes: List<Cause> get() = emptyList()
 
     /** The length of the longest chain of causes that begins with this one. */
