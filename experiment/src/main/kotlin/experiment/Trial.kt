@@ -74,6 +74,7 @@ internal enum class View(val word: String) {
  * One run: a cell of the experiment and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
+ * @property interval the sensing interval, in ms
  * @property replication the number of the replication, from 1
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */
