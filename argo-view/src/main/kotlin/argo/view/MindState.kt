@@ -26,10 +26,11 @@ internal class MindState(
         fun of(agent: ObservedAgent): MindState {
             val believed = of(agent.beliefs)
             val circumstance = agent.circumstance
-            val intentions = circumstance.allIntentions.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
-                .sortedBy { it.id }.toList()
+            val all = circumstance.allIntentions
+            val intentions = all.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }.sortedBy { it.id }.toList()
+            val notLookedAt = maxOf(all.size - MAX_LOOKED_AT, 0)
             val shown = intentions.take(MAX_INTENTIONS).map { intentionState(it, circumstance.getPendingIntentionKey(it)) }
-            return MindState(believed.believed, believed.beliefs, intentions.size, shown)
+            return MindState(believed.believed, believed.beliefs, intentions.size + notLookedAt, shown)
         }
 
         /** Returns a mind with the beliefs in [base] and no intentions. */
