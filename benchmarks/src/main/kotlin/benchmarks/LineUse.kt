@@ -5,7 +5,7 @@ import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses: requests and answers a second, multiplied by the
- * time of both on the line. The board answers at once, with twelve percepts; the line is in memory and gives each byte its time.
+ * time of both on the line. The board answers at once, with twelve percepts. The line is in memory and gives each byte its time.
  */
 internal fun lineUse(baud: Int, protocol: Protocol): Double {
     val bytes = AtomicLong()

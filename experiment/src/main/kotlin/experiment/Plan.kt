@@ -23,7 +23,7 @@ internal enum class Plan(
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** A combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
+    /** A combination for each filter, to try the experiment itself, with replications for an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
@@ -36,8 +36,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with the front distance, at one
-     * limit and interval.
+     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with only the front distance, at
+     * one limit and interval.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {
@@ -49,5 +49,5 @@ internal enum class Plan(
 /** Returns [trials] in an order that depends only on [seed]. */
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
-/** Returns the seed of the noise of a robot's sensors in [trial]: each run has a seed of its own, also when it is made again. */
+/** Returns the seed of the sensors' noise in [trial]. A repeated run has the same seed, any other run another one. */
 internal fun noiseSeed(trial: Trial, seed: Long): Long = 31 * seed + trial.id.hashCode()

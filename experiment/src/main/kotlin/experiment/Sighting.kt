@@ -5,14 +5,14 @@ import samples.collision.Witness
 
 /**
  * Notes when an agent perceives that its robot is at most [limit] cm from the wall. The agent's thread writes, any thread reads. Instants
- * are nanoseconds of one steady clock.
+ * are ns of one steady clock.
  */
 internal class Sighting(private val limit: Int) {
     private var above: Pair<Double, Long>? = null
 
     /**
-     * The instant at which the believed readings crossed the limit, between the last one above it and the first one at or below it, as if
-     * the robot drove at a constant speed between the two; null until then. It does not include the time that a reading takes on its way.
+     * The instant at which the believed readings crossed the limit; null until then. It is interpolated between the last reading above the
+     * limit and the first one at or below it, for a constant speed. It leaves out the time that a reading takes on its way.
      */
     @Volatile
     var crossed: Long? = null

@@ -6,10 +6,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events that breaks a rule shorter and plainer, as long as it still breaks the rule (delta debugging): leaves out halves,
- * smaller parts, single events; then gives those that are left rounder times and numbers.
+ * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). It leaves out halves, smaller parts and
+ * single events. The remaining events then get rounder times and numbers.
  *
- * @param budget the number of times that it may call [breaks]
+ * @param budget the most calls of [breaks]
  * @param breaks plays events and returns true if they still break the rule
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
@@ -50,7 +50,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         return left
     }
 
-    /** Returns values that are easier to read than [value], or smaller: the best first. The beginning of an event is only rounded. */
+    /** Returns values that are easier to read than [value], or smaller, the best first. The beginning of an event is only rounded. */
     private fun plainer(name: String, value: Any): List<Any> = when (value) {
         is Duration -> {
             val ms = value.inWholeMilliseconds

@@ -15,18 +15,17 @@ import jason.runtime.RuntimeServicesFactory
 /**
  * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking.
  *
- * @param mas the agents that it exchanges messages with
- * @param environment null: it has none
+ * @param mas the agents with which it exchanges messages
+ * @param environment null: none
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()
     private var awake = true
     private var running = true
 
-    /** The agent's messages to others, in their order. */
     val said = ArrayList<Message>()
 
-    /** Runs one reasoning cycle and returns true, unless the agent sleeps. */
+    /** Runs one reasoning cycle and returns true. Returns false if the agent sleeps. */
     fun reason(): Boolean {
         if (!running || !awake && ts.canSleep()) return false
         awake = false
@@ -37,13 +36,12 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
         return true
     }
 
-    /** Puts [message] into the agent's mailbox. */
     fun receive(message: Message) {
         mail += message
         wake()
     }
 
-    /** Stops the agent as an infrastructure does, once. */
+    /** Stops the agent once, as an infrastructure does. */
     fun end() {
         if (!running) return
         running = false
@@ -88,7 +86,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks here for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 gets some services here
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {
@@ -119,7 +117,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new; this is the first of the agent's architectures. */
+/** Counts how often the agent has perceived something new. This is the first of the agent's architectures. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

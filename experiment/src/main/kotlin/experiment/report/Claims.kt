@@ -17,7 +17,7 @@ import java.math.MathContext
 import java.util.Locale
 import kotlin.math.abs
 
-/** The finding on a published or promised claim in these runs. */
+/** The finding of these runs on a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
 /**
@@ -35,7 +35,7 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.sinceLimit() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 }
 
-/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; an empty text if none has stopped. */
+/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; an empty text if no run has stopped. */
 private fun List<Finished>.medians(): String {
     if (stopped() == 0) return ""
     val perceived = median(filter { it.result.outcome == Outcome.STOPPED }.map { (it.result.sincePerceivingMs ?: 0.0) / 1000 })
@@ -45,7 +45,10 @@ private fun List<Finished>.medians(): String {
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
-/** Returns the published results and the results of [runs] under that condition. Claims on levels outside [plan] are not tested. */
+/**
+ * Returns the published results and the results of those [runs] that have the published condition. Claims on levels outside of [plan] are
+ * not tested.
+ */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
     if (published.isEmpty()) return emptyList()
@@ -132,7 +135,7 @@ private fun allocation(analysis: Factorial?): Claim? {
     )
 }
 
-/** Returns the promise for [condition], one of this project's own, with the results of [runs]; null without runs. */
+/** Returns this project's own promise for [condition] with the results of [runs]; null without runs. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
@@ -159,7 +162,7 @@ else "The agent gets the newest frame, and gets it when it has handled the event
 /** Returns the median of [values], which are not empty. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
 
-/** Writes [value] with this number of [decimals]; a value that rounds to 0 has no sign. */
+/** Writes [value] with this number of [decimals]. A value that rounds to 0 has no sign. */
 internal fun rounded(value: Double, decimals: Int): String =
     String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
 

@@ -28,7 +28,7 @@ internal class Provenance(val build: String, val at: Instant, val machine: Strin
  *
  * @param runs the runs that count
  * @param failed the runs that do not count
- * @param made the program and the machine that made them
+ * @param made the program and the machine behind the report
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))

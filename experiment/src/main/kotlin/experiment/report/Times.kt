@@ -26,7 +26,7 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
 
     companion object {
-        /** Returns the scale for all of [seconds]; infinite ones, which are not known, do not count. */
+        /** Returns the scale for all of [seconds]. Infinite ones are not known, and do not count. */
         fun of(seconds: Collection<Double>): TimeScale {
             val known = seconds.filter(Double::isFinite)
             return if (known.isNotEmpty() && known.all { it < 1 && it > -1 }) MILLISECONDS else SECONDS

@@ -6,7 +6,7 @@ import kotlin.time.DurationUnit
 
 /**
  * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
- * thread.
+ * thread may call.
  *
  * @param clock the robot's time
  */
@@ -29,7 +29,7 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val grasp: Hand get() = hand
 
-    /** The distance to the can before it, in cm; [FAR_CM] if there is nothing before it. */
+    /** The distance to the can before the robot, in cm; [FAR_CM] if nothing is before it. */
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
@@ -40,7 +40,7 @@ internal class Carrier(private val clock: LineClock) {
         moving = direction
     }
 
-    /** Closes its hand, around the can if that is near enough. */
+    /** Closes the robot's hand, around the can if that is near enough. */
     @Synchronized
     fun grip() {
         if (hand == Hand.FULL) return
@@ -51,7 +51,7 @@ internal class Carrier(private val clock: LineClock) {
         }
     }
 
-    /** Opens its hand. A can in it is put down before the robot. */
+    /** Opens the robot's hand. Puts a can in it down before the robot. */
     @Synchronized
     fun release() {
         if (hand == Hand.FULL) {
@@ -61,14 +61,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** A direction; its percept has the [word]. */
+    /** A direction. Its percept contains the [word]. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** A state of its hand; its percept has the [word]. */
+    /** A state of the robot's hand. Its percept contains the [word]. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),
@@ -79,7 +79,7 @@ internal class Carrier(private val clock: LineClock) {
         /** The distance of the can from the robot's start, in cm. */
         const val CAN_CM = 60.0
 
-        /** The reach of its hand, in cm. */
+        /** The reach of the robot's hand, in cm. */
         const val REACH_CM = 12.0
 
         /** The sensor's reading if nothing is before the robot, in cm. */

@@ -8,8 +8,8 @@ import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
 /**
- * Numbers the plans, steps of plans and rules of the program of [agent]: the same program gives the same numbers. Make it before the
- * agent's first cycle, since the agent may have other plans and rules later.
+ * Numbers the plans, steps and rules in the program of [agent]. The same program always gives the same numbers. Make it before the agent's
+ * first cycle, since the agent may get other plans and rules.
  */
 internal class ProgramParts(val agent: Agent) {
     private val numbers = IdentityHashMap<Any, Int>()

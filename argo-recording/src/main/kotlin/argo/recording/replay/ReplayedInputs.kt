@@ -39,22 +39,22 @@ import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
 /**
- * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions, and ends the operations that it begins.
+ * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations.
  *
  * @param senses the percepts of the agent
  */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
-    private val ids = HashMap<String, String>() // the present id of each message, by its recorded id
-    private var counters: List<Int> = emptyList() // the counters after the agent's last cycle
+    private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
+    private var counters: List<Int> = emptyList() // counters after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false
     private lateinit var code: WatchedCode
 
-    /** The agent's transition system, from [begin] on. */
+    /** The agent's transition system; set by [begin]. */
     lateinit var ts: TransitionSystem
         private set
 
-    /** The replayed cycle, or a cycle that the agent has besides the recorded ones. */
+    /** The replayed cycle, or an additional cycle of the agent. */
     lateinit var cycle: Cycle
         private set
 
@@ -71,7 +71,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of plans of the recorded program
+        if (recorded != null) guarded(recorded) { watch(recorded) } // intentions under way consist of recorded plans
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
@@ -89,7 +89,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed the counters since
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed them
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->
@@ -97,7 +97,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Puts an event into the agent's queue, at [place]; null: at its end. */
+    /** Puts an event into the agent's queue at [place]; null: at its end. */
     private fun addEvent(trigger: Trigger, place: Int?) {
         ts.c.addExternalEv(trigger)
         if (place == null) return
@@ -135,7 +135,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: a text stands for a term that no recording can hold. */
+    /** Returns the result of [read], which reads recorded texts; null: a text replaces a term that no recording can contain. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {
@@ -143,7 +143,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [work], which only asks: its calls get the results recorded in this cycle, and do not count as calls of the agent. For the
+     * Does [work], which only asks. Its calls get the results recorded in this cycle, and do not count as the agent's calls. For the
      * agent's thread.
      */
     fun <T> asking(work: () -> T): T {

@@ -30,7 +30,7 @@ internal class Commands(
         }
     }
 
-    /** Returns the outcome of [command] if it is a reflex; null: it is none. */
+    /** Returns the outcome of [command] if it is a reflex; null: it is no reflex. */
     fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
 
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
@@ -54,7 +54,7 @@ internal class Commands(
         return RecordedCommand(agent, 0, text, port, clock.seconds(ns), cycle?.number ?: 0, by, sent, cycle?.index ?: 0)
     }
 
-    /** Removes and returns the reflex of the computer whose command has ended with [end]; both were recorded at about the same time. */
+    /** Removes and returns the computer's reflex whose command has ended with [end]. Both were recorded at about the same time. */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
             ?.also { remove(it) }
@@ -65,15 +65,13 @@ internal class Commands(
 }
 
 /**
- * Converts between ns of the agents' clock and the seconds of a recording, which count from its first cycle.
+ * Converts between ns of the agents' clock and seconds since the first cycle of a recording.
  *
  * @param firstNs the beginning of that cycle, in ns of the agents' clock
  */
 internal class RecordingClock(private val firstNs: Long) {
-    /** Returns the seconds at [ns] of the agents' clock. */
     fun seconds(ns: Long): Double = (ns - firstNs) / NANOS
 
-    /** Returns the time of the agents' clock, in ns, at [seconds]. */
     fun nanos(seconds: Double): Long = firstNs + (seconds * NANOS).toLong()
 
     private companion object {

@@ -9,9 +9,9 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Explains why the agents of [recording] issued a command, or did not: it watches Jason run them again on their recorded input.
+ * Explains why the agents of [recording] issued a command, or did not. It watches Jason run them again on their recorded input.
  *
- * Close it at the end. For one thread; at a time there can be one replay in a program.
+ * Close it at the end. For one thread; a program can run one replay at a time.
  */
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
@@ -38,9 +38,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         return Answer(command, cause, null, frame, frames, had)
     }
 
-    /**
-     * Explains a reflex, without counterfactuals: a replay does not carry out reflexes, so it cannot show the effect of another percept.
-     */
+    /** Explains a reflex without counterfactuals. A replay does not carry out reflexes, so it cannot show the effect of another percept. */
     private fun reflexAnswer(command: RecordedCommand): Answer {
         val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
         val cycles = replayable(command.agent, cyclesOf(command.agent))
@@ -49,10 +47,10 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Replays the agent with [percept] in place of the recorded percept of its kind: the same functor, and the same arguments but for
-     * numbers. The replacement lasts from the frame that brought the recorded percept until the cycle of [command].
+     * Replays the agent with [percept] in place of the recorded percept of its kind: with the same functor, and the same arguments except
+     * numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
-     * @throws RecordingException as [answer] does, or if [percept] is no percept, or is the recorded one
+     * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
@@ -66,7 +64,7 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     /**
      * Explains why [agent] did not issue the command of [question] up to its time, or to the end of the recording.
-     * @throws RecordingException as [answer] does
+     * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
         val cycles = cyclesOf(agent)

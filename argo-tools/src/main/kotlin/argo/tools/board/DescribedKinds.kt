@@ -13,7 +13,7 @@ import javino.link.Link
 internal class DescribedKinds(val description: PerceptDescription?) {
     val kinds: List<PerceptKind> get() = description?.kinds().orEmpty()
 
-    /** The reason why kinds that the board describes, or may describe, are missing, in words; null: none are missing. */
+    /** The reason why some of the board's kinds are missing, in words; null: none are missing. */
     val trouble: String?
         get() {
             val problems = (description ?: return "unknown; the board did not describe them in time").problems()

@@ -29,11 +29,11 @@ internal abstract class MessageCommand : DataCommand() {
         check()
         line.open(port).use(::exchange)
         ExitStatus.DONE
-    } catch (unsendable: IllegalArgumentException) { // a message that fits into no frame
+    } catch (unsendable: IllegalArgumentException) { // the message fits into no frame
         throw ToolException(unsendable.message.orEmpty())
     }
 
-    /** Refuses a message that this command is not for. */
+    /** Refuses a message that does not suit this command. */
     protected open fun check() = Unit
 
     protected abstract fun exchange(link: Link)
@@ -74,7 +74,7 @@ internal class SendCommand : MessageCommand() {
     }
 
     private companion object {
-        /** The sender cannot tell a silent port from a board of version 1. */
+        /** The sender cannot distinguish a silent port from a board of version 1. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"
     }

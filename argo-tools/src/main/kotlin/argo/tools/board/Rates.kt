@@ -4,9 +4,8 @@ import argo.tools.command.counted
 import java.util.Locale
 
 /**
- * The rates of messages and of the percepts in them. Times are milliseconds since monitoring began.
- *
- * Percepts that differ in numbers only are one kind. At most [MAX_KINDS] kinds are counted singly.
+ * The rates of messages and of their percepts. Times are milliseconds since monitoring began. Percepts that differ only in numbers are of
+ * one kind. At most [MAX_KINDS] kinds are counted separately.
  */
 internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
@@ -36,7 +35,7 @@ internal class Rates {
         kind?.last = percept
     }
 
-    /** Returns the messages a second over the last [RECENT]; null before the second. */
+    /** Returns the messages a second over the last [RECENT] messages; null before the second message. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
     /** Returns a line for the messages, and one for each kind of percepts. */

@@ -124,10 +124,10 @@ internal class ExploreCommand : ToolCommand() {
         /** The exit status if the exploration could not decide. */
         const val NOTHING_KNOWN = 3
 
-        /** The exit status of the exploration's program if it has found a run. */
+        /** The exit status of the exploration's program if it has found a run that breaks a rule. */
         const val FOUND_THERE = 4
 
-        /** The other exit statuses of the exploration's program; with these it has printed the reason. */
+        /** The other exit statuses of the exploration's program. It has then printed the reason itself. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

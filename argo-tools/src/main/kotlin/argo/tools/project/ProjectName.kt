@@ -1,9 +1,8 @@
 package argo.tools.project
 
 /**
- * A project's name.
+ * A project's name, which is also its folder's.
  *
- * @property name the folder's name
  * @property id the name for Jason and Arduino, with `_` for `-` and a lower-case first letter
  */
 internal data class ProjectName(val name: String) {

@@ -52,7 +52,7 @@ internal class AgentReplayOptions {
     var filter: Path? = null
         private set
 
-    /** True if agents are run with other programs or another filter than recorded. */
+    /** True if agents run with other programs or another filter than recorded. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
     @Option(
