@@ -22,6 +22,7 @@ internal enum class Trouble(val title: String) {
 /**
  * One agent on simulated Unos with the rates of [bauds], in virtual time. Each Uno has twelve sensors that all change, and the sensing
  * interval is 20 ms. Each Uno drives its own robot, which the agent stops at a limit.
+ */
 internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
     private val healthy = bauds.toMutableList()
