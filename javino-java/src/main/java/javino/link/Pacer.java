@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
  *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as the
  *       receive buffer of an AVR. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
- *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link SilentBoardHold}.
+ *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
  * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
@@ -49,7 +49,7 @@ final class Pacer {
     private int unanswered; // number of requests in a row without an answer
     private boolean boardIsIdle; // the board has handled all messages, so none waits unread before the next frame
     private long busyUntil;
-    private final SilentBoardHold silence = new SilentBoardHold();
+    private final Version1SilenceHold silence = new Version1SilenceHold();
     private int lateAnswers; // late answers in a row
     private int actionsMeanwhile; // actions written while the board may have been busy with the last request
     private int bytesMeanwhile;

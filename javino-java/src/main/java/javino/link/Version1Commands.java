@@ -20,7 +20,7 @@ final class Version1Commands {
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent ones went out (SilentBoardHold), so its arrival says nothing of others
+    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival says nothing of others
     private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board has not been asked
     private boolean hasToldSlowBoard;

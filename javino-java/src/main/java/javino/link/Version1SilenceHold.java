@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
  * asked again. A board that has never answered may be one that only acts. Times are nanoseconds of one steady clock. Guarded by its user's
  * lock.
  */
-final class SilentBoardHold {
+final class Version1SilenceHold {
     static final int HOLD_MILLIS = 2_000;
 
     private boolean hasAnswered;
