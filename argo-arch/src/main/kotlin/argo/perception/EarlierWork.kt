@@ -40,7 +40,7 @@ internal class ReasoningQueues(
  * @param nowMs a clock in ms that never goes back
  * @param isOwn returns whether a percept belongs to the board, or to none that the agent perceives; called by any thread
  */
-internal class Backlog(
+internal class EarlierWork(
     val commands: CommandLedger,
     private val queues: ReasoningQueues = ReasoningQueues(),
     private val nowMs: () -> Long = Platform.system.nowMs,
