@@ -15,7 +15,6 @@ _PART = 253
 _PART_WITH_RULES = 12
 _PAGE = 252
 _LOOK_MS = 5
-_IDLE_MS = 100
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
 _KINDS = "(?)"  # in place of functors; asks for the kinds of percepts
@@ -91,7 +90,7 @@ class Board:
         self._actions = []  # (name, arguments, function), by number
         self._perceive = None
         self._kinds = []
-        self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
+        self._receiver = frames.Receiver(self, frames.idle_ms(baud), longest)
         self._running = False
         self._inbox = b""  # bytes that came while a registered function ran
         self._texts = []  # percepts that were written and not sent
