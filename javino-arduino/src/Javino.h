@@ -38,11 +38,7 @@ public:
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /**
-   * Opens the board's port, if it can be opened, and begins the conversation.
-   *
-   * @param baud  9600 and 115200 are common; the far end must use the same
-   */
+  /** Opens the board's port, if it can be opened, and begins the conversation. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
     /* Serial by name: for a constant rate the compiler then computes its settings. */
     if (open_)
@@ -68,7 +64,6 @@ private:
   alignas(void *) uint8_t memory_[Bytes];
 };
 
-/** A board on Serial, or on another port or stream given to it. */
 class Javino : public JavinoSized<JAVINO_BYTES> {
 public:
   Javino() {}

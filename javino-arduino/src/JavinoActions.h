@@ -63,7 +63,6 @@ public:
     return Place<const __FlashStringHelper *>(*this, name);
   }
 
-  /** The number of actions. */
   uint8_t count() const { return count_; }
 
   /**
@@ -106,7 +105,6 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
-  /** Counts a left-out action. */
   void leaveOut();
 
   /** Returns the name as a text that lasts: a String's on the heap, a name in flash in the board's memory. Null: the action is left out. */
@@ -114,7 +112,6 @@ private:
   const char *keep(const String &name);
   const char *keep(const __FlashStringHelper *name);
 
-  /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
     if (!function)
       return false;

@@ -18,7 +18,6 @@ public:
   /** Reads the arguments of a well-formed literal; the text is not copied. */
   JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
 
-  /** The number of arguments. */
   uint8_t count() const;
 
   /** Returns true if the argument exists and is a whole number that fits into a long. */
@@ -28,10 +27,7 @@ public:
   long number(uint8_t index, long otherwise = 0) const;
 
 #ifndef JAVINO_NO_DECIMALS
-  /**
-   * Returns the number, which may have decimals and an exponent; `otherwise`: there is none. Never an infinity or a NaN. A string is no
-   * number.
-   */
+  /** Returns the number, perhaps with decimals and exponent; `otherwise`: there is none. Never infinity or NaN; a string is no number. */
   double decimal(uint8_t index, double otherwise = 0) const;
 #endif
 

@@ -39,8 +39,8 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * The number of shapes (texts of percepts without their digits) that a board distinguishes, at most 126. Each takes four bytes. A percept
- * of any further shape is sent as text.
+ * How many shapes (texts of percepts without their digits) a board distinguishes, at most 126. Each takes four bytes. Percepts of further
+ * shapes go as text.
  */
 #ifndef JAVINO_SHAPES
 #ifdef __AVR__
@@ -105,18 +105,10 @@ typedef struct javino_board {
  */
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
-/**
- * Takes bytes away from the end of the memory.
- *
- * @return the bytes; NULL: too few would be left, or percepts are being written
- */
+/** Takes bytes away from the end of the memory. @return NULL: too few would be left, or percepts are being written */
 void *javino_board_take(javino_board *board, uint16_t size);
 
-/**
- * Takes bytes away from the beginning of the memory, before the first byte arrives.
- *
- * @return the bytes; NULL: too few would be left, percepts are being written, or something has arrived
- */
+/** Like javino_board_take, from the beginning of the memory. @return NULL also if something has arrived */
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
@@ -125,7 +117,7 @@ void *javino_board_take_front(javino_board *board, uint16_t size);
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
-/** @return true if the request in hand asks for percepts of this functor, or if no request is in hand. */
+/** @return true if the request in hand asks for percepts of this functor, or if no request is in hand */
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
@@ -136,11 +128,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
  */
 bool javino_kind_begin(javino_board *board);
 
-/**
- * Begins a percept with its functor: an atom, with a ~ in front if the percept is negated.
- *
- * @return true: it is wanted; false: write nothing, and do not end it
- */
+/** Begins a percept with its functor: an atom, perhaps with a ~ in front. @return false: nobody wants it; write nothing, do not end it */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
 /** Writes one character unchanged. */
@@ -158,11 +146,7 @@ void javino_percept_term(javino_board *board, const char *text);
 /** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/**
- * Ends a percept.
- *
- * @return true: it will be sent; false: in version 1 it is longer than 255 bytes, or there is no room without a request.
- */
+/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or there is no room without a request */
 bool javino_percept_end(javino_board *board);
 
 /** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */
