@@ -90,10 +90,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
     }
 
-    /**
-     * Returns true if Jason may take no event from its queue. An atomic plan holds all events back; `events=requeue` puts events without a
-     * plan back for ever.
-     */
+    /** Returns true if Jason may take no event: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */

@@ -55,10 +55,7 @@ abstract class BoardInternalAction internal constructor(private val name: String
 
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
-        /**
-         * Suspends the intention. Returns the function to call with the outcome, once, on any thread: null, or the reason why the plan
-         * fails.
-         */
+        /** Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails. */
         fun suspendIntention(): (Failure?) -> Unit {
             val key = suspendInt(ts, name, 0)
             return ts.boundary.suspended { failure ->

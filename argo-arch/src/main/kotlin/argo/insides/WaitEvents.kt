@@ -52,10 +52,7 @@ object WaitEvents {
 
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
-    /**
-     * Makes a waiting `.wait` for the selected intention of [ts], and suspends the intention. With a [timeout] from 0 ms on it begins a
-     * timer.
-     */
+    /** Makes a waiting `.wait` for the selected intention of [ts], which is suspended. A [timeout] from 0 ms on begins a timer. */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,
     ): CircumstanceListener = make.newInstance(wait(), trigger, formula, un, ts, timeout, elapsed) as CircumstanceListener

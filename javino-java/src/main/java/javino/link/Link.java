@@ -141,10 +141,7 @@ public final class Link implements AutoCloseable {
         return board.protocol();
     }
 
-    /**
-     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Safe on
-     * any thread; does not wait.
-     */
+    /** The board's registered actions, by number. Empty while they are not known, and in version 1. Any thread; does not wait. */
     public Optional<List<BoardAction>> vocabulary() {
         return line.session().vocabulary();
     }

@@ -16,10 +16,7 @@ import javino.wire.BoardAction;
  * its owner, who gets the exception's message.
  */
 public interface Sketch extends SimulatedBoard {
-    /**
-     * Returns the percepts that the sensors show now, each a literal such as {@code dist(front,30)}, without a {@code ;}. Called for each
-     * request.
-     */
+    /** Returns what the sensors show: literals such as {@code dist(front,30)}, without a {@code ;}. Called for each request. */
     List<String> percepts();
 
     /**
