@@ -33,8 +33,8 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial; or on a stream without a rate that the sketch opens, such as
-   * a WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream that has no rate and that the sketch
+   * opens, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 

@@ -104,7 +104,7 @@ public:
    */
   void run();
 
-  /** Registers the function that writes percepts for each request. It calls percept() or addPercept(). */
+  /** Registers the function that writes percepts for each request. The function calls percept() or addPercept(). */
   void perceive(Callback write) {
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
@@ -178,7 +178,7 @@ public:
    * Call it in an action's function to report the outcome later, with done(). The function returns at once, and its result is ignored. The
    * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
    * version 2 is carried out, not even an urgent one. So if another action must be able to stop this one, report this one as carried out
-   * when it begins, and its end with a percept.
+   * when it begins. A percept can report its end.
    *
    * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
    */
@@ -188,9 +188,9 @@ public:
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. It can stop motors if the
-   * computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() are dated to
-   * its beginning. Only a watchdog notices a loop() that never returns.
+   * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. The function can stop motors
+   * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() are
+   * dated to its beginning. Only a watchdog notices a loop() that never returns.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;

@@ -1,11 +1,11 @@
 /**
  * @file A board: a link, and the percepts with which it answers requests.
  *
- * An answer is text: percepts, each with a `;` behind it. It is built behind the received bytes, in the link's memory. It is coded in place
- * when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits, the percept takes
- * half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of the answer, in
- * version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame still arrives.
- * In version 1 they are one message of at most 255 bytes.
+ * An answer is text: percepts, each with a `;` behind it. The answer is built behind the received bytes, in the link's memory. The board
+ * codes it in place when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits,
+ * the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of
+ * the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame
+ * still arrives. In version 1 they are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -23,7 +23,7 @@ extern "C" {
 /** The least memory, in bytes, that a board works with. */
 #define JAVINO_MEMORY_MIN 160
 
-/** The largest text in bytes. 255, the text of one frame, takes less flash; in version 2 it may be as much as the memory holds. */
+/** The largest text in bytes. 255, the text of one frame, takes less flash. In version 2 the text may fill the memory. */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
@@ -163,7 +163,7 @@ void javino_board_clear(javino_board *board);
 
 /**
  * Sends a message of any length. Version 2 divides it into parts; version 1 divides a message that is longer than a frame into messages of
- * whole percepts. It counts as an answer to the request in hand.
+ * whole percepts. The message counts as an answer to the request in hand.
  *
  * @return true: all of it has been sent; false: a percept is longer than a frame of version 1
  */

@@ -62,8 +62,8 @@ bool javino_decoder_ready(const javino_decoder *decoder);
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
 
 /**
- * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does so too. If it is
- * not called for long, as during a long action, only this function shows silences.
+ * Tells the decoder that all bytes of the receive buffer were handed in, or that javino_decoder_ready returns false. So does
+ * javino_decoder_next. Call this function during a long action, in which javino_decoder_next is not called: else silences go unnoticed.
  *
  * @param now_ms  the time of the last look into the receive buffer
  */

@@ -34,7 +34,7 @@ typedef uint8_t javino_event;
 
 /** An action of a program, which the computer may name by a number. Data of the program for the action may follow in memory. */
 typedef struct {
-    const char *name;  /**< Its functor, which lasts; at most JAVINO_NAME_MAX bytes. */
+    const char *name;  /**< The action's functor, which lasts; at most JAVINO_NAME_MAX bytes. */
     uint8_t arguments; /**< Number of its arguments, or JAVINO_ANY. */
 } javino_action;
 
@@ -103,7 +103,7 @@ typedef struct {
 #endif
 
 /**
- * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
+ * Prepares a link. The link speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
  * @param size     number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost

@@ -1,6 +1,6 @@
 """Frames of the Javino protocol, versions 1 and 2. This module finds frames in arrived bytes, and writes frames.
 
-It uses no line and no clock. The caller hands in bytes, and times in milliseconds.
+The module uses no line and no clock. The caller hands in bytes, and times in milliseconds.
 """
 try:
     from binascii import crc_hqx  # the same polynomial, in C

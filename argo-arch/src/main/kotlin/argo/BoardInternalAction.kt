@@ -15,7 +15,7 @@ import jason.asSyntax.Term
 
 /**
  * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
- * until another thread has done the work. It never suspends the agent.
+ * until another thread has done the work. The action never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {

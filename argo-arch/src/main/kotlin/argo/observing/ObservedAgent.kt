@@ -43,7 +43,7 @@ interface ObservedAgent {
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
-    /** Returns the time of the agent's clock in ns. It never goes back. */
+    /** Returns the time of the agent's clock in ns. The clock never goes back. */
     fun nanos(): Long
 
     /** Returns the ports that the agent has asked for. */

@@ -7,8 +7,8 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>Two things hold a frame back. First, the pace: the driver gets a frame when the frame before has left the line by the baud rate.
  * Second, the limits of version 1 boards. Between two rounds of its {@code loop()} such a board reads all bytes that have arrived, and has
- * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. It does not read while it sends
- * an answer. So
+ * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
+ * it sends an answer. So
  * <ul>
  *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
  *       far as {@link GapEstimate} knows it, and at least that of the settings. Exception: if only one request was open and no action was

@@ -123,7 +123,7 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session begins behind it. */
+    /** Records that a frame of version 1 goes out. That ends a session that the board may have begun, so another session follows. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
