@@ -21,8 +21,8 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
 /**
- * A small agent with a fault that beginners make, and the same agent without it. Both are in one file, `planted/NAME.asl`. Lines that end
- * in `//-` are the fault. Lines behind `//+` replace them in the mended agent.
+ * A small agent with a fault that beginners make, and the same agent without it. Both agents are in one file, `planted/NAME.asl`. Lines
+ * that end in `//-` are the fault. Lines behind `//+` replace them in the mended agent.
  *
  * @property rule the name of the rule that the fault breaks
  * @property describe the board and the rules, which do not depend on the fault

@@ -10,8 +10,8 @@ import javino.sim.PseudoTerminals
 import kotlin.concurrent.thread
 
 /**
- * A program that answers the board's frames at 50 Hz: `ping(N)` among twelve percepts by the command `pong(N)`. It runs in a new Java
- * machine, over a pseudo-terminal with `socat` and jSerialComm.
+ * A program that answers the board's frames at 50 Hz: `ping(N)` among twelve percepts by the command `pong(N)`. The program runs in a new
+ * Java machine, over a pseudo-terminal with `socat` and jSerialComm.
  */
 internal enum class LatencyCourse(val title: String) {
     ARGO("an agent with ARGO") {

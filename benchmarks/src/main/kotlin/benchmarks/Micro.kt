@@ -28,7 +28,6 @@ private fun name(result: RunResult): String {
     return result.params.benchmark.substringAfterLast('.') + if (parameters.isEmpty()) "" else "($parameters)"
 }
 
-/** Returns the bytes that one operation allocates. */
 private fun allocated(result: RunResult): Double =
     result.secondaryResults.entries.firstOrNull { it.key.endsWith("gc.alloc.rate.norm") }?.value?.score ?: Double.NaN
 

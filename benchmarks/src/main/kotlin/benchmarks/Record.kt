@@ -16,9 +16,9 @@ internal const val REPLAY = "replay-recordings"
 
 /**
  * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
- * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle, and for a message, since a
- * recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle waits. Prints the
- * size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
+ * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The second
+ * is needed since a recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle
+ * waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
@@ -130,7 +130,6 @@ class TimedArch(platform: Platform) : Arch(platform) {
     }
 }
 
-/** A board with twelve percepts that all change each time. */
 private class Changing : Sketch {
     private val requests = AtomicInteger()
 

@@ -23,7 +23,6 @@ class SensorBoard(
     private val answered: (n: Int, endNanos: Long, bytes: Int) -> Unit = { _, _, _ -> },
     private val acted: (action: String) -> Unit = {},
 ) : SimulatedBoard {
-    /** Runs until [line] is gone. */
     override fun run(line: Transport) = BoardLoop(line, Program(line), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
 
     private inner class Program(private val line: Transport) : BoardProgram {

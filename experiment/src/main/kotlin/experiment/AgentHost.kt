@@ -31,7 +31,9 @@ internal class AgentHost : RunLocalMAS() {
         start()
     }
 
-    /** Creates and starts the agent of [trial]. Its robot is on [port], and [witnesses] stand in front of its architectures. */
+    /**
+     * Creates and starts the agent of [trial]. The agent's robot is on [port], and [witnesses] stand in front of the agent's architectures.
+     */
     fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch {
         val settings = AgentSettings().apply { addOption("argo_sensing", trial.condition.sensing) }
         val given = services.createAgent(trial.id, source, null, listOf("argo.Arch"), null, settings, null)

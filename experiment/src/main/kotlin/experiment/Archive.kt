@@ -37,7 +37,6 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private val runs = directory.resolve("runs")
     private var claim: FileChannel? = null
 
-    /** Returns the settings of the experiment in this directory; null if none has been begun. */
     fun settings(): Settings? {
         if (!settingsFile.exists()) return null
         return try {
@@ -105,7 +104,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Returns the file for the record of [trial]. It may not exist yet. */
+    /** Returns the file for the record of [trial], which may not exist yet. */
     fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()

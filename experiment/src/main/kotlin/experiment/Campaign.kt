@@ -101,7 +101,6 @@ internal class Campaign(
     }
 
     companion object {
-        /** The most times that a run is made. */
         const val MAX_TRIES = 3
 
         private const val MINUTE_MS = 60_000L

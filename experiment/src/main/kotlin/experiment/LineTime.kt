@@ -24,7 +24,7 @@ internal fun answerLimitMs(trial: Trial): Int =
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
 /**
- * Returns how late this machine may be in a run of [condition], in ms. That is a third of the time for a request and the answer of the
+ * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time for a request and the answer of the
  * twelve sensors at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
@@ -47,7 +47,6 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     return request.length() + parts.sumOf { WireFrame.of(it.kind, 0, it.payload).length() }
 }
 
-/** The most texts that a board numbers. */
 private const val MAX_KNOWN = 126
 
 /**
@@ -69,7 +68,6 @@ private const val LOOK_NANOS = 5_000_000L
 /** The longest frame in an answer of a board that watches rules. The numbers of request and part stand before the percepts. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
-/** Returns the time that the robot drives from its limit to the wall, in ns. */
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
 /** Returns true if the limit leaves at least the physical time to stop, [leastStopNanos]. */

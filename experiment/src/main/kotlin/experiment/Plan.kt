@@ -9,7 +9,6 @@ import kotlin.random.Random
  *
  * @property limits the levels of the distance limit, in cm
  * @property intervals the levels of the sensing interval, in ms
- * @property replications the runs of each combination
  */
 @Serializable
 internal enum class Plan(
@@ -28,7 +27,6 @@ internal enum class Plan(
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
 
-    /** Returns the runs of the factorial design under [condition]. */
     fun trials(condition: Condition): List<Trial> = buildList {
         for (view in View.entries) for (limit in limits) for (interval in intervals) for (replication in 1..replications) {
             add(Trial(condition, view, limit, interval, replication))
@@ -36,8 +34,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with only the front distance, at
-     * one limit and interval.
+     * Returns the runs beyond the factorial design, at one limit and interval. The design is extended by more sensors and faster lines,
+     * each with all sensors and with only the front distance.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {
@@ -46,7 +44,6 @@ internal enum class Plan(
     }.filter { it.isScaled }
 }
 
-/** Returns [trials] in an order that depends only on [seed]. */
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
 /** Returns the seed of the sensors' noise in [trial]. A repeated run has the same seed, any other run another one. */

@@ -12,8 +12,6 @@ import kotlin.concurrent.thread
 /**
  * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of the lines aborts the experiment. For one
  * thread.
- *
- * @param tell receives the instruction for the user
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
     private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come
@@ -40,9 +38,8 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 /**
  * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times begin as in a
  * [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the agent
- * does not send `stop`, the laboratory sends it.
- *
- * @param ready has the robot put at the start for a run; returns false if the experiment is aborted
+ * does not send `stop`, the laboratory sends it. [ready] has the robot put at the start for a run; returns false if the experiment is
+ * aborted.
  */
 internal class RealLaboratory(
     private val host: AgentHost,

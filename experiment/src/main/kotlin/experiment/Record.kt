@@ -132,7 +132,6 @@ internal fun readRecord(file: Path): List<Entry>? {
 }
 
 internal data class Finished(val trial: Trial, val result: Entry.Result) {
-    /** True if there is something to measure. */
     val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
 
     /** True if this machine was later than its condition allows, see [maxLateMs]. */

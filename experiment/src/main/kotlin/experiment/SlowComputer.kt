@@ -6,9 +6,7 @@ import java.util.concurrent.locks.LockSupport
 
 /**
  * Accounts for the additional time of a slower computer: the difference between each reasoning cycle there and here. A time that is too
- * short for waiting is carried over.
- *
- * @param factor the ratio by which the other computer is slower, at least 1
+ * short for waiting is carried over. [factor] is the ratio by which the other computer is slower, at least 1.
  */
 internal class SlowTime(private val factor: Double) {
     private var owed = 0.0
@@ -23,7 +21,6 @@ internal class SlowTime(private val factor: Double) {
         return if (owed >= MIN_WAIT_NANOS) owed.toLong() else 0
     }
 
-    /** Subtracts [nanos] ns of waiting. */
     fun paid(nanos: Long) {
         owed -= nanos
     }

@@ -9,7 +9,6 @@ import samples.collision.Sensors
  * The way in which agent and board work together in a run.
  *
  * @property letter the condition's name on the command line and in records
- * @property title the condition's name in the report
  * @property sensing the agent's sensing policy
  * @property protocol the version of Javino for the port; null: the default
  */
@@ -19,7 +18,6 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
-    /** ARGO's defaults, with a board of version 1. */
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
@@ -36,11 +34,7 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     val isVersion2: Boolean get() = protocol == "2"
 }
 
-/**
- * The part of the percepts that the agent perceives.
- *
- * @property word the view's name on the command line and in records
- */
+/** The part of the percepts that the agent perceives. [word] is the view's name on the command line and in records. */
 @Serializable
 internal enum class View(val word: String) {
     /** The agent perceives all sensors. */
@@ -80,9 +74,8 @@ internal enum class View(val word: String) {
  * One run: a cell of the experiment and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
- * @property interval the sensing interval in ms
+ * @property interval the sensing interval, in ms
  * @property replication the number of the replication, from 1
- * @property baud the line's rate
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */
 @Serializable

@@ -63,8 +63,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again, until the
-     * agent stops it.
+     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again. The robot
+     * then drives until the agent stops it.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
@@ -93,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course]; null while the robot drives or stands at the start. Its agent was to stop it at [limit] cm and perceived
- * the wall at [perceived]; null: it has not.
+ * Measures a robot on [course]; null while the robot drives or stands at the start. The robot's agent was to stop it at [limit] cm and
+ * perceived the wall at [perceived]; null: the agent has not.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -106,7 +106,6 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
     return Entry.Result(outcome, course.distanceAt(now), sinceLimitMs, msSince(perceived, end))
 }
 
-/** Returns the time from [start] to [end] in ms; null if there is no [start]. */
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
 /** A robot whose percepts and actions are recorded, with the robot's true place. */

@@ -22,7 +22,6 @@ fun main(args: Array<String>) {
     exitProcess(commands.execute(*arguments))
 }
 
-/** Returns the program in [args], and its own arguments. */
 internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     val rest = args.drop(1).toTypedArray()
     return when (args.firstOrNull()) {

@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A Java program in another process, with the class path of the tests. Its output is read line by line. */
+/** A Java program in another process, with the class path of the tests. The program's output is read line by line. */
 internal class Program private constructor(private val process: Process) : AutoCloseable {
     private val unread = LinkedBlockingQueue<String>()
     private val printed = StringBuffer()

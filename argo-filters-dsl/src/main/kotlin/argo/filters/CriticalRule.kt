@@ -1,13 +1,14 @@
 package argo.filters
 
 /**
- * A rule for urgent percepts. They are kept whatever the filter's other rules say, and are never held back. An agent perceives them before
- * anything else that waits. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether a percept meets the rule.
+ * A rule for urgent percepts. Urgent percepts are kept whatever the filter's other rules say, and are never held back. An agent perceives
+ * an urgent percept before anything else that waits. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether
+ * a percept meets the rule.
  *
  * @property rule the rule that the percepts meet; it has no rate
- * @property reflex the command that is sent for such a percept before the agent reasons; null: none. It has 1 to [MAX_REFLEX_LENGTH]
- *   characters up to U+00FF without control characters, blanks at its ends, or `fffe` before two hexadecimal digits. It is not the request
- *   `getPercepts`, with or without arguments.
+ * @property reflex the command that is sent for such a percept before the agent reasons; null: none. A reflex has 1 to [MAX_REFLEX_LENGTH]
+ *   characters up to U+00FF. It has no control characters, no blanks at its ends, and no `fffe` before two hexadecimal digits. A reflex is
+ *   not the request `getPercepts`, with or without arguments.
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {

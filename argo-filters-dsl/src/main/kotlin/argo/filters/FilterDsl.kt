@@ -63,8 +63,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come before
-     * everything else. A critical rule drops nothing.
+     * Adds a critical rule. Percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come first. A
+     * critical rule drops nothing.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -100,6 +100,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 }
 
+/** The rules of a filter that drops. */
 class DropRules internal constructor() : RuleList(Mode.DROP) {
     /**
      * Drops the percepts of [predicate] that meet all [conditions].
@@ -123,6 +124,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun <T : PerceptType> drop(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }
 
+/** The rules of a filter that keeps. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
     /** Keeps the percepts of [predicate] that meet all [conditions]; as [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)

@@ -3,7 +3,6 @@ package argo.filters
 /** Characters that file names cannot contain on some systems. */
 private const val FOREIGN = "\\:*?\"<>|"
 
-/** The name with which `argo.change_filter` switches filtering off. */
 private const val NO_FILTER = "none"
 
 /** Returns why a filter and its file cannot have this [name]; null if they can. */

@@ -42,6 +42,7 @@ sealed interface GroundTerm {
         override fun toString(): String = StringText.write(text)
     }
 
+    /** A list. */
     data class Sequence(val items: List<GroundTerm>) : GroundTerm {
         override fun toString(): String = items.joinToString(",", "[", "]")
     }
@@ -96,8 +97,8 @@ sealed interface GroundTerm {
         }
 
         /**
-         * Returns [text], which begins like a variable, without underscores in front and with its first letter in lower case; null if Jason
-         * does not read the result as an atom or a structure.
+         * Returns [text], which begins like a variable, without the underscores in front and with the first letter in lower case. Null:
+         * Jason does not read the result as an atom or a structure.
          */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }

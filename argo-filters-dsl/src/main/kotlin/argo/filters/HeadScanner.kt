@@ -9,7 +9,6 @@ internal class HeadScanner(private val text: CharSequence, start: Int, end: Int)
     private val namespaceEnd = if (hasSeparator) firstEnd else first
     private val literal = if (hasSeparator) Syntax.skipBlanks(text, separator + 2, end) else first
 
-    /** True if `~` stands before the functor. */
     val negated: Boolean = literal < end && text[literal] == '~'
 
     val functorStart: Int = if (negated) Syntax.skipBlanks(text, literal + 1, end) else literal

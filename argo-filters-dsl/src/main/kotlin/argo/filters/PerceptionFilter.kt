@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * A perception filter. Its [rules] decide which percepts an agent perceives.
+ * A perception filter. A filter's [rules] decide which percepts an agent perceives.
  *
  * Immutable, and safe to share between agents. Two filters are equal if they make the same decisions, even under different [name]s.
  *

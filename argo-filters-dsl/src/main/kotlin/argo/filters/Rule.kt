@@ -32,8 +32,8 @@ data class Rule(
  *
  * The rate applies to each kind of percept separately. Percepts that differ only in numbers are of one kind: `dist(f,2)` and `dist(f,1)`
  * are, `dist(b,1)` is not. A percept is held back while the interval has not ended *and* no number has moved by its deadband. A held-back
- * percept is not lost. It is delivered at the end of the interval; if there are only deadbands, [SETTLING_MS] after the first percept was
- * held back.
+ * percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session delivers it
+ * [SETTLING_MS] after it began to hold percepts back.
  *
  * Only an [argo.filters.matching.FilterSession], which knows the time, holds percepts back.
  *

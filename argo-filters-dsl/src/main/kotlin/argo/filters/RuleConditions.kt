@@ -72,12 +72,10 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** Notes that the rule names [term]. The rule needs a condition or a deadband on it. */
     internal fun mention(term: Any) {
         unsaid += term
     }
 
-    /** Notes that the rule has a condition or a deadband on [term]. */
     internal fun specify(term: Any) {
         unsaid.removeAll { it === term }
     }
@@ -93,7 +91,7 @@ open class RuleConditions internal constructor() {
 }
 
 /**
- * The conditions of a critical rule under construction, and its reflex. Such a rule can have neither [everyMs] nor a [deadband].
+ * The conditions of a critical rule under construction, and its reflex. A critical rule can have neither [everyMs] nor a [deadband].
  *
  * ```kotlin
  * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -122,7 +120,6 @@ class CriticalConditions internal constructor() : RuleConditions() {
  */
 @FilterDsl
 sealed class AnyTerm {
-    /** The term must meet all [tests]. */
     internal abstract fun must(vararg tests: TermTest)
 
     /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */
@@ -180,6 +177,7 @@ sealed class AnyTerm {
     }
 }
 
+/** An argument of a rule under construction: the value of `argument(0)`. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -195,6 +193,7 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
     override fun toString(): String = "argument($index)"
 }
 
+/** An annotation of a rule under construction: the value of `annotation("q")`. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)

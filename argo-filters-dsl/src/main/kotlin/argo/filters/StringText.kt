@@ -1,6 +1,5 @@
 package argo.filters
 
-/** Writes strings between double quotes, and reads them. */
 internal object StringText {
     private const val UNICODE_DIGITS = 4
 
@@ -37,7 +36,6 @@ internal object StringText {
     /** Resolves escapes as Jason does in strings: first `\n`, then `\"`, and no others. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
-    /** Returns true if the backslash at [start] begins `\uXXXX`. */
     fun isUnicode(text: CharSequence, start: Int, end: Int): Boolean =
         start + UNICODE_LENGTH <= end && text[start + 1] == 'u' && (2 until UNICODE_LENGTH).all { isHex(text[start + it]) }
 

@@ -5,7 +5,6 @@ internal object Syntax {
     const val FUNCTOR_IN_WORDS =
         "it starts with a lower-case letter and goes on with letters, digits and _, or stands in single quotes"
 
-    /** Atoms that take no arguments, annotations or negation. */
     val TRUTH_VALUES = setOf("true", "false")
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
@@ -22,10 +21,8 @@ internal object Syntax {
     fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
         isAt(text, start, end, "true") || isAt(text, start, end, "false")
 
-    /** Returns the end of the letters, digits and underscores from [start] on. */
     fun wordEnd(text: CharSequence, start: Int, end: Int): Int = first(text, start, end) { !isWordCharacter(it) }
 
-    /** Returns the first position from [start] on with a [wanted] character; [end] if there is none. */
     private inline fun first(text: CharSequence, start: Int, end: Int, wanted: (Char) -> Boolean): Int {
         var i = start
         while (i < end && !wanted(text[i])) i++
@@ -51,7 +48,6 @@ internal object Syntax {
         return if (isReserved(text, start, i)) -1 else i
     }
 
-    /** Returns the end of the quoted atom that starts at [start]; -1 if it is not closed. */
     fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
         val quote = first(text, start + 1, end) { it == '\'' }
         return if (quote < end) quote + 1 else -1
@@ -66,7 +62,6 @@ internal object Syntax {
     fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
         text[start] != '\'' && (start until end).any { text[it] == '.' }
 
-    /** Returns the end of the unsigned number that starts at [start]; -1 if there is none. */
     fun numberEnd(text: CharSequence, start: Int, end: Int): Int {
         val whole = digitsEnd(text, start, end)
         var i = whole
@@ -89,7 +84,8 @@ internal object Syntax {
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
     /**
-     * Returns the end of the string in double quotes that starts at [start]; -1 if it is not closed or [GroundTerm.Text] cannot hold it.
+     * Returns the end of the string in double quotes that starts at [start]; -1 if the string is not closed or does not fit in a
+     * [GroundTerm.Text].
      */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
@@ -123,7 +119,6 @@ internal object Syntax {
         return i
     }
 
-    /** Returns the end of the comment that starts at [start]; [start] if no comment starts there. */
     fun commentEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start + 1 >= end) return start
         return when (text[start + 1]) {
@@ -136,7 +131,6 @@ internal object Syntax {
         }
     }
 
-    /** Returns true if [text] is exactly [word] from [start] to [end]. */
     fun isAt(text: CharSequence, start: Int, end: Int, word: String): Boolean {
         if (word.length != end - start) return false
         for (i in word.indices) if (text[start + i] != word[i]) return false

@@ -9,7 +9,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.TimeUnit
 
 /**
- * Shows findings in the editor's open texts, shortly after the last change. It publishes none for a text that has been replaced or closed.
+ * Shows findings in the editor's open texts, shortly after the last change. A replaced or closed text gets no findings.
  *
  * @param worker runs [find], one call at a time
  * @param find returns the findings in a text
@@ -27,7 +27,10 @@ internal class Diagnosis(
 ) {
     private var due: Future<*>? = null
 
-    /** The remaining warm-up rounds. They run while nobody types; the JVM compiles code after a few runs and makes it ten times as fast. */
+    /**
+     * The remaining warm-up rounds. Warm-up rounds run while nobody types, since the JVM compiles code after a few runs and makes it ten
+     * times as fast.
+     */
     private var rounds = WARM_UP_ROUNDS
 
     /** The published findings with their text, by its URI. Only the worker uses them. */

@@ -21,9 +21,8 @@ import org.eclipse.lsp4j.Diagnostic
 import java.nio.file.Path
 
 /**
- * Finds the language of a text by the ending of its file's name. Apart from [of], only the server's worker thread uses it.
- *
- * @param tell shows a line to the user
+ * Finds the language of a text by the ending of its file's name. Apart from [of], only the server's worker thread uses it. [tell] shows a
+ * line to the user.
  */
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val projects = Projects(texts, tell)

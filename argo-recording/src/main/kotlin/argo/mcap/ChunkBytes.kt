@@ -2,7 +2,6 @@ package argo.mcap
 
 import java.util.zip.CRC32
 
-/** The log time of a message, and its place in the records of its chunk. */
 internal class IndexEntry(val logTimeNs: Long, val offset: Long)
 
 internal class ChunkBytes {
@@ -18,7 +17,6 @@ internal class ChunkBytes {
     var times: LongRange? = null
         private set
 
-    /** Returns the index entries of the messages of [channel], in the order of their times. */
     fun entries(channel: Int): List<IndexEntry> = index.getValue(channel).sortedBy { it.logTimeNs }
 
     fun message(channel: Int, sequence: Long, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {

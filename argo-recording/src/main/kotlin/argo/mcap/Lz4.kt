@@ -13,7 +13,6 @@ import java.nio.ByteOrder
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)
 
-    /** Returns a frame with the first [length] bytes of [data]. */
     fun compress(data: ByteArray, length: Int): RecordBytes {
         val frame = RecordBytes(length / 2).bytes(HEAD)
         var at = 0

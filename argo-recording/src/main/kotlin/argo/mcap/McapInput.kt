@@ -11,7 +11,6 @@ import java.util.zip.CRC32
 internal class McapInput(val path: Path) : AutoCloseable {
     private val file = FileChannel.open(path, StandardOpenOption.READ)
 
-    /** The length of the file at its opening. */
     val size = file.size()
 
     fun read(at: Long, length: Long): ByteBuffer {

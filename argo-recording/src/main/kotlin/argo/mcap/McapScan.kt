@@ -42,7 +42,6 @@ internal class McapContents {
     }
 }
 
-/** Returns the problem of the empty file [path], in words. */
 internal fun emptyFile(path: Path) = "$path is empty: the recording ended, or the disk was full, before anything was written"
 
 /** Scans a file from its beginning, as far as its records are whole. */

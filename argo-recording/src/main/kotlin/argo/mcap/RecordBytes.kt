@@ -42,7 +42,7 @@ internal class RecordBytes(capacity: Int = 256) {
 
     fun clear() = apply { buffer.clear() }
 
-    /** Returns the array with the bytes. Its first [size] bytes are in use. */
+    /** Returns the array with the bytes. Only the first [size] bytes of the array are in use. */
     fun array(): ByteArray = buffer.array()
 
     /** Returns the bytes as a buffer to read. The next call of this object changes the buffer. */

@@ -5,14 +5,15 @@ import java.util.concurrent.CopyOnWriteArrayList
 
 /** A recording in progress of an agent of this program. */
 interface RunningRecording {
+    /** The agent's name. */
     val agent: String
 
     /** The reason why the recording has ended before its agent, in words; null: it has not. */
     val trouble: String?
 
     /**
-     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. This
-     * waits for the disk, so the agent's thread must not call it.
+     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. The
+     * function waits for the disk, so the agent's thread must not call it.
      *
      * @throws java.io.IOException if there is no such file, or it cannot be written
      */

@@ -43,7 +43,7 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. It perceives the newest message of each topic, except topics whose percepts the
+ * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
  * agent's filter drops completely.
  *
  * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns them into percepts. So no message waits
@@ -124,7 +124,6 @@ internal class RosLink private constructor(
         }?.let(::wants)
     }
 
-    /** Returns the subscriptions for [wish]: its topics, and a simulator's clock. */
     private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
         val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
@@ -266,7 +265,6 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Closes the link, whose connection may already have ended. */
     private fun abandon() {
         close()
         bridge?.close()

@@ -14,8 +14,8 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends one of them again. It has [within] for that from its next perception of the board. The rule
- * applies only if the agent then perceives the same as when it sent the command. An agent that breaks the rule may believe that it has
+ * If one of [commands] fails, the agent sends one of them again. The agent has [within] for that from its next perception of the board. The
+ * rule applies only if the agent then perceives the same as when it sent the command. An agent that breaks the rule may believe that it has
  * stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
@@ -90,7 +90,6 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
 /** Errors after which it makes no sense to repeat the command. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
-/** Returns the time by which [command] should have been sent again; null: its reason or its board has gone. */
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {
     val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
     val again = perceived.firstOrNull { it.received > lost.at } ?: return null

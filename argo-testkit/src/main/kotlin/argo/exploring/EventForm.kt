@@ -12,9 +12,8 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields. Kotlin code, JSON and simpler events are made from it.
- *
- * @property fields in the order of the constructor; each a [Duration], an [Int] or a [String]
+ * A [WorldEvent] as its kind and its fields. Kotlin code, JSON and simpler events are made from it. The [fields] are in the order of the
+ * constructor; each is a [Duration], an [Int] or a [String].
  */
 internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
     /** The event's constructor call in Kotlin. */
@@ -81,7 +80,6 @@ internal val WorldEvent.form: EventForm
         },
     )
 
-/** Writes [value], a time, a number or a text, in Kotlin. */
 internal fun kotlinOf(value: Any): String = when (value) {
     is Duration -> "${value.inWholeMilliseconds}.milliseconds"
     is String -> "\"${value.replace("\\", "\\\\").replace("\"", "\\\"").replace("$", "\\$")}\""

@@ -4,16 +4,11 @@ import kotlin.random.Random
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
-/**
- * Draws the events of a run of [exploration]. The same seed gives the same events.
- *
- * @param agents the names of the agents, for messages
- */
+/** Draws the events of a run of [exploration]. The same seed gives the same events. [agents] are the names of the agents, for messages. */
 internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
 
-    /** Returns the events of the run with [seed], in the order of their times. */
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
@@ -26,9 +21,9 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * Returns [events] with one more fault, which hits a command of [run], the run with these events. It is a fault of the command's board
-     * shortly before the command was issued, while it was on the line, or at its outcome. Null: no command was sent, or the exploration
-     * plays none of these faults.
+     * Returns [events] with one more fault, which hits a command of [run], the run with these events. The fault hits the command's board
+     * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
+     * exploration plays none of these faults.
      *
      * A command is on its way so briefly that faults drawn only from a seed seldom hit it.
      */
@@ -45,7 +40,6 @@ internal class EventSource(private val exploration: Exploration, private val age
         return (events + kinds[random.nextInt(kinds.size)](at, command.port)).sortedBy { it.at }
     }
 
-    /** Returns makers of the faults that can hit a command. */
     private fun hits(random: Random): List<(Duration, String) -> WorldEvent> = exploration.played.mapNotNull { fault ->
         when (fault) {
             Fault.CABLES -> { at, port -> Unplugged(at, port, lasts(random)) }

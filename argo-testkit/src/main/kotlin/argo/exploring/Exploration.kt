@@ -27,7 +27,7 @@ class Exploration internal constructor() {
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** The time of a run in which events happen. It begins 200 ms after the run. */
+    /** The time in which events happen. This time begins 200 ms after the run. */
     var eventful: Duration = 10.seconds
 
     /** The time for which a run goes on after its last event. Some rules need it to see that nothing happens. */

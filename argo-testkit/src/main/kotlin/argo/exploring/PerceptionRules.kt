@@ -18,9 +18,10 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
     }
 
 /**
- * An agent without percepts stops its motion. It is blind from [blindAfter] after its newest message until the next message. A blind agent
- * sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and [safe],
- * was one of [moving]. It has [within] for that from the time of getting blind or, if the port was off, from the port's return.
+ * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
+ * agent sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and
+ * [safe], was one of [moving]. The agent has [within] for sending [safe], from the time of getting blind or, if the port was off, from the
+ * port's return.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
@@ -124,11 +125,13 @@ private class BlindTime(
     }
 }
 
-/** A condition on an agent's percepts. */
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
-    /** Returns each message with which the condition begins to hold, and the message with which it ends; null: it holds at the end. */
+    /**
+     * Returns each message with which the condition begins to hold, and the message with which it ends; null: the condition holds at the
+     * end of the run.
+     */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
         val periods = ArrayList<Pair<Perceived, Perceived?>>()

@@ -15,7 +15,6 @@ internal class Player(private val exploration: Exploration, private val events: 
     private val recorder = TraceRecorder(mas)
     private val faults = HashMap<Board, Trouble>()
 
-    /** The faults of a board at one moment. */
     private data class Trouble(val isUnplugged: Boolean, val hangs: Boolean)
 
     fun play(program: Program): Run = mas.use {

@@ -10,6 +10,7 @@ sealed interface TraceEntry {
 
 /** An action of [agent], or an event that happens to it. */
 sealed interface AgentEntry : TraceEntry {
+    /** The agent's name. */
     val agent: String
 }
 
@@ -19,7 +20,9 @@ data class Happened(override val at: Duration, val event: WorldEvent) : TraceEnt
 /** A message of the board on [port] has come. The agent perceives it soon, or never if a newer one comes before. */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
-/** The agent perceives a message of the board on [port]. Its last byte came at [received], and the filter let [percepts] through. */
+/**
+ * The agent perceives a message of the board on [port]. The message's last byte came at [received], and the filter let [percepts] through.
+ */
 data class Perceived(
     override val at: Duration,
     override val agent: String,
@@ -65,11 +68,13 @@ data class Waits(override val at: Duration, override val agent: String, val inte
 /** A plan of the agent has failed, and there was no plan for the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
+/** The agent has printed [text]. */
 data class Printed(override val at: Duration, override val agent: String, val text: String) : AgentEntry
 
 /** The agent has sent a message to another agent: `tell(bob,ready)`. */
 data class Said(override val at: Duration, override val agent: String, val message: String) : AgentEntry
 
+/** The agent has ended. */
 data class Stopped(override val at: Duration, override val agent: String) : AgentEntry
 
 /** An agent reasons without an end, so that time stands still. The run ends here. */
@@ -92,6 +97,7 @@ class Run internal constructor(
     val arrived: Map<String, List<String>>,
     internal val opened: Set<String>,
 ) {
+    /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"

@@ -21,7 +21,6 @@ import kotlin.time.Duration
 
 /** The explored agents. Made anew for each run. */
 internal fun interface Program {
-    /** Makes the agents. [setUp] adds to the program's own settings. */
     fun MasSetUp.make(setUp: AgentSetUp.() -> Unit)
 }
 
@@ -104,7 +103,6 @@ internal class Scenario(private val program: Program, private val source: String
     private fun requireThere(event: EventForm, wanted: Any?, there: Collection<String>) =
         require(wanted == null || wanted in there) { "${event.kotlin} is about $wanted, and there are only ${there.joinToString()}" }
 
-    /** Returns the first broken rule in [run], with its breach; null: all rules are kept. */
     fun breachIn(run: Run): Pair<Rule, Breach>? =
         exploration.kept.mapNotNull { rule -> rule.breachIn(run)?.let { rule to it } }.minByOrNull { (_, breach) -> breach.at }
 

@@ -26,11 +26,8 @@ data class NotDeterministic(override val runs: Int, override val played: Duratio
  * A run breaks a rule.
  *
  * @property seed the seed of the run; null: the run has no events
- * @property rule the name of the rule
- * @property breach the breach in the shortened run
  * @property events the events after shrinking
  * @property drawn the number of events before shrinking
- * @property run the shortened run
  */
 class Found internal constructor(
     override val runs: Int,
@@ -44,7 +41,6 @@ class Found internal constructor(
     internal val scenario: Scenario,
 ) : Outcome
 
-/** Looks for a run of [scenario] that breaks a rule. */
 internal class Search(private val scenario: Scenario, private val clock: TimeSource) {
     private val exploration = scenario.exploration
     private var runs = 0
@@ -82,7 +78,6 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 
-    /** Returns the outcome of [run], the run with [events]; null: the run keeps the rules. */
     private fun outcome(seed: Long, events: List<WorldEvent>, run: Run): Outcome? {
         val (rule, _) = scenario.breachIn(run) ?: return null
         run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }

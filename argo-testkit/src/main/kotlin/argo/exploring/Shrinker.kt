@@ -6,14 +6,11 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). It leaves out halves, smaller parts and
- * single events. The remaining events then get rounder times and numbers.
- *
- * @param budget the most calls of [breaks]
- * @param breaks plays events and returns true if they still break the rule
+ * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). The shrinker leaves out halves, smaller
+ * parts and single events. The remaining events then get rounder times and numbers. [breaks] plays events and returns true if they still
+ * break the rule.
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
-    /** Returns the shortened list of [events], which break the rule. */
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {
         var left = withoutParts(events)
         while (budget > 0) {

@@ -15,7 +15,7 @@ import jason.asSyntax.InternalActionLiteral
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Records the trace of a run of [mas]. Its threads run one at a time. */
+/** Records the trace of a run of [mas]. The threads of [mas] run one at a time. */
 internal class TraceRecorder(private val mas: TestMas) {
     private val entries = ArrayList<TraceEntry>()
     private val minds = ArrayList<AgentWatch>()
@@ -30,7 +30,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         entries += entry
     }
 
-    /** Watches the reasoning of [agent], which has not begun. */
     fun watch(agent: TestAgent) {
         minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
@@ -80,7 +79,7 @@ internal class TraceRecorder(private val mas: TestMas) {
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** True if the run is over. Agents that stop after it stop for that reason. */
+    /** True if the run is over. Agents that stop after the run stop because of its end. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
@@ -114,7 +113,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         override fun commandIssued(command: IssuedCommand) =
             record(Issued(now, agent.name, command.number, command.port, command.text, planThatRuns()))
 
-        /** Returns the running plan; null on sensing threads, which send reflexes. */
         private fun planThatRuns() = if (mas.time.running == null) planOf(agent.circumstance.selectedIntention) else null
 
         override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =

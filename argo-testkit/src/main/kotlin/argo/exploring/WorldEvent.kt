@@ -10,6 +10,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * Times are whole milliseconds since the run began. If several events overlap on one board, the strongest takes effect.
  */
 sealed interface WorldEvent {
+    /** The time in the run at which the event begins. */
     val at: Duration
 
     /** The event's end; equal to [at] if the event takes no time. */
@@ -46,7 +47,7 @@ data class Unplugged(override val at: Duration, val board: String, val lasts: Du
     override val words get() = "the cable of $board is pulled, and back after $lasts"
 }
 
-/** The board on port [board] neither answers nor acts for [lasts]. It then continues with the bytes that have arrived. */
+/** The board on port [board] neither answers nor acts for [lasts]. The board then continues with the bytes that have arrived. */
 data class Hangs(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "the board on $board hangs for $lasts"
@@ -64,7 +65,7 @@ data class AnswersLate(override val at: Duration, val board: String, val by: Dur
     override val words get() = "the board on $board answers $by late, for $lasts"
 }
 
-/** The board on port [board] restarts, and loses bytes that arrive within [booting]. Its port stays open. */
+/** The board on port [board] restarts, and loses bytes that arrive within [booting]. The port stays open. */
 data class Restarts(override val at: Duration, val board: String, val booting: Duration) : WorldEvent {
     override val ends get() = at + booting
     override val words get() = "the board on $board restarts, which takes it $booting"
@@ -99,5 +100,4 @@ data class MessagesLate(override val at: Duration, val agent: String, val by: Du
     override val words get() = "messages to $agent take $by, for $lasts"
 }
 
-/** The time between two messages of [Floods]. */
 internal val FLOOD_INTERVAL = 5.milliseconds

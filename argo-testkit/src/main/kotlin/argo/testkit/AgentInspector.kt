@@ -17,7 +17,6 @@ import jason.runtime.SourcePath
 import jason.util.Config
 import java.nio.file.Path
 
-/** Reads the beliefs and intentions of an agent under test. */
 internal class AgentInspector(private val ts: TransitionSystem) {
     /** The agent's beliefs without annotations and rules, in alphabetical order. */
     val beliefs: List<String>
@@ -50,7 +49,6 @@ internal fun goal(text: String): Trigger = parsed(text, "a goal such as patrol o
     ASSyntax.parseTrigger("+!" + text.removePrefix("+").removePrefix("!"))
 }
 
-/** Reads [text] as a literal; null: it is no literal. */
 internal fun literalIn(text: String): Literal? = try {
     ASSyntax.parseLiteral(text)
 } catch (_: ParseException) {
@@ -70,8 +68,6 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 /**
  * Creates the agent in [file] behind [infra], as an infrastructure does. Sets Jason's source path for the whole Java program.
  *
- * @param file null: the agent has no program
- * @param called the program's name in messages
  * @throws IllegalArgumentException if Jason cannot read it
  */
 @Synchronized

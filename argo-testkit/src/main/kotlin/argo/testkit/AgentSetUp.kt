@@ -23,8 +23,8 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The agent's Jason environment, for actions that are not internal and for percepts that are not a board's; null: none. Its actions
-     * take no time. Several agents of a test may share it. Threads of the environment run in real time.
+     * The agent's Jason environment, for actions that are not internal and for percepts that are not a board's; null: none. An
+     * environment's actions take no time. Several agents of a test may share it. Threads of the environment run in real time.
      */
     var environment: Environment? = null
 
@@ -49,5 +49,6 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     /** The board on the agent's first port, unless [board] names another port. */
     val board: Board get() = platform.first()
 
+    /** Returns the board on [port]. */
     fun board(port: String): Board = platform.at(port)
 }

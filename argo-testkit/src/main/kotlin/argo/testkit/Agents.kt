@@ -21,7 +21,7 @@ fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { 
 /** Starts the agent in [file]: see [agent]. */
 fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(file, setUp) }.first
 
-/** Starts an agent with [program], like [agent]. Its name is `agent` unless [setUp] sets another. */
+/** Starts an agent with [program], like [agent]. The agent's name is `agent` unless [setUp] sets another. */
 fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agentOf("agent", program, setUp) }.first
 
 /**

@@ -26,11 +26,11 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
 /**
- * The board on a port of an agent under test. It answers each request for percepts with the values that its sensors [show][shows], and
- * takes every other message as a command. It speaks version 1 of the protocol unless [version2] is called.
+ * The board on a port of an agent under test. The board answers each request for percepts with the values that its sensors [show][shows],
+ * and takes every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
  *
- * Its line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and takes
- * effect at once. The agent reacts to it when time advances.
+ * The board's line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and
+ * takes effect at once. The agent reacts to it when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
@@ -108,7 +108,7 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * From now on the board answers no request for percepts, until [shows] is called. It still takes commands. The agent believes
+     * From now on the board answers no request for percepts, until [shows] is called. The board still takes commands. The agent believes
      * `port(P,timeout)`.
      */
     fun ignoresRequests(): Board = apply {
@@ -131,8 +131,8 @@ class Board internal constructor(private val time: VirtualTime) {
     internal fun disturbs(frame: WireFrame): Board = apply { fake.noise(frame) }
 
     /**
-     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. It takes any command. Its
-     * other settings have no effect then, except those of its port.
+     * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. The board then takes any
+     * command. Its other settings have no effect, except those of its port.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -177,8 +177,9 @@ class Board internal constructor(private val time: VirtualTime) {
     }
 
     /**
-     * The board tells agents of version 2 that it has only these [actions]: `ledOn`, `speed/1` with one argument, `say` with a slash and a
-     * star behind it for any number. Without this call it describes no actions, and agents check no command before they send it.
+     * The board tells agents of version 2 that it has only these [actions]. Examples are `ledOn`, `speed/1` with one argument, and `say`
+     * with a slash and a star behind it for any number. Without this call it describes no actions, and agents check no command before they
+     * send it.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
@@ -189,9 +190,9 @@ class Board internal constructor(private val time: VirtualTime) {
     fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
 
     /**
-     * The board has room for [count] critical rules, which it watches itself. It compares them every 5 ms with the percepts that its
-     * sensors [show][shows], and carries out their reflexes, which count as arrived [commands]. Only in version 2. Call this before the
-     * port is opened.
+     * The board has room for [count] critical rules, which it watches itself. Every 5 ms the board compares the rules with the percepts
+     * that its sensors [show][shows]. The board carries out the rules' reflexes, which count as arrived [commands]. Only in version 2. Call
+     * this before the port is opened.
      */
     fun holdsRules(count: Int): Board = apply { fake.holdsRules(count) }
 
@@ -204,7 +205,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board refuses every command for which [kind] is true: see the other form. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
-    /** From now on the board carries [command] out without delay, even if it [refuses] it or [takes] time for it so far. */
+    /** From now on the board carries [command] out without delay, even if the board [refuses] the command or [takes] time for it so far. */
     fun accepts(command: String): Board = apply { fake.whenAsked(command) }
 
     /** The board needs [duration] to carry out [command], and does nothing else during that time. */
@@ -220,8 +221,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun answersAfter(duration: Duration): Board = apply { requestRules.forEach { it.after(millis(duration)) } }
 
     /**
-     * The board restarts now, as after a reset by its watchdog or a dip of its supply. Its port stays open. It forgets the session of
-     * version 2, and loses all bytes that arrive within [booting].
+     * The board restarts now, as after a reset by its watchdog or a dip of its supply. The port stays open. The board forgets the session
+     * of version 2, and loses all bytes that arrive within [booting].
      */
     fun restarts(booting: Duration): Board = apply {
         if (!isOpen) return@apply
@@ -232,7 +233,7 @@ class Board internal constructor(private val time: VirtualTime) {
         threads.forEach(Thread::interrupt)
     }
 
-    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. The agent's `argo.port` waits for it. */
+    /** The board's port needs [duration] to open, like that of a Bluetooth adapter. The agent's `argo.port` waits for that time. */
     fun opensAfter(duration: Duration): Board = apply { openingNanos = nanos(duration) }
 
     /** The board hangs: it neither answers nor acts until [recovers] is called. The agent believes `port(P,timeout)`. */
@@ -270,6 +271,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The messages that have arrived, requests for percepts and commands, in their order. */
     val received: List<String> get() = timed.map { it.command }
 
+    /** The commands that have arrived, in their order. */
     val commands: List<String> get() = received.filterNot(PerceptsRequest::isIn)
 
     /** The [commands], each with the time of its arrival. */
@@ -294,7 +296,6 @@ class Board internal constructor(private val time: VirtualTime) {
         return taken.add(index)
     }
 
-    /** True if the board's port has been opened at least once. */
     internal var wasOpened = false
         private set
 
@@ -381,7 +382,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
 private const val HIGHEST_BYTE = 0xFF
 
-/** Refuses a misspelt percept. It would let each later `shouldNotSend` pass. */
+/** Refuses a misspelt percept, since a misspelt percept would let each later `shouldNotSend` pass. */
 private fun requirePercept(percept: String) {
     val fault = if (perceptsOf(percept) == listOf(percept.trim())) whyLeftOut(percept.trim()) else "a text is one percept, without a ;"
     require(fault == null) {

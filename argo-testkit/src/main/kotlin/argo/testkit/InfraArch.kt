@@ -13,10 +13,8 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking.
- *
- * @param mas the agents with which it exchanges messages
- * @param environment null: none
+ * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking. [mas] are the agents with which it
+ * exchanges messages.
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()
@@ -25,7 +23,6 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     val said = ArrayList<Message>()
 
-    /** Runs one reasoning cycle and returns true. Returns false if the agent sleeps. */
     fun reason(): Boolean {
         if (!running || !awake && ts.canSleep()) return false
         awake = false
@@ -96,7 +93,6 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 
     companion object {
-        /** The receiver of broadcast messages. */
         const val EVERYBODY = "everybody"
         private const val NO_ENVIRONMENT =
             "this agent under test has no environment, so it can only do internal actions: " +
@@ -104,7 +100,6 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 }
 
-/** The infrastructure of the environment of agents under test. */
 internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier {
     override fun informAgsEnvironmentChanged(vararg agents: String) =
         mas.running().filter { agents.isEmpty() || it.name in agents }.forEach { it.infra.wake() }
@@ -117,7 +112,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new. This is the first of the agent's architectures. */
+/** Counts how often the agent has perceived something new. This architecture is the first of the agent's. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

@@ -24,7 +24,6 @@ internal fun existing(file: Path): Path {
     return file.toAbsolutePath().normalize()
 }
 
-/** Does [work] with a temporary file that contains [program]. */
 internal fun written(program: String, work: (Path) -> Unit) {
     val directory = createTempDirectory("argo-testkit")
     val file = directory.resolve("agent.asl").apply { writeText(program) }

@@ -96,7 +96,6 @@ class ReplayedDrive internal constructor(private val file: String, private val a
 
     private fun at(command: SentCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
 
-    /** Lists the commands from a few before the one with the index [first] on. */
     private fun listed(commands: List<SentCommand>, first: Int): String {
         val shown = commands.drop(maxOf(0, first - SHOWN_BEFORE)).take(SHOWN).ifEmpty { return "nothing" }
         return shown.joinToString("") { "\n    ${at(it)}: ${it.text}${it.place?.let { place -> " ($place)" }.orEmpty()}" }

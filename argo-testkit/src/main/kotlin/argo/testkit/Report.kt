@@ -6,7 +6,6 @@ import argo.perception.whyLeftOut
 import java.util.logging.Level
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Describes the state of this agent, to show why an expectation fails. */
 internal fun TestAgent.report(): String {
     val found = listOf(
         "sent" to accounted(), "boards" to boards(), "believes" to beliefs, "intends" to intentions, "said" to said,
@@ -18,10 +17,8 @@ internal fun TestAgent.report(): String {
     }
 }
 
-/** True if this agent perceives through the port in use. */
 internal val TestAgent.isPerceiving: Boolean get() = observed()?.isPerceiving ?: false
 
-/** Explains why this agent has not perceived its first board. */
 internal fun TestAgent.whyBlind(): String {
     val agent = observed()
     val port = agent?.ports()?.find { it.isInUse }
@@ -63,7 +60,6 @@ private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Bo
     }
 }
 
-/** The most percepts of a board whose fate is described. */
 private const val MOST_PERCEPTS = 24
 
 private fun TestAgent.observed(): ObservedAgent? =
@@ -79,5 +75,4 @@ private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
         .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }
 
-/** The number of newest log records that are shown. */
 private const val LOGGED = 20

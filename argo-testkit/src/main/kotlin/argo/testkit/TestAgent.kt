@@ -15,7 +15,8 @@ import kotlin.time.Duration.Companion.seconds
  * and their lines.
  *
  * An expectation waits until it is met, up to one second of virtual time or the given time. An expectation that something does not happen
- * watches for that time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
+ * watches for the whole time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
+ * log.
  *
  * May be used by one thread at a time.
  */
@@ -44,6 +45,7 @@ class TestAgent internal constructor(
     /** The first directories of the search for programs of agents that this agent creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
+    /** The agent's name. */
     val name: String get() = setUp.name
 
     /** False if the agent has been stopped, as by `.stopMAS` or `.kill_agent`, or closed. */
@@ -172,7 +174,7 @@ class TestAgent internal constructor(
     /** Expects that the agent is stopped, as by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** Stops the agent, as `.kill_agent` does. Its boards remain, with their ports closed. */
+    /** Stops the agent, as `.kill_agent` does. The agent's boards remain, with their ports closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)

@@ -27,7 +27,6 @@ class TestMas internal constructor() : AutoCloseable {
     /** Returns the time that a message between agents of the test takes. Called when the message is sent. */
     internal var delayOf: (Message) -> Duration = { Duration.ZERO }
 
-    /** The most reasoning cycles of an agent at one instant: see [CycleLimit]. */
     internal var mostCycles = CycleLimit.MOST
 
     /** Opens the observer of a new agent; null: nobody observes. */
@@ -43,7 +42,6 @@ class TestMas internal constructor() : AutoCloseable {
     operator fun get(name: String): TestAgent =
         agents[name] ?: throw IllegalArgumentException("there is no agent $name; there are ${agents.keys.joinToString()}")
 
-    /** The agents in the order in which they were made, including stopped ones. */
     internal val all: List<TestAgent> get() = made
 
     internal val first: TestAgent get() = made.first()
@@ -79,12 +77,7 @@ class TestMas internal constructor() : AutoCloseable {
         }
     }
 
-    /**
-     * Makes an agent that runs from the next instant on.
-     *
-     * @param file its program; null: none
-     * @param called the program's name in messages
-     */
+    /** Makes an agent that runs from the next instant on. */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
         require(wanted.name !in names) {
             "there is an agent ${wanted.name} already; give the other one another name, by \"name = …\" in its braces"

@@ -33,10 +33,9 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
     /** Returns the board on [port]. The first named port gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
-    /** Returns the board of the first port; if there is none so far, of the first port that the agent will open. */
+    /** Returns the board of the first port. If there is no port so far, the board is that of the first port that the agent will open. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
-    /** Returns the boards on the named ports, by these names. */
     fun named(): Map<String, Board> = boards
 
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)

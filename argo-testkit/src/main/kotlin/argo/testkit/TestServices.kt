@@ -75,7 +75,6 @@ internal class TestServices private constructor(private val real: RuntimeService
     }
 
     companion object {
-        /** Replaces Jason's present services by those of the tests. */
         @Synchronized
         fun install() {
             val there: RuntimeServices? = RuntimeServicesFactory.get()

@@ -8,10 +8,10 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time. It advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest wait.
- * These threads run one at a time, always in the same order, so a test gives the same result on any machine.
+ * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest
+ * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The driver of this time is the test's thread: it calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
+ * The driver of this time is the test's thread, which calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
  * There must be one driver at a time.
  */
 internal class VirtualTime : LineClock {
@@ -24,7 +24,6 @@ internal class VirtualTime : LineClock {
     /** Does a part of the agents' due work on the driver's thread; returns false if there was none. */
     var work: () -> Boolean = { false }
 
-    /** The agents in this time; null before there are any. */
     var mas: TestMas? = null
 
     override fun nanos(): Long = nowNanos
@@ -39,7 +38,7 @@ internal class VirtualTime : LineClock {
         later(nanos, action::run)
     }
 
-    /** Starts a thread in this time. It runs when the driver resumes it. */
+    /** Starts a thread in this time. The thread runs when the driver resumes it. */
     fun start(name: String, run: () -> Unit): Thread = VirtualThread(name, run).also {
         threads += it
         it.isDaemon = true

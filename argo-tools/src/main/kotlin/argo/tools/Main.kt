@@ -39,12 +39,10 @@ private fun standardCharset(): Charset {
     return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
 }
 
-/** Returns the tools, for this program or a test. */
 internal fun tools(): CommandLine = allTools()
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
 
-/** Returns the commands, including those of other modules. */
 internal fun allTools(): CommandLine = CommandLine(Tools()).apply {
     val others = Services.providers(ToolProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
     others.forEach { addSubcommand(it.command()) }

@@ -119,7 +119,6 @@ private class NetworkBoard(percepts: Int) : HostedBoard(percepts) {
     }
 }
 
-/** The board's end of a connection. */
 private class SocketLine(name: String, private val socket: Socket) : DriverTransport(name, LineSettings(BAUD)) {
     init {
         socket.tcpNoDelay = true

@@ -55,7 +55,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     override fun close() = Unit
 
     companion object {
-        /** The option of a watched agent. Its value is the number of the agent's boards. */
+        /** The option of a watched agent. The option's value is the number of the agent's boards. */
         const val OPTION = "argo_watched"
 
         private val watches = ConcurrentHashMap<String, BoardWatch>()
@@ -67,7 +67,6 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     }
 }
 
-/** Returns the least growth of a count from [before] to [after]. */
 internal fun leastMore(before: Map<String, Long>, after: Map<String, Long>): Long =
     after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 

@@ -8,7 +8,6 @@ internal enum class ThreadGroup(val title: String) {
     /** The threads that wait for answers, read and filter them. */
     SENSING("sensing"),
 
-    /** The threads that run the reasoning cycles. */
     REASONING("reasoning"),
 
     /** Other threads of Java: commands, drivers, Jason. */

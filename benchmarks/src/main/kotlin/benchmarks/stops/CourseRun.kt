@@ -7,7 +7,7 @@ import argo.testkit.agentOf
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     val uno = UnoOnLine(course)
 
-    /** The robot. It exists once the port has been opened. */
+    /** The robot, which exists once the port has been opened. */
     val robot: WatchedRobot
         get() = checkNotNull(uno.robotOrNull) { "the agent has not opened its port\n${agent.log.joinToString("\n")}" }
 

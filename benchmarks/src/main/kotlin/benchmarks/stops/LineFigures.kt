@@ -9,7 +9,6 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @property snapshotsPerSecond the snapshots per second of an agent that senses without interval and does not act
  * @property snapshot the bytes of a snapshot, request and answer
- * @property command the bytes of the command `stop`
  */
 internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
     /** The time from the limit to the stop, in ms, if only the line took time and the sensors were read at the limit. */

@@ -11,8 +11,8 @@ import kotlin.concurrent.withLock
 
 /**
  * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions. The board
- * runs to the present at least once in the time of a byte, and before each byte that is sent to it. It hands its own bytes over a byte's
- * time before they arrive.
+ * runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands its own bytes over a
+ * byte's time before they arrive.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,

@@ -72,7 +72,6 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         const val HEXADECIMAL = 16
         const val NANOS_PER_MS = 1e6
 
-        /** Returns the board's cycle at [nanos], at 16 MHz. */
         fun cycle(nanos: Long) = nanos * 16 / 1000
 
         fun nanos(cycle: Long) = cycle * 1000 / 16

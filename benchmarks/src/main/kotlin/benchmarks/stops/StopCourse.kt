@@ -17,9 +17,7 @@ internal enum class Firmware(val sketch: String) {
 /**
  * A robot, a line and an agent.
  *
- * @property version the version of the protocol
  * @property loopMs the time of each `loop()` of the sketch, besides the library's work, in ms
- * @property filter the agent's filter
  * @property cycleTime the time of a reasoning cycle of the agent
  */
 internal data class StopCourse(
@@ -52,7 +50,7 @@ internal object Bench {
 
     val agents: Path = home.resolve("experiment/agent")
 
-    /** Returns the compiled sketch. It may not exist. */
+    /** Returns the compiled sketch, which may not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }

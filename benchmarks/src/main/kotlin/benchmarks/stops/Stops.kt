@@ -10,12 +10,11 @@ import kotlin.time.Duration.Companion.seconds
  * The stops of a course.
  *
  * @property responses the times from the limit to the stop, in ns, in their order
- * @property rests the times from the limit until the robot stood for good, in ns. They are longer if an earlier command `front` drove it on
- *   after a reflex.
+ * @property rests the times from the limit until the robot stood for good, in ns. A time is longer if an earlier command `front` drove the
+ *   robot on after a reflex.
  * @property worst the timeline of line and board in the longest response, in ms from the limit on
  * @property commands the number of commands that the sketch has carried out
  * @property sent the number of commands sent in version 1; in version 2 they are not counted
- * @property starts the number of the sketch's starts
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,

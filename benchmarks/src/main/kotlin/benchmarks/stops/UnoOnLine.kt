@@ -33,10 +33,8 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
         }
     }
 
-    /** Pulls the board's cable. */
     fun disconnects() = requireLine().close()
 
-    /** Stops the board. */
     fun hangs() = requireLine().hang(null)
 
     /** Stops the board, and sends [message] in its place without a pause. */

@@ -3,8 +3,8 @@ package benchmarks.stops
 import javino.LineClock
 
 /**
- * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. It drives at 10 cm/s towards a wall while the
- * sketch's pin is on. Its front sensor gives 1 mV for each mm from the wall.
+ * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. The robot drives at 10 cm/s towards a wall while
+ * the sketch's pin is on. The robot's front sensor gives 1 mV for each mm from the wall.
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
@@ -26,7 +26,6 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     val acted: Int get() = edges.getOrDefault(ACTED, 0)
 
-    /** The number of times that the sketch has read its sensors. */
     val looked: Int get() = edges.getOrDefault(LOOKED, 0)
 
     val started: Int get() = edges.getOrDefault(STARTED, 0)
@@ -38,9 +37,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places the robot [millimetres] from the wall.
-     *
-     * @param departure returns the time at which its first millimetre begins, in ns, if it has driven off at the time of the argument
+     * Places the robot [millimetres] from the wall. [departure] returns the time at which its first millimetre begins, in ns, if it has
+     * driven off at the time of the argument.
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres
@@ -90,7 +88,6 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     companion object {
-        /** The distance at which the agent stops the robot, in mm. */
         const val LIMIT_MM = 800
 
         const val MILLIMETRE_NANOS = 10_000_000L

@@ -14,23 +14,18 @@ internal enum class Source(val factors: Set<Int>) {
 
 /**
  * The effect of one combination of levels of a [source]'s factors: the difference of the response from the sum of the mean and the lower
- * effects.
- *
- * @property levels the level of each of the source's factors, from 0, in the order of the factors
- * @property interval the effect's confidence interval
+ * effects. [levels] has the level of each of the source's factors, from 0, in the order of the factors.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
-    /** True if the interval does not contain 0. */
     val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
 }
 
 /**
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
- * Analysis, Wiley 1991, chapters 22 and 23. Its model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
- * the levels of each factor. The share of a source in the variation is its sum of squares over the total one.
- *
- * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r. All cells have equally many
- *   responses, at least one. With one the error cannot be estimated: its share is 0 and the confidence intervals are infinite.
+ * Analysis, Wiley 1991, chapters 22 and 23. The model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
+ * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
+ * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one the error
+ * cannot be estimated: its share is 0 and the confidence intervals are infinite.
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
@@ -51,7 +46,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
 
-    /** The number of all responses. */
     val count = cells.size * replications
 
     /** Smaller values come only from rounding in sums of such large numbers. */

@@ -7,7 +7,6 @@ import kotlin.math.log10
 
 internal const val CONFIDENCE = 0.95
 
-/** A confidence interval at [CONFIDENCE]. */
 internal data class Interval(val low: Double, val high: Double) {
     /**
      * The number of meaningful decimals, from 0 to 3. Half the width has two digits if they are below 36, otherwise one. That is the rule
@@ -23,18 +22,17 @@ internal data class Interval(val low: Double, val high: Double) {
 }
 
 /**
- * Returns the interval of an event's probability if [found] of [of] runs had the event. It is Wilson's score interval, recommended for few
- * runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16 (2001).
- *
- * @param of at least 1
+ * Returns the interval of an event's probability if [found] of [of] runs had the event. The interval is Wilson's score interval,
+ * recommended for few runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16
+ * (2001). [of] is at least 1.
  */
 internal fun proportionInterval(found: Int, of: Int): Interval =
     WilsonScoreInterval().createInterval(of, found, CONFIDENCE).let { Interval(it.lowerBound, it.upperBound) }
 
 /**
- * Returns the interval of the median of a population from its sample [values]. Its ends are two of them, whatever the distribution (H. A.
- * David and H. N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values, and even the least and the
- * greatest of so few do not enclose the median often enough.
+ * Returns the interval of the median of a population from its sample [values]. The ends of the interval are two of [values], whatever the
+ * distribution (H. A. David and H. N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values, and even
+ * the least and the greatest of so few do not enclose the median often enough.
  */
 internal fun medianInterval(values: List<Double>): Interval? {
     val below = BinomialDistribution(null, values.size, 0.5) // the number of values below the median

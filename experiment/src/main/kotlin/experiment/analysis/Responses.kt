@@ -14,8 +14,6 @@ import samples.collision.Course
  * The time of a robot that ran into the wall is not known, since its agent needed longer than there was. The number for such a robot is a
  * choice.
  *
- * @property title the response's name
- * @property unit the response's unit
  * @property collisions the number for a robot that ran into the wall, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
@@ -32,7 +30,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** The robot's time. It includes the time that readings take on their way. */
+    /** The robot's time, which includes the time that readings take on their way. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },
@@ -46,7 +44,6 @@ internal enum class Response(val title: String, val unit: String, val collisions
     /** True if the paper has this response, apart from its values for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
-    /** Returns the response's value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }
 

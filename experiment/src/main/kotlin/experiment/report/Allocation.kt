@@ -54,7 +54,6 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun row(name: String, published: Double, share: (Factorial) -> Double) = listOf(name) + published("$published") +
         columns.map { (condition, analysis) -> rounded(100 * share(analysis), decimals.getValue(condition)) }
 
-    /** Returns the table [number] of the intervals of the shares. */
     fun intervals(number: String): String {
         val rows = Source.entries.map { source -> intervalsRow(words(source)) { it.sources.getValue(source) } } +
             listOf(intervalsRow("error") { it.error })
@@ -86,7 +85,6 @@ internal class Allocation(private val response: Response, private val columns: M
         /** The most decimals of shares with intervals. The published shares have three. */
         const val MOST_DECIMALS = 2
 
-        /** The decimals of shares without intervals. */
         const val UNSURE_DECIMALS = 1
     }
 }

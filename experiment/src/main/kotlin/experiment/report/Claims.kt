@@ -20,13 +20,7 @@ import kotlin.math.abs
 /** The finding of these runs on a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
-/**
- * A published result or a promise, and the result of these runs.
- *
- * @property claim the published result or the promise
- * @property seen the measured result
- * @property why the explanation of the claim
- */
+/** A published result or a promise, and the result of these runs. [why] is the explanation of the claim. */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
@@ -170,5 +164,4 @@ internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
 internal fun three(value: Double): String = rounded(value, 3)
 
-/** Writes [value] with two significant digits. */
 internal fun twoDigits(value: Double): String = BigDecimal(value).round(MathContext(2)).toPlainString()

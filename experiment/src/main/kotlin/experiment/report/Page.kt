@@ -4,7 +4,7 @@ package experiment.report
 internal fun escaped(text: String): String =
     text.replace(" %", "\u00a0%").replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;")
 
-/** Makes a page that loads no other file. It is light or dark as the reader prefers, and fits a phone. */
+/** Makes a page that loads no other file. The page is light or dark as the reader prefers, and fits a phone. */
 internal fun page(title: String, body: String): String = """<!DOCTYPE html>
 <html lang="en">
 <head>

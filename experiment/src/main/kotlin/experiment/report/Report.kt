@@ -18,8 +18,8 @@ import java.time.temporal.ChronoUnit
 import java.util.Base64
 
 /**
- * Writes the report on the [finished] runs: one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as `runs.csv`.
- * Returns the file of the page.
+ * Writes the report on the [finished] runs. The report is a page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
+ * `runs.csv`. Returns the file of the page.
  */
 internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
     Files.createDirectories(directory.resolve("figures"))

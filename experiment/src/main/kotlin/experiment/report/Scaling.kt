@@ -53,7 +53,6 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
     private fun word() = scale.word.replaceFirstChar(Char::uppercase)
 }
 
-/** Returns the outcome of [run], in a word or in units of [scale]. */
 internal fun fate(run: Finished, scale: TimeScale): String = when (run.result.outcome) {
     Outcome.STOPPED -> scale.text(run.result.sinceLimitMs / 1000)
     Outcome.COLLIDED -> if (leavesTime(run.trial)) "wall" else "too slow"

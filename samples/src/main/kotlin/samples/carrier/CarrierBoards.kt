@@ -6,7 +6,7 @@ import javino.wire.BoardAction
 import samples.carrier.Carrier.Direction
 import kotlin.math.roundToInt
 
-/** The robot of this program. Its three boards share it. */
+/** The robot of this program, which its three boards share. */
 private val carrier by lazy { Carrier(LineClock.system()) }
 
 /** A simulated board of the robot with a [sketch], which logs its actions. */

@@ -12,7 +12,6 @@ import java.util.concurrent.TimeUnit
  *
  * @property port the port of the agent's view; 0: any free port
  * @property waitS the time for which the run waits, in s
- * @property out takes the view's address
  * @property keyboard Enter on it ends the waiting; the end of its input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {

@@ -26,11 +26,7 @@ internal data class Levels(
     val seed: Long,
 )
 
-/**
- * One run of the collision experiment.
- *
- * @param audience the spectators in a browser; null: none
- */
+/** One run of the collision experiment. [audience] are the spectators in a browser; null: none. */
 internal class CollisionRun(
     private val levels: Levels,
     private val progress: Progress,

@@ -43,7 +43,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
     /** The instant of the last command to stop that had an effect; null without one, or if the robot drives again. */
     val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
 
-    /** Returns the instant at which the robot was first [cm] from the wall, as far as it has driven by [now]; null if it was not. */
+    /** Returns the instant at which the robot was first [cm] from the wall; null if the robot has not been so near by [now]. */
     fun reached(cm: Double, now: Long): Long? {
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
@@ -59,6 +59,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** The robot has never driven. */
         STANDING,
 
+        /** The robot drives towards the wall. */
         DRIVING,
 
         /** The robot has driven and stands in front of the wall. */

@@ -7,11 +7,9 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.random.Random
 
 /**
- * A 4WD robot in front of a wall. It drives with `front` and halts with `stop`. `ledLightOn`, `ledLightOff`, `ledTempOn` and `ledTempOff`
- * switch its two lamps.
+ * A 4WD robot in front of a wall. The robot drives with `front` and halts with `stop`. `ledLightOn`, `ledLightOff`, `ledTempOn` and
+ * `ledTempOff` switch its two lamps.
  *
- * @param clock the robot's time
- * @param sensors the robot's sensors
  * @param noticed receives each change of the robot's state when the board notices it, at the next message
  */
 class Robot(

@@ -9,7 +9,7 @@ import kotlin.random.Random
 
 /** `sim:robot`, the robot and the wall of the collision experiment. When its port is opened again, the robot stands where it stood. */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    /** The board that a Jason project finds as a service. It logs the robot's actions. */
+    /** The board that a Jason project finds as a service, which logs the robot's actions. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
     override fun name() = name

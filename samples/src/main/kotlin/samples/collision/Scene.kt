@@ -18,8 +18,8 @@ internal interface Scene {
 }
 
 /**
- * The simulated [robot]. Its place is known whatever its agent believes. If the robot stands, the run has ended only if the agent believes
- * so, since an agent that waits for its board's answer will go on.
+ * The simulated [robot], whose place is known whatever its agent believes. If the robot stands, the run has ended only if the agent
+ * believes so, since an agent that waits for its board's answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -60,7 +60,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** A robot on a [port]. Only its agent's beliefs tell of it. */
+/** A robot on a [port]. Only the agent's beliefs tell of it. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

@@ -56,7 +56,6 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         </svg>
     """.trimIndent()
 
-    /** Returns the place in the picture that is [distance] cm from the wall, in percent of the picture's width. */
     private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - share(distance))
 
     private fun share(distance: Double) = (distance / range).coerceIn(0.0, 1.0)

@@ -2,12 +2,7 @@ package samples.collision
 
 import java.util.Locale
 
-/**
- * The end of a run of the collision experiment.
- *
- * @property sentence the printed sentence
- * @property exitStatus the program's exit status: 0 if the robot was stopped
- */
+/** The end of a run of the collision experiment. [exitStatus] is the program's exit status: 0 if the robot was stopped. */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     /** The robot stands [distance] cm from the wall, [nanosAfter] ns after it crossed the limit; null: it did not cross it. */
     class Stopped(distance: Double, limit: Int, nanosAfter: Long?) : Verdict(

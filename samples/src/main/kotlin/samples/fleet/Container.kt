@@ -9,7 +9,6 @@ import kotlin.concurrent.thread
  * A JADE container with Jason's agents, in another process: `jason.infra.jade.RunJadeMAS` in the directory of the project.
  *
  * @property name the container's name in the `.mas2j`, behind `at`
- * @property port the port at which it listens
  * @param printed receives each line that it prints, on its own thread
  */
 internal class Container private constructor(
@@ -42,10 +41,8 @@ internal class Container private constructor(
         private const val PATIENCE_S = 5L
 
         /**
-         * Starts a container of [project], a `.mas2j` file. It listens only on [HOST].
-         *
-         * @param port the port at which it listens
-         * @param mainPort the port of the main container, even if this is the main container
+         * Starts a container of [project], a `.mas2j` file. The container listens only on [HOST]. [mainPort] is the port of the main
+         * container, even if this is the main container.
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
@@ -68,7 +65,6 @@ internal class Container private constructor(
                 listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
         }
 
-        /** The host of all containers of the sample. */
         const val HOST = "127.0.0.1"
     }
 

@@ -49,7 +49,6 @@ internal class Fleet private constructor(private val containers: List<Container>
             return Path.of(source.toURI())
         }
 
-        /** Returns ports of this computer on which nobody listens now. */
         private fun freePorts(count: Int): List<Int> {
             val sockets = List(count) { ServerSocket(0, 1, InetAddress.getByName(Container.HOST)) }
             return sockets.map { it.localPort }.also { sockets.forEach(ServerSocket::close) }

@@ -8,9 +8,7 @@ import samples.board.FieldBoard
 
 /**
  * The firmware of a robot that drives to ordered places. After `goto(P)` it is on its way, `driving(P)`. [TRAVEL_MS] ms later it is there,
- * `at(P)`. It starts `at(home)`.
- *
- * @param clock the clock of its journeys
+ * `at(P)`. The robot starts `at(home)`.
  */
 class Rover(private val clock: LineClock) : Sketch {
     private var place = "home"

@@ -36,11 +36,7 @@ object Logs {
     }
 }
 
-/**
- * A file with the log of Jason, ARGO and the agents, and all other printed text, from its creation until [close].
- *
- * @property path the file's path
- */
+/** A file with the log of Jason, ARGO and the agents, and all other printed text, from its creation until [close]. */
 internal class LogFile private constructor(val path: Path) : AutoCloseable {
     private val out = System.out
     private val err = System.err

@@ -70,7 +70,6 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         null
     }
 
-    /** Stops all agents, which close their ports. */
     fun end() = stopAgs(0)
 
     /** Notes the end of the system by `.stopMAS`. */

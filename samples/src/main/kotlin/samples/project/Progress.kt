@@ -7,11 +7,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The progress of a run in one line. It is rewritten in place on a terminal, and printed as a plain line now and then elsewhere. Safe for
- * use by several threads.
+ * The progress of a run in one line. On a terminal, the line is rewritten in place. Elsewhere, a plain line is printed now and then. Safe
+ * for use by several threads.
  *
  * @param inPlace whether [out] is a terminal, on which the line is rewritten
- * @param charset the character set of [out]
  */
 class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "

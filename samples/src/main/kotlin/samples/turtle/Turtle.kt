@@ -13,7 +13,6 @@ internal class Turtle(private val nanos: () -> Long) {
     val position: Double
         get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
 
-    /** The turtle's distance from the wall, in m. */
     val range: Double get() = WALL - position
 
     @get:Synchronized

@@ -16,8 +16,8 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address. It knows only the parts of the protocol for
- * the topics `/sonar` and `/cmd_vel`, and for the ROS 1 action `/dock`.
+ * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address. This bridge knows only the parts of the
+ * protocol for the topics `/sonar` and `/cmd_vel`, and for the ROS 1 action `/dock`.
  */
 internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
     private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // the least time between messages, by subscriber of the sonar

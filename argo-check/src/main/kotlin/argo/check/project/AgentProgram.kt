@@ -17,7 +17,7 @@ class AgentProgram(val path: Path, text: String) {
 
     val mentions: Mentions by lazy { MentionReader().read(program.components) }
 
-    /** The words in parts that the reader skipped after an error. Such a word may mean anything. */
+    /** The words in parts that the reader skipped after an error. A skipped word may mean anything. */
     val unread: Set<String> by lazy {
         val spans = program.components.filterIsInstance<Unread>().map { it.span }
         val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }
@@ -27,7 +27,6 @@ class AgentProgram(val path: Path, text: String) {
     /** The files that this program includes, as written. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
-    /** The names of the filters that this program changes to. */
     internal val filtersCalled: List<String> get() = mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
         when (val name = it.literal.arguments.firstOrNull()) {
             is Literal -> name.functor

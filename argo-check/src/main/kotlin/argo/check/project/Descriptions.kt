@@ -7,7 +7,6 @@ import javino.PerceptKind
 /** A word to which [file] gives a meaning, at [span]. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span)
 
-/** A description of percepts that cannot be read, and the reason. */
 internal class Unreadable(val file: ProjectFile, val span: Span, val reason: String)
 
 /** The kinds of percepts that [file] describes. */

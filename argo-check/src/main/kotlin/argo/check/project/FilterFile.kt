@@ -44,9 +44,8 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
         }
 
         /**
-         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter.
-         *
-         * @param called the names of filters that programs change to
+         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter. [called] are the names of filters that
+         * programs change to.
          */
         internal fun isMeant(path: Path, text: String, called: Set<String>): Boolean =
             path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called ||

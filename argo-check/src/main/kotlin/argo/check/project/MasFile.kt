@@ -17,8 +17,8 @@ class AgentOption(val name: Token, val value: Token?)
  *
  * @property source the program's path as written, with its ending
  * @property architectures the names behind `agentArchClass`
- * @property hasOwnClass true if the agent has an agent class or a belief base class of its own, which may choose other events, options and
- *   intentions or hold other beliefs
+ * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
+ *   options and intentions, or hold other beliefs.
  */
 class MasAgent(
     val name: Token,
@@ -42,7 +42,6 @@ class MasAgent(
         const val ARCHITECTURE = "argo.Arch"
         private val INITIAL = mapOf("beliefs" to Role.BELIEVED, "goals" to Role.POSTED)
 
-        /** Returns the literals in the value of [option], which Jason reads as the elements of a list. */
         private fun literalsIn(option: AgentOption): List<Literal> {
             val text = option.value?.text.orEmpty().removeSurrounding("\"").replace("\\\"", "\"")
             val holder = programOf("initial([$text]).").components.singleOrNull() as? Belief
@@ -65,7 +64,6 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return if (start == null) emptyList() else tokens.drop(start + 2)
     }
 
-    /** Returns the tokens of each agent, without the `;` that ends it. */
     private fun entries(): List<List<Token>> {
         val entries = arrayListOf(ArrayList<Token>())
         val all = after(MasFrame.AGENTS)

@@ -5,10 +5,8 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
 /**
- * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file.
- *
- * @param tokens the tokens without comments
- * @param end a token for the end of the file
+ * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file. [end] is the
+ * token for the end of the file.
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0

@@ -166,7 +166,6 @@ internal class MentionReader {
         }
     }
 
-    /** Reads an event in braces that looks like a statement, such as `{ +b }`. */
     private fun awaited(block: Block) {
         val step = (block.content as? Body)?.statements?.singleOrNull() as? Formula
         if (step == null) content(block, Role.EVENT) else mention(Role.EVENT, step.term)

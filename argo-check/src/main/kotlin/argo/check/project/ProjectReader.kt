@@ -34,7 +34,6 @@ class ProjectReader {
             .let { all -> all.map { project -> project.copy(leftOut = leftOut.filterKeys { ownerOf(it, all) === project }) } }
     }
 
-    /** Returns the project that reports [file] as left out. */
     private fun ownerOf(file: Path, projects: List<Project>): Project =
         projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
@@ -99,7 +98,6 @@ class ProjectReader {
         files.filter { it.extension == "xml" || it.extension == "json" }.associateWith { textOf(it) }
             .filter { (path, text) -> FilterFile.isMeant(path, text, called) }.map { (path, text) -> FilterFile.of(path, text) }
 
-    /** Returns the agent's program if the project file names one outside of the project's folder; null: it does not. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }

@@ -38,7 +38,7 @@ data class BoardAction(val name: String, val arity: Int?) {
     }
 }
 
-/** Returns the functors and numbers of arguments of the percepts in a board's recording. Their values are left open. */
+/** Returns the functors and numbers of arguments of the percepts in a board's recording. The values of the percepts are left open. */
 internal fun recordedKinds(recording: String): List<PerceptKind> {
     val lines = recording.lines().drop(1).map { it.split('\t') }
     val messages = lines.filter { it.size == RECORDED_PARTS && it[1] == "in" }.map { it[2] }.distinct()

@@ -11,14 +11,12 @@ internal object ArgoActions {
     /** The actions that need `argo.Arch`. */
     val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record")
 
-    /** The errors of these actions. */
     val ERRORS = setOf(
         "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port",
         "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_vocabulary",
         "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter", "bad_filter",
     )
 
-    /** The errors of Jason's plans and actions. */
     val JASON_ERRORS = setOf(
         "no_relevant", "no_applicable", "no_option", "constraint_failed", "ia_failed", "action_failed", "internal_action", "unknown",
         "wrong_arguments",
@@ -26,7 +24,7 @@ internal object ArgoActions {
     )
 
     /**
-     * Returns the name that a call such as `.argo.port` gives to an action of ARGO, in upper or lower case; null: the call is of no such
+     * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such
      * action. An action of that name need not [exist][exists].
      */
     fun actionIn(called: String): String? {

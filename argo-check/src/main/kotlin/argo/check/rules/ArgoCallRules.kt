@@ -13,7 +13,6 @@ import kotlin.math.roundToLong
 
 /** Calls of ARGO's internal actions: arguments and options, and the forms of other versions of ARGO. */
 internal object ArgoCallRules : Rule {
-    /** The actions whose arguments this rule checks. */
     val CHECKED = setOf("port", "limit", "percepts", "act", "filter", "change_filter")
 
     override fun check(scene: Scene, report: Report) {
@@ -119,7 +118,7 @@ internal object ArgoCallRules : Rule {
     private fun portsIn(calls: List<Call>): List<Term> =
         calls.filter { it.action == "port" }.mapNotNull { it.arguments.firstOrNull() }.filter { it !is Variable }
 
-    /** Only programs for other versions of ARGO write the dot. Those may mean nanoseconds. */
+    /** Only programs for other versions of ARGO write the dot, and such programs may mean nanoseconds. */
     private fun slowLimit(calls: List<Call>, report: Report) {
         val slow = calls.firstOrNull { call ->
             call.action == "limit" && call.name.startsWith(".") &&

@@ -41,7 +41,6 @@ internal object ArgumentOrderRules : Rule {
         )
     }
 
-    /** Returns the index of the first argument that the [others] have in exchange with the next one; null: there is none. */
     private fun swapped(mention: Mention, others: List<List<Term>>): Int? =
         mention.literal.arguments.zipWithNext().indices.firstOrNull { index ->
             isSwapped(mention.literal.arguments[index], mention.literal.arguments[index + 1], index, others)

@@ -67,7 +67,6 @@ internal object FilterRules : Rule {
         dropped(scene, used.filterNotNull().distinct(), report)
     }
 
-    /** Reports a filter that an agent changes to but the project does not have. */
     private fun missing(call: Mention, scene: Scene, report: Report) {
         val name = nameIn(call) ?: return
         if (name == "none" || name == "remove" || scene.project.filters.any { it.isCalled(name) } ||
@@ -101,7 +100,6 @@ internal object FilterRules : Rule {
         }
     }
 
-    /** Returns true if [filter] drops all percepts that match [literal]. */
     private fun drops(filter: PerceptionFilter, literal: Literal): Boolean {
         val values = literal.arguments.map(RobotRules::valueOf)
         val percept = literal.functor + if (values.isEmpty()) "" else values.joinToString(",", "(", ")") { it ?: "0" }

@@ -4,10 +4,8 @@ package argo.check.rules
 val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 
 /**
- * The arguments of an internal action.
- *
- * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
- *   term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything
+ * The arguments of an internal action. [kinds] are the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string,
+ * `e` a list or a string, `t` a term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything.
  */
 internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val since: String?) {
     /** The numbers of arguments in words, such as `3 to 5 arguments`. */

@@ -20,7 +20,6 @@ internal object InternalActionRules : Rule {
         "tellRule",
     )
 
-    /** Functions that a formula may call like an internal action. */
     private val FUNCTIONS = setOf(
         "math.abs", "math.average", "math.max", "math.min", "math.random", "math.round", "math.sqrt", "math.std_dev", "math.sum",
         "math.acos",

@@ -25,7 +25,6 @@ internal class Names(names: Collection<String>) {
     }
 
     companion object {
-        /** Returns the one of [names] that [written] is probably a slip of; null: there is none. */
         fun near(written: String, names: Collection<String>): String? = Names(names).near(written)
     }
 }

@@ -52,7 +52,6 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
     }
 }
 
-/** Checks options in lists. */
 internal object Options {
     fun check(list: ListTerm, known: Map<String, KnownOption>, owner: String, report: Report) {
         list.items.filterIsInstance<Literal>().forEach { option(it, known[it.functor], known.keys, owner, report) }

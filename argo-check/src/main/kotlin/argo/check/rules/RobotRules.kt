@@ -93,7 +93,6 @@ internal object RobotRules : Rule {
         else report.warning("percept-range", comparison.span, what, WHY, "compare with a number in the range")
     }
 
-    /** Returns the result that the comparison always has; null: the result varies. */
     private fun outcome(variable: Term, operator: String, bound: Term, ranges: Map<String, PerceptArgument.Quantity>): Boolean? {
         val range = ranges[(variable as? Variable)?.name?.text] ?: return null
         val number = valueOf(bound)?.toBigDecimalOrNull() ?: return null

@@ -23,7 +23,7 @@ internal class Report(private val place: (Span) -> Place) {
 
     fun hint(rule: String, span: Span, what: String, why: String, remedy: String) = add(rule, Level.HINT, span, what, why, remedy)
 
-    /** Warns of each of [mentions] with a functor that is nearly one of [known], but neither one of them nor known elsewhere. */
+    /** Warns of each of [mentions] whose functor is nearly one of [known] and is itself not known anywhere. */
     fun slips(rule: String, mentions: List<Mention>, known: Set<String>, scene: Scene, why: String, what: (Mention) -> String) {
         val names = Names(known)
         for (mention in mentions) {

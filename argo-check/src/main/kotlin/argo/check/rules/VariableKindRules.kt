@@ -10,9 +10,7 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/**
- * Variables that an internal action needs as one kind of term, such as a list, while the rest of the plan uses another, such as a number.
- */
+/** Variables of two kinds of term in a plan. For example, an internal action needs a list, but the rest of the plan uses a number. */
 internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
         val uses = component.withDescendants().flatMap(::usesIn).toList().groupBy { it.variable }

@@ -1,6 +1,5 @@
 package argo.check.syntax
 
-/** Reads the bodies of plans. */
 internal class BodyReader(private val cursor: Cursor, private val terms: TermReader) {
     /** Reads statements up to the first token that begins no statement. */
     fun body(): Body = cursor.nested({ Body(it, emptyList()) }) {

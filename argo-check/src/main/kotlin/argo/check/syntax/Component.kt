@@ -36,7 +36,7 @@ class Plan(
     override val children: List<Node> get() = listOfNotNull(label, trigger, context, goalCondition, body) + plans
 }
 
-/** Text that the reader skipped after an error. Its tokens and their meaning are not known. */
+/** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
 class Unread(override val span: Span) : Component {
     override val children: List<Node> get() = emptyList()
 }
@@ -46,6 +46,7 @@ class Label(override val span: Span, val name: Name?, val annotations: ListTerm?
     override val children: List<Node> get() = listOfNotNull(name, annotations)
 }
 
+/** The kinds of events, with their symbols in triggers. */
 enum class EventKind(val symbol: String) { BELIEF(""), ACHIEVE("!"), TEST("?") }
 
 /** @property operator `+`, `-` or `^` */
@@ -53,6 +54,7 @@ class Trigger(override val span: Span, val operator: String, val kind: EventKind
     override val children: List<Node> get() = listOf(term)
 }
 
+/** The statements of a plan's body. */
 class Body(override val span: Span, val statements: List<Statement>) : Node {
     override val children: List<Node> get() = statements
 }
@@ -68,6 +70,7 @@ enum class BodyOperator(val symbol: String) {
     DELETE_APART("--"),
     ;
 
+    /** True if the operator adds a belief. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
     /** True if the statement deletes a belief and adds none in its place. */

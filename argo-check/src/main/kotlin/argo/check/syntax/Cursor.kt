@@ -1,10 +1,6 @@
 package argo.check.syntax
 
-/**
- * Walks over tokens. After an [error][fail] it acts as if at the end until [restart], so that each reader returns its part.
- *
- * @param tokens the tokens without comments
- */
+/** Walks over tokens. After an [error][fail] it acts as if at the end until [restart], so that each reader returns its part. */
 internal class Cursor(private val tokens: List<Token>, private val lines: Lines, private val report: (SyntaxError) -> Unit) {
     private val end = Token(TokenKind.UNKNOWN, "", lines.end)
     private var depth = 0
@@ -38,7 +34,6 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
         if (!take(symbol)) expected(what)
     }
 
-    /** Reports that [what] is missing here. */
     fun expected(what: String) {
         val found = tokens.getOrNull(at)
         when {

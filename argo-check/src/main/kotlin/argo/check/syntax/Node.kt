@@ -103,11 +103,12 @@ class Prefixed(val operator: Token, val operand: Term) : Term {
     override val children: List<Node> get() = listOf(operand)
 }
 
+/** A term or a formula in round brackets. */
 class Bracketed(override val span: Span, val term: Term) : Term {
     override val children: List<Node> get() = listOf(term)
 }
 
-/** A term in braces. Its [content] is a [Body], a [Plan], a [Trigger], or a rule as a [Belief]. */
+/** A term in braces. The [content] in the braces is a [Body], a [Plan], a [Trigger], or a rule as a [Belief]. */
 class Block(override val span: Span, val content: Node) : Term {
     override val children: List<Node> get() = listOf(content)
 }

@@ -1,6 +1,5 @@
 package argo.check.syntax
 
-/** Reads the components of a program. */
 internal class ProgramReader(private val cursor: Cursor) {
     private val terms = TermReader(cursor, ::block)
     private val bodies = BodyReader(cursor, terms)

@@ -13,9 +13,8 @@ import kotlin.io.path.readText
 import kotlin.io.path.visitFileTree
 
 /**
- * A directory with filter files. Links to files are followed only within [boundary].
- *
- * @param foreignFiles whether the directory is likely to contain files that are no filters; [names] then leaves those out
+ * A directory with filter files. Links to files are followed only within [boundary]. [foreignFiles] tells whether the directory is likely
+ * to contain files that are no filters; [names] then leaves those out.
  */
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 

@@ -8,8 +8,9 @@ import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
- * Finds filters by name. It searches the [FilterProvider]s on the class path of [classLoader] first, next the files in each of
- * [projectDirectories] and its `filters/`, and last `filters/` on the class path. Safe for use by several threads at once.
+ * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. Next come the files in each of
+ * [projectDirectories] and in its folder `filters/`. The folder `filters/` on the class path is last. Safe for use by several threads at
+ * once.
  *
  * Files are XML (`.xml`) or JSON (`.json`). A name may lack this ending; an XML file is then preferred. A name may contain folders
  * (`night/dark`). A name that leads out of the searched places is refused: absolute paths, `..`, backslashes, and links to files outside.

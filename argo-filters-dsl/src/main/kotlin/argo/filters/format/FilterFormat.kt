@@ -19,10 +19,8 @@ internal enum class FilterFormat(
         /** Returns the format of a file with this name; null if no filter file has such a name. */
         fun of(fileName: String): FilterFormat? = entries.find { fileName.endsWith(it.extension) }
 
-        /** Returns a filter's name without the extension of a format. */
         fun bareName(name: String): String = of(name)?.let { name.removeSuffix(it.extension) } ?: name
 
-        /** Returns the names of files in which a filter called [name] may be, each with its format. */
         fun candidates(name: String): List<Pair<String, FilterFormat>> =
             of(name)?.let { listOf(name to it) } ?: entries.map { name + it.extension to it }
     }

@@ -16,6 +16,5 @@ internal sealed class FilterNode(val position: Position, val words: String) {
     /** Replaces a missing or wrong value that has already been reported. */
     class Refused(position: Position) : FilterNode(position, "")
 
-    /** @property words the member with its value, for messages */
     class Member(val name: String, val position: Position, val value: FilterNode, val words: String = "\"$name\" is ${value.words}")
 }

@@ -52,7 +52,6 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
     override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"
 }
 
-/** A folder on the class path. */
 internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->

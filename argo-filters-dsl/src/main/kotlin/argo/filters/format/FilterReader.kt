@@ -31,7 +31,6 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
 /** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
 
-    /** Returns the filter; null if [node] is not an object, which is reported. */
     fun filter(node: FilterNode): PerceptionFilter? {
         val members = members(node, "a filter", RULES, CRITICAL, KEEP, ON_SWITCH) ?: return null
         if (RULES !in members) report(node.position, "the filter has no \"$RULES\"; expected an array of rules, which may be empty")
@@ -77,7 +76,6 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    /** Returns the condition of [node]; null if [node] has only a deadband, or the condition is refused. */
     private fun condition(node: FilterNode, deadbands: MutableMap<Int?, Deadband>?): Condition? {
         val members = members(node, "a condition", ARGUMENT, ANNOTATION, OPERATOR, VALUE, LIMITS, DEADBAND) ?: return null
         if ((ARGUMENT in members) == (ANNOTATION in members)) {

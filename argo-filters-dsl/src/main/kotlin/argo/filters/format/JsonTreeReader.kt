@@ -38,7 +38,6 @@ internal class JsonTreeReader(text: String, private val source: String) {
         }
     }
 
-    /** The array or object in which the parser stopped, in words. */
     private val surroundings: String
         get() = parser.parsingContext.let { within ->
             if (within.inRoot()) return ""

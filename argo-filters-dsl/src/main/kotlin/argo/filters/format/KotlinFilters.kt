@@ -11,7 +11,7 @@ import argo.filters.usableName
 /** Writes filters as Kotlin source. ARGO cannot read such a filter back; that takes a Kotlin compiler. */
 object KotlinFilters {
     /**
-     * Returns a Kotlin file with LF line ends. Its only property is an equal filter of the same name.
+     * Returns a Kotlin file with LF line ends. The only property in the file is an equal filter of the same name.
      *
      * The property has the filter's name, in backquotes if Kotlin requires them. The name has `_` for characters that no Java method or
      * file name can contain.
@@ -99,7 +99,6 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     }
 }
 
-/** Returns [text] as a Kotlin string literal. */
 internal fun kotlinString(text: String): String = text.toCharArray().joinToString("", "\"", "\"") { character ->
     when (character) {
         '"', '\\', '$' -> "\\$character"

@@ -20,7 +20,6 @@ internal class SourceText(val text: String) {
     val end: Position
         get() = position(text.length)
 
-    /** Returns the index of the character at [line] and [column], at most the length of the text. */
     fun offset(line: Int, column: Int): Int = (lineStarts[minOf(line, lineStarts.size) - 1] + column - 1).coerceIn(0, text.length)
 
     fun position(offset: Int): Position {

@@ -6,7 +6,6 @@ import argo.filters.format.FilterNode.Scalar
 /** Converts an XML document into the tree for [FilterReader]. Reports superfluous elements and attributes to [problems]. */
 internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
 
-    /** Returns the filter; null only if a problem is reported. */
     fun filter(): FilterNode? {
         tree.problem?.let(problems::report)
         val root = tree.root ?: return null
@@ -104,7 +103,6 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Refused(element.position)
     }
 
-    /** Returns the attributes of [element] by name, and reports those that are not [known]. */
     private fun attributes(element: XmlElement, vararg known: String): Map<String, Member> {
         val members = LinkedHashMap<String, Member>()
         for (attribute in element.attributes) {
@@ -121,7 +119,6 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF[name] ?: name, attribute.position, Scalar(attribute.position, text, isText = true, isBare = true), words)
     }
 
-    /** Returns the children of [element] that are [known], and reports the others. */
     private fun children(element: XmlElement, vararg known: String): List<XmlElement> {
         val (expected, unknown) = element.children.partition { it.name in known }
         val elements = words(known.map { "<$it>" }.toTypedArray(), "only text")

@@ -14,8 +14,8 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document. Its declaration or its byte-order mark (UTF-8 or UTF-16) names its encoding; otherwise it is in UTF-8.
-     *   Not closed.
+     * @param input the XML document. The document's declaration or byte-order mark (UTF-8 or UTF-16) names the encoding; otherwise the
+     *   encoding is UTF-8. Not closed.
      * @param source the document's file or other source, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
      * @throws FilterException with all problems of the text
@@ -53,6 +53,5 @@ object XmlFilters {
     }
 }
 
-/** Returns the name of a filter whose text comes from [source]. */
 internal fun nameOf(source: String, extension: String): String =
     source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(extension)

@@ -20,7 +20,6 @@ internal class XmlElement(val name: String, val position: Position, attributes: 
 
     var isClosed = false
 
-    /** The text directly in the element, without blanks around it. */
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
@@ -41,8 +40,8 @@ internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFact
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports only the end of a tag, so this class searches for the tag's beginning in [document]. It refuses a document type
- * declaration at once, so no entity is ever expanded or fetched.
+ * The JDK's parser reports only the end of a tag, so this class searches for the tag's beginning in [document]. This class also refuses a
+ * document type declaration at once, so no entity is ever expanded or fetched.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)

@@ -18,7 +18,7 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
-/** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. It begins without a filter. */
+/** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. The session begins without a filter. */
 fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 
 /**

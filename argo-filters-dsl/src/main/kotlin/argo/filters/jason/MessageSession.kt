@@ -9,8 +9,8 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Turns a board's messages into percepts: splits a message, filters the texts, reads the kept ones, and limits how many of them the agent
- * believes.
+ * Turns a board's messages into percepts. The session splits a message, filters the texts, reads the kept texts, and limits how many
+ * percepts the agent believes.
  *
  * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  *

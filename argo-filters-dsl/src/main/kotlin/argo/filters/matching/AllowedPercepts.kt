@@ -5,7 +5,6 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.TermTest
 
-/** The percepts that meet all [conditions]. */
 internal class AllowedPercepts(private val conditions: List<Condition>) {
     private val arguments =
         conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
@@ -53,7 +52,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
 
 /** Numbers between two limits. An open limit (see [isFromOpen]) is outside of the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
-    /** The numbers that meet [test]. Its operator is an ordering. */
+    /** The numbers that meet [test], whose operator is an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
 
     private constructor(operator: Operator, limit: Double) : this(
@@ -70,7 +69,6 @@ private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to
 
     fun isEmpty(): Boolean = from > to || from == to && (isFromOpen || isToOpen)
 
-    /** Returns the only number in the range; null: there are none or several. */
     fun single(): GroundTerm? = if (from == to && !isEmpty()) GroundTerm.Number(from) else null
 
     fun holds(number: Double): Boolean = (number > from || number == from && !isFromOpen) && (number < to || number == to && !isToOpen)

@@ -13,11 +13,7 @@ import argo.filters.Rule
 import argo.filters.Syntax
 import argo.filters.TermTest
 
-/**
- * A rule in a form that is fast to apply.
- *
- * @property critical the critical rule with this rule; null: the rule is an ordinary one
- */
+/** A rule in a form that is fast to apply. [critical] is the critical rule with this rule; null: the rule is an ordinary one. */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
     private val isPlain = !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
@@ -32,7 +28,10 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
 
-    /** Returns true if the percept in [text] meets all conditions. Its functor ends at [functorEnd], and [tail] describes the rest. */
+    /**
+     * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] describes the
+     * rest.
+     */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail) }
 
@@ -54,7 +53,6 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept meets the condition. The parameters are those of [CompiledRule.areMet]. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false

@@ -16,6 +16,7 @@ import argo.filters.TermTest
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
+    /** The fate of a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),
@@ -68,7 +69,6 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             }
         }
 
-        /** Describes the part of [percept] that [condition] tests. */
         private fun found(percept: PerceptText, condition: Condition): String {
             if (condition is Condition.Annotation) return unmet(condition)
             val (index, test) = condition as Condition.Argument

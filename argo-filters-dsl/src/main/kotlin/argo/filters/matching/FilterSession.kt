@@ -41,8 +41,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. It is the
-     * last perception with each due percept in the place of its predecessor.
+     * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
+     * is the last perception with each due percept in the place of its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
@@ -104,7 +104,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** Makes a session for percepts in the text of the line. It begins without a filter. */
+        /** Makes a session for percepts in the text of the line. The session begins without a filter. */
         fun ofTexts(): FilterSession<String> = FilterSession { it }
     }
 }

@@ -7,9 +7,9 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rule
 
 /**
- * Finds parts of the filter without effect and returns a sentence for each: rules that no percept can match, superfluous rules and
- * conditions, deadbands on missing arguments, and a filter without rules. Rules count from 1. Each sentence is true for all percepts, but
- * some parts without effect are not found.
+ * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
+ * rules and conditions, and deadbands on missing arguments. A filter without rules has no effect either. Rules count from 1. Each sentence
+ * is true for all percepts, but some parts without effect are not found.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }

@@ -20,7 +20,6 @@ fun perceptsOf(message: String): List<String> {
 /** Splits [percept] at every `;`, even in strings and brackets: the second attempt for a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
-/** Returns true if each bracket and quote in [text] is closed. */
 internal fun isBalanced(text: String): Boolean = balancedEnd(text, 0) != null
 
 /** Returns the end of the percept that begins at [start]; null if its brackets or quotes do not match. */

@@ -9,8 +9,6 @@ import argo.filters.Syntax
 /**
  * The text of a percept, divided into the parts that rules test.
  *
- * @param functor the start of the functor
- * @param functorEnd the position behind the functor
  * @param tail arity and annotations, see [TermBounds.tail]
  * @param head the functor's namespace and negation; null: neither
  */
@@ -36,7 +34,6 @@ internal class PerceptText private constructor(
     /** Returns true if the percept meets the conditions of [rule], which is one of [rulesIn]. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
-    /** Returns the first condition of [rule] that the percept does not meet. */
     fun failing(rule: CompiledRule): Condition = rule.failing(text, functorEnd, end, tail)
 
     /** Returns the number at argument [index]; null if the argument is missing or no number. */
@@ -54,7 +51,6 @@ internal class PerceptText private constructor(
         }
     }
 
-    /** Returns the text of the argument at [index]; null if there is none. */
     fun argument(index: Int): String? = if (index < arity) part(index).trim() else null
 
     private fun part(index: Int): String =

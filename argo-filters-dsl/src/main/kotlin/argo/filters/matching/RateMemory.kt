@@ -18,14 +18,13 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThr
  * numbers are of one kind.
  *
  * The memory is bounded. Above [CAPACITY] kinds it forgets the kind that came longest ago, so the next percept of that kind is let through.
- * It does not remember percepts longer than [MAX_LENGTH] characters, so these are never held back.
+ * Percepts longer than [MAX_LENGTH] characters are not remembered, and so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
 
     private val mode = filter?.mode
 
-    /** True if no rule has a rate. */
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = object : LinkedHashMap<Key, LetThrough<P>>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
@@ -46,7 +45,6 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         }
     }
 
-    /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
     fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
             if (rule.rate == null || isLong(text)) continue

@@ -6,7 +6,7 @@ internal object ActionManual {
     val actions: Map<String, String> = page("internal-actions.md").split(Regex("(?m)^## ")).drop(1)
         .associate { section -> section.lineSequence().first() to withoutLinks(section.substringAfter('\n').trim()) }
 
-    /** The options of actions, by the action's name without dots: each with its meaning, or with its form if the page gives no meaning. */
+    /** The options of actions, by the action's name without dots. Each option has its meaning, or its form if the page gives no meaning. */
     val options: Map<String, Map<String, String>> = actions.mapKeys { it.key.removePrefix("argo.") }
         .mapValues { (_, text) -> optionsIn(text) }
         .let { it + ("ports" to it.getValue("port")) }

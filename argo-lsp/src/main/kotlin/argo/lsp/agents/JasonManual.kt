@@ -9,9 +9,8 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 
 /**
- * The names and documentation of Jason's internal actions. The documentation comes from Jason's classes.
- *
- * @param classPath a class path with Jason; null: there is no documentation
+ * The names and documentation of Jason's internal actions. The documentation comes from Jason's classes. [classPath] is a class path with
+ * Jason; null: there is no documentation.
  */
 internal class JasonManual(classPath: String?) {
     private val loader = classPath?.let { URLClassLoader(urlsOf(it), ClassLoader.getPlatformClassLoader()) }

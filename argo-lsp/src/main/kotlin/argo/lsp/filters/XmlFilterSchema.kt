@@ -7,7 +7,6 @@ import javax.xml.parsers.DocumentBuilderFactory
 /** An attribute and its possible values; [values] is empty if there are too many to list. */
 internal class XmlAttributeKind(val named: Named, val values: List<String>)
 
-/** An element with its possible attributes and elements. */
 internal class XmlElementKind(val named: Named, val attributes: List<XmlAttributeKind>, elements: () -> List<XmlElementKind>) {
     val elements: List<XmlElementKind> by lazy(elements)
 }
@@ -17,7 +16,7 @@ internal object XmlFilterSchema {
         .use { DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(it).documentElement }
     private val root = schema.children("element").map(::element)
 
-    /** Returns the elements that may stand in the innermost of [open]; empty if one of [open] may not stand in the one before it. */
+    /** Returns the elements that may stand in the innermost of [open]; empty if an element of [open] may not stand in its predecessor. */
     fun elementsIn(open: List<String>): List<XmlElementKind> =
         open.fold(root) { known, name -> known.find { it.named.name == name }?.elements.orEmpty() }
 

@@ -34,7 +34,7 @@ internal interface Language {
     fun renamed(text: Text, offset: Int): Range? = null
 
     /**
-     * Returns the changes that rename the word at [offset] of [text] to [name], and a note to the user; null: the word is no name.
+     * Returns the changes that rename the word at [offset] of [text] to [name], with a note to the user. Null: the word is no name.
      *
      * @throws RefusedException with the reason, if the name cannot be changed
      */

@@ -6,11 +6,7 @@ import argo.lsp.text.Text
 import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
-/**
- * The files of a project. An open text in the editor replaces the file on the disk.
- *
- * @property checked the project in the form of argo-check
- */
+/** The files of a project. An open text in the editor replaces the file on the disk. [checked] is the project in the form of argo-check. */
 internal class Project(val checked: argo.check.project.Project, private val open: Map<Path, Text>) {
     val robot: Robot get() = checked.robot
 

@@ -14,8 +14,8 @@ internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. They differ from the program's if
- * the program draws a number or reads a clock.
+ * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. The recorded ones differ from the
+ * program's if the program draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)

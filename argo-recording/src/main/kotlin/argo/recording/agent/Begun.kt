@@ -21,7 +21,7 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations. Those in [open] have not ended. */
+    /** Continues after [last] begun operations. The operations in [open] have not ended. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)
@@ -34,7 +34,6 @@ internal class Begun {
     fun carryOut(end: End): Boolean = open.remove(end.number)?.let { it(end) } != null
 }
 
-/** Sets the result of [action] to its [end] in the environment. */
 internal fun complete(action: ActionExec, end: End) {
     action.result = end.failure == null
     end.failure?.let { action.setFailureReason(if (it.error.isEmpty()) null else ASSyntax.parseLiteral(it.error), it.message) }

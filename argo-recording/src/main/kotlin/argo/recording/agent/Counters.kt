@@ -37,7 +37,6 @@ internal object Counters {
 
     fun lastIntention(start: List<Int>): Int = start[ofIntentions]
 
-    /** Returns the counter before the draw of [message]. A question that waits for its answer draws two numbers. */
     private fun numberBefore(message: String): Int? = when {
         message.startsWith(Message.msgIdSyncAskPrefix) -> message.removePrefix(Message.msgIdSyncAskPrefix).toIntOrNull()?.minus(2)
         else -> message.removePrefix(Message.msgIdPrefix).toIntOrNull()?.minus(1)
@@ -52,7 +51,6 @@ internal object Counters {
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 
-    /** Gives the number [label] to the next plan that Jason names. */
     fun nameFrom(label: Int) {
         all.getOrNull(ofLabels)?.set(label - 1)
     }

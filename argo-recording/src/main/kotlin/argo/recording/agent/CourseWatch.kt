@@ -28,7 +28,6 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     private var mail = ArrayList<Mail>()
     private val prints = PrintWatch(ts)
 
-    /** The step of the agent in the present cycle; null: none so far. */
     var step: StepNote? = null
         private set
 
@@ -110,12 +109,10 @@ internal class CourseNote(
     private val printed: List<String>,
     private val beliefs: Int,
 ) {
-    /** The name of the first message that the agent sent; null: it sent none. */
     val firstMessage: String? get() = mail.firstOrNull()?.id
 
     val hasHappened: Boolean get() = event != null || step != null
 
-    /** Makes the texts, on any thread. */
     fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
 }
 

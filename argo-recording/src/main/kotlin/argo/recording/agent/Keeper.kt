@@ -55,7 +55,6 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
         return true
     }
 
-    /** Leaves the recorder out if the project's program serializes its agent. */
     private fun writeReplace(): Any = ConcurrentLinkedQueue(this)
 
     companion object {

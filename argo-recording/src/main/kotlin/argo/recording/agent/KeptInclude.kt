@@ -58,8 +58,8 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
-         * Returns the name, in a recording, of the file from which [outer] is read: empty while the agent's program or a block of it is
-         * being read, `.` for the running agent [ag], otherwise the address of the included file.
+         * Returns the name, in a recording, of the file from which [outer] is read. The name is empty for the agent's program and its
+         * blocks, `.` for the running agent [ag], and otherwise the address of the included file.
          */
         fun placeOf(outer: Agent, ag: Agent?): String = when {
             outer.aslSrc == null -> ""

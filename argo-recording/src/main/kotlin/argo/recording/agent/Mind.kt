@@ -14,7 +14,6 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
 
-/** The events, intentions, waits and plans of an agent at the end of a cycle. */
 internal class Mind(
     val events: ArrayList<Event>,
     val atomicEvent: Event?,
@@ -29,7 +28,7 @@ internal class Mind(
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions with a number. Their [numbers] have the same order. */
+    /** The intentions with a number, in the order of their [numbers]. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
     /** The agent's plans; null: those of its program. */
@@ -63,7 +62,6 @@ internal class Wait(
     }
 }
 
-/** Describes [wait], a `.wait` of Jason, for a key frame. [timer] is the number of its timer. */
 internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Boolean) = WaitEvents.run {
     Wait(
         timer, isListening, trigger[wait], formula[wait], reason[wait], key[wait], unifier[wait], intention[wait], isDropped[wait],

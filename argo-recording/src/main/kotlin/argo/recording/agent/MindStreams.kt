@@ -33,7 +33,7 @@ internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
     ByteArrayOutputStream().also { bytes -> MindOutput(bytes, program).use { it.writeObject(mind) } }.toByteArray()
 
 /**
- * Reads the mind that [bytesOf] wrote, for the agent of [code]. Its intentions get the plans of [program].
+ * Reads the mind that [bytesOf] wrote, for the agent of [code]. The mind's intentions get the plans of [program].
  * @throws java.io.IOException if [bytes] are something else, or come from another version of Jason
  */
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {

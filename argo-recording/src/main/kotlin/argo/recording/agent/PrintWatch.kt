@@ -20,7 +20,6 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
         ts.logger.addHandler(this)
     }
 
-    /** Begins a cycle on the calling thread. */
     fun begin() {
         thread = Thread.currentThread()
     }

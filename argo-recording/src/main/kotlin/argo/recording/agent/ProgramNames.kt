@@ -44,7 +44,6 @@ internal class ProgramNames(text: String) {
 
     private fun isAt(place: Int, image: String) = tokens.getOrNull(place)?.image == image
 
-    /** Returns the string that is the first argument of [functor], if [functor] stands at [place]. */
     private fun argumentOf(functor: String, place: Int): String? {
         val string = tokens.getOrNull(place + 2)
         if (!isAt(place, functor) || !isAt(place + 1, "(") || string?.kind != as2jConstants.STRING) return null

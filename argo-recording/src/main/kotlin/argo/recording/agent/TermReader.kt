@@ -32,9 +32,8 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters.
- *
- * @param agent the agent whose functions the text may name; null: only Jason's own functions
+ * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters. [agent] is the agent whose functions the text
+ * may name; null: only Jason's own functions.
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
     /** The text does not come from [TermWriter]. */
@@ -183,7 +182,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return ArithExpr(left as NumberTerm, operator, next() as NumberTerm)
     }
 
-    /** Reads a variable or a literal, with its namespace. */
     private fun literalHere(): Literal {
         val isNegated = take("~")
         val first = name()
@@ -377,7 +375,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             mapOf("NaN" to Double.NaN, "Infinity" to Double.POSITIVE_INFINITY, "-Infinity" to Double.NEGATIVE_INFINITY)
         val LOGICAL = listOf(LogExpr.LogicalOp.and, LogExpr.LogicalOp.or)
 
-        /** The relational signs, longer ones first. */
         val RELATIONAL = RelExpr.RelationalOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
         val ARITHMETIC = ArithExpr.ArithmeticOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
     }

@@ -33,7 +33,7 @@ internal fun contentOf(text: String, agent: Agent): Any =
 
 private const val TEXT = "#text("
 
-/** The operator of signals, which Jason 3.2.1 does not have. They are written like beliefs. */
+/** The operator of signals, which Jason 3.2.1 does not have. A recording contains signals in the form of beliefs. */
 private const val SIGNAL = "signal"
 
 /**
@@ -65,7 +65,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Reads a percept of a recording in format 1. Its strings are written as boards write them, and Jason's parser does not read those. */
+/** Reads a percept of a recording in format 1. Such a percept has strings in the boards' notation, which Jason's parser does not read. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term: in Jason's notation where that has only one meaning, otherwise as `#kind(…)`, with
- * which no term of Jason's begins.
+ * Writes terms so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
+ * No term of Jason's begins with `#kind(…)`.
  *
  * | written | is |
  * |---|---|
@@ -51,10 +51,8 @@ import kotlin.math.floor
 internal class TermWriter {
     private val out = StringBuilder()
 
-    /** Returns the text of [term]; never throws. */
     fun text(term: Term): String = written { term(term) }
 
-    /** Returns the text of [literal] where only a literal can stand. */
     fun literalText(literal: Literal): String = written {
         when {
             !isBare(literal) -> term(literal)
@@ -197,7 +195,6 @@ internal class TermWriter {
         if (literal.hasAnnot()) list(literal.annots)
     }
 
-    /** Writes [operation] in Jason's notation, in parentheses. */
     private fun operation(operation: Structure) {
         val sign = operation.functor
         if (operation.arity == 1) {
@@ -248,7 +245,6 @@ internal class TermWriter {
         source?.run { "#at(${srcFile?.let(::quoted) ?: NONE},$beginSrcLine,$endSrcLine)" } ?: NONE
 
     companion object {
-        /** Replaces a missing part. */
         const val NONE = "#none"
 
         private val KNOWN: Set<Class<*>> = setOf(
@@ -276,10 +272,8 @@ internal class TermWriter {
         /** Returns the text for a term that cannot be written because of [why]. */
         fun refusedText(why: String) = "$REFUSED${quoted(why)})"
 
-        /** Returns true if [text] replaces a term that could not be written. */
         fun isRefused(text: String) = text.startsWith(REFUSED)
 
-        /** Returns the description of the refused term in [text]. */
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
         /** Returns [text] in quotes. Only characters of every encoding stand in the result. */

@@ -34,7 +34,7 @@ internal class WatchedAction(private val name: String, override val code: Intern
 }
 
 /**
- * Wraps `.random`, and passes calls to [watched]. It extends Jason's class, since `.set_random_seed` casts to that class to take the
+ * Wraps `.random`, and passes calls to [watched]. This class extends Jason's, since `.set_random_seed` casts to Jason's class to take the
  * generator of [code].
  */
 internal class WatchedRandom(override val code: random, private val watched: WatchedAction) : random(), Watched {
@@ -86,7 +86,6 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** Leaves the watch out if the project's program serializes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {

@@ -48,8 +48,8 @@ internal class UnknownCodeException(name: String) :
     )
 
 /**
- * Makes this object the keeper and the watch of the agent of [ts]. It then gets the operations that the agent begins outside of its thread,
- * and decides on the agent's calls. Returns the agent's watched code.
+ * Makes this object the keeper and the watch of the agent of [ts]. This object then gets the operations that the agent begins outside of
+ * its thread, and decides on the agent's calls. Returns the agent's watched code.
  * @throws UnknownCodeException if the program has code that cannot be watched; this object is then not the agent's keeper
  */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
@@ -61,9 +61,9 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent: those of the
- * project, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this class changes
- * the program's own terms.
+ * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. Such code is
+ * the project's own, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this
+ * class changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
     private var seen = identities() // objects seen in the present visit
@@ -72,7 +72,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private var isStale = false
     private var unknown: UnknownCodeException? = null // looked-up code that cannot be watched
 
-    /** The agent with this code. */
     val agent: Agent get() = ts.ag
 
     /** Watches the agent's present plans and rules, and all code that the agent looks up later. */
@@ -132,7 +131,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
-    /** Returns [function] in its watched form if it must be watched. */
     fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
@@ -209,7 +207,6 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
             else -> WatchedAction(calledName(name, action), action, watch)
         }
 
-        /** Returns [function]. If it must be watched, the result asks [watch] about each call. */
         fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
             function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
             isPlain(function) -> WatchedFunction(function, watch)
@@ -219,7 +216,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must be watched and is not yet. That includes unknown code, so that no replay carries it out. */
+        /** Returns true if [code] must be watched and is not yet. Unknown code must be watched too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true

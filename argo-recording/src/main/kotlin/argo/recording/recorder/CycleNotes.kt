@@ -40,7 +40,6 @@ internal class CycleNotes(val ns: Long) {
     var refusal: Refusal? = null
         private set
 
-    /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
     /**
@@ -97,9 +96,8 @@ internal class CycleNote(
 }
 
 /**
- * A call whose result becomes known later, perhaps in parts during the cycle.
- *
- * @param args the arguments of the action or function; Jason has copied them, but the project's code may change them
+ * A call whose result becomes known later, perhaps in parts during the cycle. [args] are the arguments of the action or function; Jason has
+ * copied them, but the project's code may change them.
  */
 internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }

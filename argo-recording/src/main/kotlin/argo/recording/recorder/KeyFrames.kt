@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts] from time to time. It takes one at the end of a cycle in which all of the agent's activities can be
- * described. Make it before the agent's first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle in which all of the agent's
+ * activities can be described. Make it before the agent's first cycle. Belongs to the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
@@ -67,7 +67,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
      *
      * @param begun the number of operations that the agent has begun outside of its thread
      * @param open the numbers of the operations that have not ended
-     * @param perceived the percepts of the agent
      */
     fun take(cycle: CycleNote, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
         if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
@@ -90,7 +89,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
     }
 
-    /** Returns the reason why the agent cannot be described now; null: none is known. */
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
@@ -111,7 +109,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** Returns true if [intention] waits for the answer of another agent, which is recorded. */
     private fun isAsk(intention: Intention) = "${intention.suspendedReason}" == "waiting_ask"
 
     private fun described(intention: Intention): String {

@@ -128,14 +128,13 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. The rest of that cycle's course is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. How that cycle would have gone on is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
         end(agent)
     }
 
-    /** Ends the recording of the agent, which runs on. */
     private fun end(agent: Running) {
         isRefused = true
         agent.ts.c.removeEventListener(agent.events)
@@ -416,7 +415,6 @@ internal class Recorder(
         if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay from here on
     }
 
-    /** Returns the agent if the calling thread carries out one of its cycles. */
     private fun current() = if (inCycle === Thread.currentThread()) running else null
 
     override fun messagePerceived(message: PerceivedMessage) {

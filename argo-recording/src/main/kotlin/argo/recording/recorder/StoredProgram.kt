@@ -28,7 +28,6 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     private var inclusions = 0
     private val root: Path
 
-    /** The name of the attachment with the agent's own file. */
     val main: String
 
     init {
@@ -58,10 +57,8 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
     }
 
     /**
-     * Stores the file called [name] that the agent includes at run time, found as Jason will find it.
-     *
-     * @param outer the address of the including file
-     * @param within the name of that file by [KeptInclude.placeOf]
+     * Stores the file called [name] that the agent includes at run time, found as Jason will find it. [within] is the name of that file by
+     * [KeptInclude.placeOf].
      */
     fun include(name: String, outer: String?, within: String) =
         store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
@@ -110,8 +107,7 @@ internal class ProgramSource(val address: String, val bytes: ByteArray) {
 
         /**
          * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
-         *
-         * @param outer the address of the including file; null: the agent's program, at its beginning
+         * [outer] is the address of the including file; null: the agent's program, at its beginning.
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)

@@ -85,7 +85,6 @@ internal class Track(
         recording.save()
     }
 
-    /** Ends the agent's part of the recording. May be called twice. */
     fun close() {
         if (isClosed.getAndSet(true)) return
         RunningRecordings.remove(this)

@@ -39,7 +39,6 @@ internal interface Answers {
 
     fun next(cycle: Cycle)
 
-    /** Carries out the ends before [cycle]. */
     fun carryOut(cycle: Cycle)
 
     /** Returns the port by which [percept] came, a text of [argo.recording.agent.literalText]; null: it came by no port. */
@@ -70,10 +69,8 @@ internal interface Answers {
  * An operation that an agent begins outside of its thread, in [cycle].
  *
  * @property kind the operation's kind, as in [End.kind]
- * @property what the operation's description
  * @property delayNs the delay of a timer, in ns
  * @property isDropped returns true if the agent has given the operation up
- * @property complete takes the operation's end
  */
 internal class BegunWork(
     val cycle: Cycle,
@@ -91,10 +88,8 @@ internal class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), Schedule
     override fun compareTo(other: Delayed) = 0
 }
 
-/** Returns the texts by which the [args] of calls are compared. */
 internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf(it)) }
 
-/** Returns true if this is a call of [name] with [args] in the form of [compared]. */
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
 /** Returns the recorded value of the function, or throws its recorded failure; null: the call is not of a function. */

@@ -14,7 +14,6 @@ import argo.recording.Step
  * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
  * @property recorded the recorded value; null: none
  * @property now the value in the replay; null: none
- * @property cause the likely cause, in a sentence
  */
 data class Difference(
     val agent: String,
@@ -52,8 +51,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * Returns the comparable part of this replayed course of [cycle]. It lacks the parts that the recording lacks because its agent or Java was
- * ending. Unless [isChecking] carries out the project's own actions, it contains the recorded lines of these actions.
+ * Returns the comparable part of this replayed course of [cycle]. The result has no parts that the recording lacks, as when the agent or
+ * Java was ending. Unless [isChecking] carries out the project's own actions, the result contains the recorded lines of these actions.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
@@ -73,7 +72,6 @@ private fun Course.asFarAs(recorded: Course) = copy(
     beliefs = recorded.beliefs,
 )
 
-/** Returns true if [all] contain these [lines] in their order. */
 private fun isWithin(lines: List<String>, all: List<String>): Boolean =
     all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 
@@ -85,9 +83,9 @@ private fun described(step: Step) =
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
 /**
- * Returns [text] without parts that do not depend on the agent: numbers that Jason gives to variables, plans and messages of all agents;
- * the place of a failure's code, which is a path on the recording machine and missing in messages; and hashes of Java objects, such as the
- * iterator in the steps of a loop.
+ * Returns [text] without numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of all
+ * agents. The place of a failure's code is a path on the recording machine, and missing in messages. A hash belongs to a Java object, such
+ * as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

@@ -64,7 +64,6 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
             now = session.perceive(message.texts, ms)
         }
 
-        /** Returns true if the filter lets a held-back percept through. */
         fun takeDue(ms: Long): Boolean = session.due(ms)?.also { now = it } != null
 
         private fun read(text: String): List<Literal> {

@@ -12,8 +12,8 @@ import jason.asSyntax.Term
 
 /**
  * The agent of a replay, or an agent that Jason makes for an included file. Asks [watch] about each call of looked-up code: while Jason
- * reads the program, while the agent runs, and for terms that the agent makes from texts. It touches no class that is neither an internal
- * action nor a function.
+ * reads the program, while the agent runs, and for terms that the agent makes from texts. The agent touches only classes that are internal
+ * actions or functions.
  */
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     private var code: WatchedCode? = null // null while the program is read

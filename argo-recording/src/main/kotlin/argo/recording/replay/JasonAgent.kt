@@ -30,8 +30,6 @@ import java.nio.file.Path
 /**
  * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
- * @param source the agent's program
- * @param includes the files that the program includes
  * @param isCarryingOut whether an architecture of the project may be made, which may do anything
  * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or Jason cannot read the program
  */
@@ -89,7 +87,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
+/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Cycles in which nothing happens are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -194,7 +192,7 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }
 
-/** The platform of an agent in a replay, with the recorded input. It opens no port and runs no thread. */
+/** The platform of an agent in a replay, with the recorded input. This platform opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
 

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds recorded calls, and the ends of their operations, in [cycles]. They answer an agent that may make other calls, or calls at other
- * times.
+ * Finds recorded calls, and the ends of their operations, in [cycles]. The recorded calls answer an agent that may make other calls, or
+ * calls at other times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -37,7 +37,6 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
         .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
 
-    /** Returns the end of the operation with this [number]; null: the operation did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
     /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */
@@ -45,8 +44,8 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; null: none is left
-     * there. Returns each call once.
+     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]. Null: none
+     * is left there. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }

@@ -22,10 +22,8 @@ import java.util.concurrent.TimeUnit
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * Answers with the recorded results for an agent that must repeat its recording. Reports each difference.
- *
- * @param isChecking whether to carry out the project's own actions and functions again, to compare their results
- * @param found takes each difference
+ * Answers with the recorded results for an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to
+ * carry out the project's own actions and functions again, to compare their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()
@@ -87,7 +85,6 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         }
     }
 
-    /** Carries out the project's own action again, and compares its result with the recorded one. */
     private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
         val un = call.un.clone()
         val now = try {

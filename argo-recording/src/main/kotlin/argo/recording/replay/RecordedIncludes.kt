@@ -15,9 +15,8 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * The files that [agent] of [recording] has included. A replay takes them from the recording instead of the disk.
- *
- * @param beside a program in place of the recorded one; included files are first looked for in its folder. Null: there is none.
+ * The files that [agent] of [recording] has included. A replay takes them from the recording instead of the disk. [beside] is a program in
+ * place of the recorded one; included files are first looked for in its folder. Null: there is none.
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
@@ -27,7 +26,6 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     /** The watch for the code of the program and of its included files. */
     val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
 
-    /** The running agent; null while its program is read. */
     var running: Agent? = null
 
     private var isInRecorded = false // whether a recorded file is being read

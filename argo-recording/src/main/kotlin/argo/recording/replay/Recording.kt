@@ -87,7 +87,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of that length. */
+    /** Returns the cycles of [agent], in their order. With [last], only cycles in the last part of that length are returned. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -113,8 +113,8 @@ class Recording(private val file: Path) : AutoCloseable {
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none, or if no replay can have it. A
-     * replay that [isCarryingOut] the project's code can have more cycles.
+     * Refuses [cycle] of [agent] if no replay can have it. Also refuses a cycle that does not directly follow the cycle with the index
+     * [last], 0 for none. A replay that [isCarryingOut] the project's code can have more cycles.
      * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -135,8 +135,8 @@ class Recording(private val file: Path) : AutoCloseable {
     }
 
     /**
-     * Returns the outcomes of the commands of [agent], in the order in which they became known; with [last], only those in the last part of
-     * that length.
+     * Returns the outcomes of the commands of [agent], in the order in which they became known. With [last], only outcomes in the last part
+     * of that length are returned.
      */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
@@ -203,8 +203,8 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
 class RecordingException(message: String) : IOException(message)
 
 /**
- * Returns the exception for [failed], which has ended a replay: a refusal if a text is unreadable or a term is nested too deep, otherwise
- * [failed] itself.
+ * Returns the exception for [failed], which has ended a replay. The exception is a refusal if a text is unreadable or a term is nested too
+ * deep, otherwise [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

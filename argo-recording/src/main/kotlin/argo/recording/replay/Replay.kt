@@ -5,12 +5,12 @@ import argo.recording.agent.shownBeliefs
 
 /**
  * Runs the agents of [recording] again in Jason on their recorded input, without boards, threads and clocks. The cycles run in the order of
- * their times. After each cycle, the replay compares the agent's course with the recorded one. It stops an agent with another course, since
- * the later input answers other actions. It ends before the first cycle of an agent that no replay can have, see [refusals].
+ * their times. After each cycle, the replay compares the agent's course with the recorded one. An agent with another course is stopped,
+ * since the later input answers other actions. An agent also stops before its first cycle that no replay can have, see [refusals].
  *
- * A replay changes nothing outside of itself. It uses the recorded results of the project's own internal actions and functions without
- * carrying them out. If [isChecking], it does carry them out and reports another result as a difference, but still uses the recorded one.
- * It refuses an architecture of the project in place of `argo.Arch`, unless [isChecking].
+ * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
+ * recorded results. If [isChecking], a replay does carry them out and reports another result as a difference, but still uses the recorded
+ * result. Unless [isChecking], a replay refuses an architecture of the project in place of `argo.Arch`.
  *
  * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
  * the recording of each contains all messages that it took afterwards.

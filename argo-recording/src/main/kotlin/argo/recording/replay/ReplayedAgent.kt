@@ -7,11 +7,10 @@ import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
- * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. It begins at the beginning
- * of its program, or at the key frame [Recording.start] of [recording].
+ * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. The agent begins at the
+ * beginning of its program, or at the key frame [Recording.start] of [recording].
  *
  * @param programs the file of its program, whose code has been checked
- * @param found takes each difference from the recording
  * @param isChecking whether to carry out the project's code
  * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
  */
@@ -60,7 +59,6 @@ internal class ReplayedAgent(
         else -> "not known; it is the first difference of this agent"
     }
 
-    /** Returns the threads of the project that visibly worked on the agent in the recorded [cycle]. */
     private fun threadsIn(cycle: Cycle): List<String> = buildList {
         cycle.input.ends.mapNotNull { it.thread }.forEach { add("the project's thread $it") }
         if (cycle.input.events.isNotEmpty() || cycle.input.isChangedOutside) add("a thread of the project")

@@ -38,11 +38,7 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
-/**
- * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations.
- *
- * @param senses the percepts of the agent
- */
+/** Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations. */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
     private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
     private var counters: List<Int> = emptyList() // counters after the agent's last cycle
@@ -62,9 +58,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         private set
 
     /**
-     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
-     *
-     * @param recorded the agent with the recorded program, if the agent of [ts] has another program
+     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start]. [recorded] is the agent with
+     * the recorded program, if the agent of [ts] has another program.
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
@@ -97,7 +92,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Puts an event into the agent's queue at [place]; null: at its end. */
     private fun addEvent(trigger: Trigger, place: Int?) {
         ts.c.addExternalEv(trigger)
         if (place == null) return
@@ -143,8 +137,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [work], which only asks. Its calls get the results recorded in this cycle, and do not count as the agent's calls. For the
-     * agent's thread.
+     * Does [work], which only asks. The calls in [work] get the results recorded in this cycle, and do not count as the agent's calls. For
+     * the agent's thread.
      */
     fun <T> asking(work: () -> T): T {
         val around = isAsking

@@ -32,8 +32,6 @@ import java.util.zip.InflaterInputStream
  * Restores the agent of [ts] to its state at [frame]. Jason has just read the agent, which has had no cycle.
  *
  * @param program the parts of the recorded program; the agent's intentions consist of its plans
- * @param code the agent's watched code
- * @param course numbers its intentions
  * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
  */
 internal class Restoration(

@@ -5,7 +5,6 @@ import argo.recording.PerceptChange
 import argo.recording.agent.literalOf
 import jason.asSyntax.Literal
 
-/** The percepts of an agent in a replay. */
 internal interface Senses {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)

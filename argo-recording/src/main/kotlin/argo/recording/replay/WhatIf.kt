@@ -23,13 +23,12 @@ import java.time.Duration
  * As long as the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
  * recorded agent slept.
  *
- * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]. It then has the beliefs of the key
- * frame, even if [program] has others. It continues the intentions of the key frame with their own plans.
+ * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]. The agent then has the beliefs of
+ * the key frame, even if [program] has others. The intentions of the key frame go on with their own plans.
  *
  * Close it at the end. For one thread; a program can run one replay at a time.
  *
  * @param program the agent's program; null: the recorded program
- * @param senses the agent's percepts
  * @param cycles the agent's recorded cycles, from [Recording.start] on
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read

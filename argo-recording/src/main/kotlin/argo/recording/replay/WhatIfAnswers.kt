@@ -213,10 +213,9 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         /** The actions whose answers are true only about the time of the question. */
         private val LATE = setOf("argo.age", "argo.skew", "argo.can", "argo.explain")
 
-        /** The actions whose results are given in the order of the questions. */
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")
 
-        /** The index of an additional cycle. It was not recorded and has no input. */
+        /** The index of an additional cycle, which was not recorded and has no input. */
         const val BETWEEN = 0L
     }
 }

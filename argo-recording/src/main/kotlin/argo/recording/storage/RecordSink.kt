@@ -10,7 +10,6 @@ interface RecordSink : AutoCloseable {
      *
      * @param topic the channel's name, such as `/robot/cycle`
      * @param schemaName the name of the messages' schema, such as `argo.Cycle`
-     * @param jsonSchema the JSON Schema
      */
     fun channel(topic: String, schemaName: String, jsonSchema: String): RecordChannel
 
@@ -34,7 +33,7 @@ interface RecordSink : AutoCloseable {
     /** Adds a file, such as a program's text. A file is never dropped. */
     fun attach(name: String, mediaType: String, data: ByteArray)
 
-    /** Adds names and values under [name], such as versions. They are never dropped. */
+    /** Adds names and values under [name], such as versions. Metadata are never dropped. */
     fun metadata(name: String, values: Map<String, String>)
 
     /** The reason why storing has ended before [close], in words; null: it has not. */
@@ -47,4 +46,5 @@ interface RecordSink : AutoCloseable {
     override fun close()
 }
 
+/** A channel of a [RecordSink], by its [topic]. */
 class RecordChannel internal constructor(val topic: String, internal val schemaName: String, internal val jsonSchema: String)

@@ -18,8 +18,8 @@ import kotlin.io.path.nameWithoutExtension
  * A recording that its own thread writes to a file. On a disk that is fast enough, a record is in the file a second after it was offered,
  * even if the program is killed.
  *
- * If nothing more can be written, as on a full disk, it calls [warn] once, cuts the file off behind its last whole chunk, and refuses all
- * later records.
+ * If nothing more can be written, as on a full disk, [warn] is called once. The file then ends behind its last whole chunk, and all later
+ * records are refused.
  *
  * @param warn takes one sentence for the user; the writing thread calls it
  */

@@ -16,7 +16,7 @@ import kotlin.concurrent.withLock
  * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps all attachments and metadata. In place of a
  * message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
- * If memory runs out, or nothing more can be kept for another reason, it calls [warn] once and refuses all later records.
+ * If memory runs out, or nothing more can be kept for another reason, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
  * @param maxBytes the most bytes of kept messages; above it the oldest messages are dropped before [last] is over
@@ -81,7 +81,6 @@ class RecordingRing(
         }
     }
 
-    /** Drops all records, and refuses later records. */
     override fun close() {
         waiting.close()
         keeping.join()

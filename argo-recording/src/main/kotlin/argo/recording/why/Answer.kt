@@ -5,7 +5,7 @@ import kotlinx.serialization.Serializable
 /**
  * The reasons for which a [command] was issued.
  *
- * @property cause the step of a plan that issued it; null: no plan issued it, or the replay did not see the step
+ * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
  * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
  * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
@@ -58,13 +58,11 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
 /**
  * A plan that would have issued a command.
  *
- * @property place the plan's place in the program
  * @property context the plan's context; null: it has none
  * @property step the step that issues the command or, of a plan [above], that leads to it
  * @property stepLine the line of that step
  * @property event the last event for which the plan was relevant; null: there was none
  * @property seconds the beginning of the cycle in which the agent chose that event, since the first cycle
- * @property cause the cause of the event
  * @property conditions the parts of the plan's context at that event, up to the part that failed
  * @property chosen the plan that the agent chose instead; null: none
  * @property missed percepts that did not reach the agent, but would have triggered the plan or made its context true
@@ -108,7 +106,6 @@ enum class Verdict {
 /**
  * A percept that a board sent but the agent did not perceive.
  *
- * @property frame the frame that contained it
  * @property rule the reason why the filter dropped it, if the recording contains the filter
  */
 @Serializable

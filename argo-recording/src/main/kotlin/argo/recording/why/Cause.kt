@@ -8,6 +8,7 @@ import kotlinx.serialization.Transient
 /** A cause of something in a recording. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
 @Serializable
 sealed interface Cause {
+    /** The causes of this cause. */
     val causes: List<Cause> get() = emptyList()
 
     /** The length of the longest chain of causes that begins with this one. */
@@ -39,12 +40,12 @@ data class Frame(
 /**
  * The arrival or the departure of a percept.
  *
- * @property belief the percept
  * @property isGone true for a departure
  * @property seconds the beginning of the cycle in which the agent noticed that
  * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
- * @property filter the reason why the filter let it through; null: there was no filter, or the recording does not contain it
+ * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
+ *   reason
  */
 @Serializable
 @SerialName("percept")
@@ -60,7 +61,6 @@ data class PerceptCause(
 /**
  * The reflex of a filter's critical rule, sent without a plan.
  *
- * @property rule the rule in words
  * @property isByBoard whether the board watched the rule and carried the reflex out; otherwise the computer sent it
  * @property failure the reason why the reflex failed; null: it succeeded
  * @property percept the percept that met the rule; null: the agent perceived no frame with such a percept
@@ -116,12 +116,9 @@ data class StepCause(
 /**
  * The choice of a plan for an event.
  *
- * @property place the plan's place in the program
- * @property trigger the event
  * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of that cycle
  * @property conditions the parts of the plan's context with their values at that time
- * @property event the cause of the event
  * @property again the number of times that the plan had called itself before, as its last step
  */
 @Serializable

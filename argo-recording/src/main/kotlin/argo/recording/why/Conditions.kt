@@ -48,7 +48,6 @@ internal class Conditions(
         return held
     }
 
-    /** Returns the first unifier that extends [un] and makes [formula] true; null: there is none. */
     fun solution(formula: LogicalFormula, un: Unifier): Unifier? = solutions(formula, un).firstOrNull()
 
     private fun solutions(formula: LogicalFormula, un: Unifier): List<Unifier> = try {

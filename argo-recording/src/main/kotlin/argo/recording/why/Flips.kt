@@ -9,9 +9,8 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Finds, by trials, the nearest other numbers in percepts of a [cause] with which the agent would not have sent the command.
- *
- * @param had replays the agent with another percept in place of a percept of the cause
+ * Finds, by trials, the nearest other numbers in percepts of a [cause] with which the agent would not have sent the command. [had] replays
+ * the agent with another percept in place of a percept of the cause.
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0

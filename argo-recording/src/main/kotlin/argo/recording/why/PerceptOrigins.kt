@@ -20,13 +20,14 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
     val newestFrames: Collection<Frame> get() = newest.values
 
-    /** Begins with [percepts], which the agent perceives at the beginning of the replay. Their frames are not known. */
+    /** Begins with [percepts], which the agent perceives at the beginning of the replay. The frames of [percepts] are not known. */
     fun beginWith(percepts: List<Literal>) {
         percepts.mapTo(earlier, ::keyOf)
     }
 
     /**
-     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New ones come from [snapshots], the others stay.
+     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], the others
+     * stay.
      */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)
@@ -50,7 +51,6 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     /** Returns the arrival of [percept]; null: the agent does not perceive it now, or its arrival is not known. */
     fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
 
-    /** Returns the last departure of [percept]; null: none is known. */
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
     /** Returns the last departure of a percept that [matches]; null: none is known. */

@@ -18,7 +18,6 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }
 
-    /** Returns the percepts that met the rule of [reflex], in their order. */
     private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
         val frames = Frames(clock::seconds)
         return cycles.flatMap { cycle ->

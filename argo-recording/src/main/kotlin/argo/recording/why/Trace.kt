@@ -27,12 +27,9 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
- * steps. Stands around the [inputs] of the agent, and changes nothing.
- *
- * @param answers the answers to the agent
- * @param filters the filters in the recording
- * @param taken called when the agent has taken an event from the queue, before it looks for a plan
+ * Follows an agent in its replay. A trace finds the causes of events, the chosen plans and their conditions, and the beliefs and commands
+ * of steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the
+ * queue, before it looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -165,7 +162,10 @@ internal class Trace(
         issued += Issued(cycle, port, text, step)
     }
 
-    /** Returns why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one that fails. */
+    /**
+     * Returns why [plan], which is relevant under [un], is not applicable now. The result is the parts of the context up to the first part
+     * that fails.
+     */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
         plan.context?.let { context -> inputs.asking { conditions.failing(context, un) } }.orEmpty()
 
@@ -213,7 +213,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means], which the agent adopted before the replay begins. Its cause is not known. */
+    /** Returns the plan of [means], which the agent adopted before the replay begins. The cause of that plan is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
@@ -278,7 +278,6 @@ internal class Trace(
     private fun beginning(literal: Literal): Cause = if (start != null) UnknownCause(keyOf(literal), BEFORE) else
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
-    /** The beginning of the present cycle, in seconds since the first cycle. */
     val now: Double get() = clock.seconds(cycle.ns)
 
     /** Returns the cause of [event], which the agent took in this cycle; null: it is not known. */

@@ -13,7 +13,6 @@ import argo.recording.replay.Senses
 import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
 
-/** Runs an agent of a recording again, up to a cycle. */
 internal class Trial(
     private val recording: Recording,
     private val agent: RecordedAgent,

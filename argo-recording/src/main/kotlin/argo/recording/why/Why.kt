@@ -9,7 +9,8 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Explains why the agents of [recording] issued a command, or did not. It watches Jason run them again on their recorded input.
+ * Explains why the agents of [recording] issued a command, or did not. The explanation comes from watching Jason run the agents again on
+ * their recorded input.
  *
  * Close it at the end. For one thread; a program can run one replay at a time.
  */
@@ -47,8 +48,8 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Replays the agent with [percept] in place of the recorded percept of its kind: with the same functor, and the same arguments except
-     * numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
+     * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
+     * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
      * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
      */
@@ -107,7 +108,6 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
-    /** Returns true if the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
         val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
@@ -142,7 +142,6 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun trial(agent: String, cycles: List<Cycle>) =
         Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
 
-    /** Returns the number of commands that plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
         return ofPlans(command.agent).count { it.index > start && it.number < command.number }

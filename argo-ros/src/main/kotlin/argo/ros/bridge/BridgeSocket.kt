@@ -40,9 +40,7 @@ internal interface BridgeListener {
 }
 
 /**
- * Reads a bridge's operations, one after the other.
- *
- * @param warn takes each unreadable message and each complaint of the bridge, each text once
+ * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
     /** Handles [operation]; returns false if the operation is unknown here. */
@@ -81,9 +79,8 @@ internal interface Bridge : AutoCloseable {
 }
 
 /**
- * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others.
- *
- * @param client the client of [socket]; this reference keeps it alive
+ * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others. [client] is the client of [socket]; this
+ * reference keeps it alive.
  */
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
@@ -162,10 +159,10 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 
-        /** The number of characters of a dropped message that are logged. They contain the topic's name. */
+        /** The number of characters of a dropped message that are logged. The logged part contains the topic's name. */
         private const val SHOWN_LENGTH = 60
 
-        /** The client for all sockets, since each client has threads of its own. It ends when no socket uses it any more. */
+        /** The client for all sockets, since each client has threads of its own. The client ends when no socket uses it any more. */
         private var shared = WeakReference<HttpClient>(null)
 
         @Synchronized
@@ -175,7 +172,6 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /**
          * Connects to the bridge at [address].
          *
-         * @param port the port's name, for messages
          * @param token the token for the bridge, sent as `Authorization: Bearer …`; null: none
          * @throws NoSuchPortException if the host does not exist, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted

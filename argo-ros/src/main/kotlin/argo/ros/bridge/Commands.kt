@@ -34,10 +34,7 @@ import java.util.concurrent.atomic.AtomicLong
  * Sends an agent's commands and finds their outcomes. Each command is sent once at most. If the connection ends before the answer, the
  * robot may have carried the command out, so it is not sent again. Safe for use by several threads.
  *
- * @param port the port's name, for messages
- * @param types the known types of the messages
  * @param graph the robot's graph, with the nodes that take the messages
- * @param send sends a message to the bridge
  * @param warn takes reports of parts of a command that are left out
  */
 internal class Commands(
@@ -151,7 +148,6 @@ internal class Commands(
     private fun unconfirmed(entry: Pending, reason: String): PortException =
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
-    /** Fails all pending commands, since the connection has ended for [reason]. */
     fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
@@ -190,7 +186,6 @@ internal class Commands(
         }
     }
 
-    /** Returns the command of a published result of ROS 1, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null

@@ -34,11 +34,7 @@ internal class Replaced : Exception()
 /** The connection was closed before the message went out. */
 internal class NeverSent : Exception()
 
-/**
- * The messages that wait for a connection. The connection takes one message at a time. Safe for use by several threads.
- *
- * @param write hands a text to the connection
- */
+/** The messages that wait for a connection. The connection takes one message at a time. Safe for use by several threads. */
 internal class Outbox(private val write: (String) -> CompletableFuture<*>) : AutoCloseable {
     private val lock = ReentrantLock()
     private val waiting = ArrayDeque<Outgoing>()

@@ -7,10 +7,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A bridge within this program, for tests. It answers at once, on the thread of the request. Services and goals succeed. There is no
- * `rosapi`.
- *
- * @param heard takes each message to a topic, and the request or goal of each service and action, with its name
+ * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed. There is
+ * no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and action, with its name.
  */
 internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
@@ -30,7 +28,6 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     override fun ping() = listener.isAlive()
 
-    /** Publishes [message] on [topic] like a node. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }

@@ -45,7 +45,6 @@ internal class RobotGraph(
         known
     }
 
-    /** Asks for the type of [topic]; an empty answer means that no node uses the topic. */
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 
@@ -60,8 +59,7 @@ internal class RobotGraph(
 
     /**
      * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
-     *
-     * @param lost called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
+     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -74,7 +72,7 @@ internal class RobotGraph(
     }
 
     /**
-     * Looks for subscribers of the rule's topic. The bridge publishes on the topic; if `rosapi` still does not show it, the topic is hidden
+     * Looks for subscribers of the rule's topic. The bridge publishes on the topic. If `rosapi` still does not show the topic, it is hidden
      * and nothing is known about it.
      */
     private fun lookForSubscribers(rule: CommandRule) {

@@ -4,8 +4,8 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Finds when a robot's messages were true, by the platform's clock. It uses the offset of the robot's clock or, if the robot's time is
- * simulated, `/clock`. Safe for use by several threads.
+ * Finds when a robot's messages were true, by the platform's clock. The calculation uses the offset of the robot's clock or, if the robot's
+ * time is simulated, `/clock`. Safe for use by several threads.
  *
  * @param clockIsThere called with the type of the topic [CLOCK] if it exists; the caller then passes the topic's messages to [show]
  * @param warn takes a warning if the time stamps of a topic are useless
@@ -84,11 +84,8 @@ internal class RobotTime(
 
     /**
      * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The message came at [nowNanos],
-     * which is the latest result. It is also the result for a stamp older than [MAX_AGE_NANOS] or far ahead, which comes from another
-     * clock.
-     *
-     * @param topic the message's topic, for warnings
-     * @param stampNanos null: the message has no stamp
+     * which is the latest result. A stamp older than [MAX_AGE_NANOS] or far ahead comes from another clock, and has the same result. Null
+     * as [stampNanos]: the message has no stamp.
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos

@@ -46,7 +46,6 @@ internal class RobotTypes(
     /** Returns the type of the messages, requests or goals of [rule]; null: the type is not known. */
     fun of(rule: CommandRule): MessageType? = known[questionFor(rule)]
 
-    /** Returns why no command of [rule] can leave the bridge; null: no reason is known. */
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
     private fun questionFor(rule: PerceptRule) = Question(MESSAGE, rule.type)

@@ -12,8 +12,6 @@ import java.util.concurrent.atomic.AtomicLong
 /**
  * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so they are
  * found only by asking. Safe for use by several threads.
- *
- * @param send sends a message to the bridge
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
     /** An answer, and the time of its arrival by the platform's clock. */
@@ -27,8 +25,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val number = AtomicLong()
 
     /**
-     * Calls [service]. The answer completes on the bridge's thread. It completes with a [NotKnown] if the call fails or takes longer than
-     * [LIMIT_NANOS].
+     * Calls [service]. The answer completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
@@ -62,7 +59,6 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     companion object {
         private const val ID = "argo-api-"
 
-        /** Part of a bridge's answer for a service that does not exist. */
         private const val MISSING = "does not exist"
 
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10)

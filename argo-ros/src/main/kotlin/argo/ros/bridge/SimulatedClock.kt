@@ -2,7 +2,10 @@ package argo.ros.bridge
 
 import java.util.concurrent.TimeUnit
 
-/** The time of a simulator, as its topic `/clock` shows it. It may run at any speed, stop, and jump. Safe for use by several threads. */
+/**
+ * The time of a simulator, as its topic `/clock` shows it. A simulator's time may run at any speed, stop, and jump. Safe for use by several
+ * threads.
+ */
 internal class SimulatedClock {
     private class Sample(val simNanos: Long, val atNanos: Long)
 
@@ -63,7 +66,6 @@ internal class SimulatedClock {
         /** The interval between requested samples, in ms. A change of speed is noticed after at most this time. */
         const val INTERVAL_MS = 50
 
-        /** The number of kept samples, enough for a minute. */
         private const val KEPT = 1_200
 
         /** The number of samples from which the present speed follows. */

@@ -12,10 +12,8 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic.
- *
- * @property throttleMs the least time between two messages from the bridge, in ms. The bridge keeps only the newest message (`queue_length`
- *   1) for that time, so no message comes older, and skipped messages cost no time here.
+ * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps only the newest
+ * message (`queue_length` 1) for that time, so no message comes older, and skipped messages cost no time here.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
 
@@ -39,7 +37,10 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
     }
 }
 
-/** Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: it does not. */
+/**
+ * Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: percepts of this
+ * form are not held back.
+ */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
     if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }

@@ -13,7 +13,6 @@ import java.util.concurrent.TimeUnit
 /**
  * The newest message of each topic, and its percepts. Not safe for use by several threads at once.
  *
- * @param rules turn messages into percepts
  * @param typeOf returns the type of a rule's messages; null: the type is not known
  * @param warn takes, once each, the reasons why a message gives no percept of a rule whose conditions may hold
  */
@@ -36,7 +35,6 @@ internal class TopicMessages(
         isNew = true
     }
 
-    /** Forgets the messages of all topics except [topics]. */
     fun keepOnly(topics: Collection<String>) {
         if (newest.keys.retainAll(topics.toSet())) isNew = true
     }

@@ -7,10 +7,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * The topics and the last goals of a ROS 1 action, in the form of `actionlib`. Safe for use by several threads.
- *
- * @param action the action's name: `/uno/act`
- * @param send sends an operation to the bridge
+ * The topics and the last goals of a ROS 1 action, in the form of `actionlib`. Safe for use by several threads. [action] is the action's
+ * name: `/uno/act`.
  */
 internal class ActGoals(private val action: String, private val send: (String) -> Unit) {
     private class Goal(val id: String, var state: Int, var text: String)

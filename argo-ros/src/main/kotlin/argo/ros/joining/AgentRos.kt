@@ -9,10 +9,7 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /**
  * Puts an agent's boards into a ROS graph: their actions, and their percepts before the agent's filter. A command from the graph takes the
- * way of `argo.act`.
- *
- * @param warn takes reports of percepts that are not published, each text once
- * @param leave takes the agent off the graph
+ * way of `argo.act`. [warn] takes reports of percepts that are not published, each text once.
  */
 internal class AgentRos(
     private val agent: ObservedAgent,

@@ -8,11 +8,7 @@ import javino.NoSuchPortException
 /** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/**
- * The bridge to a graph.
- *
- * @property token the token for the bridge; null: none
- */
+/** The bridge to a graph. [token] is the token for the bridge; null: none. */
 internal class BridgeAddress(val ros: RosAddress, val token: String?) {
     companion object {
         private val NUMBER = Regex("[0-9]+")

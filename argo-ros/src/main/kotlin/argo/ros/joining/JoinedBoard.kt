@@ -15,15 +15,12 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * A board in a ROS graph without an agent. It is asked for its percepts at an interval, and opened again after a loss. Each command is sent
- * once at most.
+ * A board in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each command
+ * is sent once at most.
  *
- * @param port the board's port, for messages
  * @param intervalMs the time from one request to the next, in ms
  * @param timeoutMs the longest time for an answer, in ms
  * @param listens whether the board sends its percepts unasked
- * @param open opens the board
- * @param tell takes a line for the user
  * @param warn takes reports of percepts that are not published, each text once
  */
 internal class JoinedBoard(
@@ -145,7 +142,10 @@ internal class JoinedBoard(
     }
 }
 
-/** Returns the outcome of a command with the failure [trouble], under the agent's name for it; null means that it was carried out. */
+/**
+ * Returns the outcome of a command with the failure [trouble], under the agent's name for it. Null as [trouble]: the command was carried
+ * out.
+ */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble
     return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")

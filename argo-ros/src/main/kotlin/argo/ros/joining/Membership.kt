@@ -23,7 +23,6 @@ import java.util.concurrent.atomic.AtomicInteger
  * Keeps [participant] in the ROS graph behind a bridge. Advertises its services and topics, again after each return of the bridge or the
  * graph, and publishes its newest messages. All that happens on its own thread, and no caller waits for it.
  *
- * @param topics the participant's topics
  * @param tell takes a line about the connection, for the user
  * @param warn takes reports of things that the graph is not told or does not accept, each text once
  */

@@ -9,8 +9,6 @@ import java.util.concurrent.TimeUnit
 /**
  * Sends the newest messages of [topics] to a bridge in rounds. A round begins only when the bridge has read the previous one, which its
  * answer to a ping shows. For one thread; only [answered] may be called by another thread.
- *
- * @param isNew called when a topic is advertised
  */
 internal class MessageRounds(private val topics: Topics, private val clock: LineClock, private val isNew: () -> Unit) {
     private val names = HashSet<String>()
@@ -48,7 +46,6 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
         return listOf(operation("advertise", "topic" to news.name, "type" to news.type, "latch" to true)) + publications
     }
 
-    /** Notes that the bridge has answered the ping of the round. */
     fun answered() {
         isUnderWay = false
     }

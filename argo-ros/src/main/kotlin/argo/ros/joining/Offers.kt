@@ -12,10 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger
 /**
  * A participant's services, topics and action on one connection to a bridge, through which the graph sends it commands. Each action of the
  * participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may call [hear],
- * another one [renew].
- *
- * @param send sends an operation to the bridge
- * @param warn takes reports of actions that the graph is not told, each text once
+ * another one [renew]. [warn] takes reports of actions that the graph is not told, each text once.
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
     /** @property action the action's name; null: any command, as text */
@@ -36,10 +33,8 @@ internal class Offers(private val participant: Participant, private val send: (S
     private val underWay = AtomicInteger()
     private val goals = ActGoals(action, send)
 
-    /** The services that the graph should have, with their types. */
     val services: Map<String, String> get() = offers.mapValues { it.value.serviceType }
 
-    /** The topics that the graph should have, with their types. */
     val topics: Map<String, String> get() = offers.entries.associate { (name, offer) -> topicOf(name) to offer.topicType }
 
     /** Advertises newly known actions and withdraws the actions that are gone. Returns true if an offer is new. */

@@ -36,7 +36,6 @@ internal data class Outcome(val error: String?, val message: String) {
     companion object {
         val DONE = Outcome(null, "")
 
-        /** The error of a command that is not carried out. */
         const val REFUSED = "act_refused"
     }
 }

@@ -7,7 +7,7 @@ import argo.ros.mapping.rosType
  * Checks that the graph has the advertised topics and services, since a bridge reports no refusal to its clients.
  *
  * @param warn takes reports of things that the graph does not have, each text once
- * @param lost called if the graph had a participant's topics or services but has lost all, as after a restart of `roscore`
+ * @param lost called if the graph has lost all of a participant's topics and services, as after a restart of `roscore`
  */
 internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
     private var wasSeen = false // only the bridge's thread uses it

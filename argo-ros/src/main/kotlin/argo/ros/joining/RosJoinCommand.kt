@@ -101,6 +101,7 @@ internal class RosJoinCommand : ToolCommand() {
     }
 }
 
+/** Adds `ros-join` to the tools. */
 class RosJoinProvider : ToolProvider {
     override fun command(): Any = RosJoinCommand()
 }

@@ -55,7 +55,7 @@ private fun numbers(values: List<Double>) = JsonObject(
     ),
 )
 
-/** Returns [text] as part of a name in the graph. Such a name has letters, digits and `_`, and begins with a letter. */
+/** Returns [text] as part of a name in the graph. A name in the graph has letters, digits and `_`, and begins with a letter. */
 internal fun graphName(text: String): String {
     val name = text.removeSurrounding("'").map { if (it in 'a'..'z' || it in 'A'..'Z' || it in '0'..'9') it else '_' }.joinToString("")
     return if (name.firstOrNull()?.isLetter() == true) name else "x$name"

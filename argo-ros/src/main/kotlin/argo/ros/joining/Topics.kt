@@ -3,10 +3,9 @@ package argo.ros.joining
 import kotlinx.serialization.json.JsonObject
 
 /**
- * A participant's topics: the type of each, and its newest messages. These wait until the bridge has read the earlier ones, so a slow
- * bridge delays nobody and gets no old messages. Safe for use by several threads; no function waits.
- *
- * @param warn takes warnings for the user, each text once
+ * A participant's topics: the type of each, and its newest messages. A new message waits until the bridge has read the earlier ones, so a
+ * slow bridge delays nobody and gets no old messages. Safe for use by several threads; no function waits. [warn] takes warnings for the
+ * user, each text once.
  */
 internal class Topics(private val warn: (String) -> Unit) {
     private class Topic(val type: String) {

@@ -3,11 +3,7 @@ package argo.ros.mapping
 /** A mapping's line has wrong text at [place]. */
 internal class Refusal(val place: Place, message: String) : Exception(message)
 
-/**
- * Reads a rule from its beginning to its end.
- *
- * @param start the place of [text] in its file
- */
+/** Reads a rule from its beginning to its end. [start] is the place of [text] in its file. */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0
 
@@ -19,7 +15,6 @@ internal class Cursor(private val text: String, private val start: Place) {
 
     val isAtEnd: Boolean get() = at == text.length
 
-    /** The text up to the next blank, for messages. */
     val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
 
     /** Takes [symbol] if it is next. If [symbol] is a word, the text's word must end there too. */

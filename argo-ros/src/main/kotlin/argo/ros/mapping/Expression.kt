@@ -78,11 +78,7 @@ internal fun interface Scope {
     fun valueOf(path: List<String>): Value
 }
 
-/**
- * The fields of a message.
- *
- * @param bytes the paths of the fields that are bytes; bridges write these as text in base64
- */
+/** The fields of a message. [bytes] are the paths of the fields that are bytes; bridges write these as text in base64. */
 internal class MessageScope(private val message: JsonElement, private val bytes: Set<List<String>> = emptySet()) : Scope {
     override fun valueOf(path: List<String>): Value {
         var at = message
@@ -144,17 +140,11 @@ internal data class Comparison(val left: Expression, val operator: String, val r
     private fun incomparable(a: Value, b: Value) = Value.None("$operator cannot compare ${a.inWords()} with ${b.inWords()}")
 
     companion object {
-        /** All operators, the longer ones first. */
         val OPERATORS = listOf("<=", ">=", "==", "!=", "<", ">")
     }
 }
 
-/**
- * The functions of mappings.
- *
- * @property taken the function's argument, in words
- * @property of returns the function's value; null: the function does not accept the argument
- */
+/** The functions of mappings. [of] returns the function's value; null: the function does not accept the argument. */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),
     ABS("a number", { value -> value.number()?.let { Value.of(Math.abs(it)) } }),
@@ -170,7 +160,6 @@ internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     }
 }
 
-/** Returns the numbers in an array. Its other items were not measured. */
 private fun Value.numbers(): List<Double> =
     ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { Value.of(it).number() }.orEmpty()
 

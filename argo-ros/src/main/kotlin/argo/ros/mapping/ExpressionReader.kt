@@ -3,12 +3,7 @@ package argo.ros.mapping
 import argo.filters.GroundTerm
 import java.math.BigDecimal
 
-/**
- * Reads expressions.
- *
- * @param cursor a cursor in their rule
- * @param nameOf returns the meaning of a bare name that is an argument of a literal
- */
+/** Reads expressions. [nameOf] returns the meaning of a bare name that is an argument of a literal. */
 internal class ExpressionReader(private val cursor: Cursor, private val nameOf: (String, Place) -> Expression) {
     /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression {

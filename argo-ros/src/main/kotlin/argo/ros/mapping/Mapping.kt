@@ -12,7 +12,6 @@ internal data class Place(val line: Int, val column: Int)
 /**
  * A rule that makes percepts of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property topic the topic's name
  * @property type the type of its messages, as written
  * @property percept the literal, with fields of the message as arguments
  * @property conditions a message gives the percept if all of them hold
@@ -30,7 +29,6 @@ internal class PerceptRule(
 /**
  * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property name the command's functor
  * @property parameters the variables for its arguments
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written

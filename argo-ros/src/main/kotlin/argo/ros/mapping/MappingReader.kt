@@ -5,10 +5,9 @@ import argo.filters.Problem
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**
- * Reads a mapping. Its syntax is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain texts of one
- * line.
+ * Reads a mapping. The syntax of mappings is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain
+ * texts of one line.
  *
- * @param source the file, for messages
  * @throws MappingException with all problems, if there are any
  */
 internal fun mappingOf(text: String, source: String): Mapping {
@@ -73,7 +72,6 @@ private fun itemIn(line: String, start: Place): Item? {
     }
 }
 
-/** Returns the key in [line]; null: the line is blank. */
 private fun sectionIn(line: String, place: Place): String? {
     val plain = line.replace(COMMENT, "").trimEnd()
     if (plain.isEmpty() || plain == "---") return null

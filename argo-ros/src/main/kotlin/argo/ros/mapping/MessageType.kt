@@ -30,11 +30,7 @@ internal data class FieldType(val name: String, val length: Int) {
     }
 }
 
-/**
- * A type of messages with all types in it, as a robot describes it. Immutable.
- *
- * @property name the type, as the mapping writes it
- */
+/** A type of messages with all types in it, as a robot describes it. Immutable. [name] is the type, as the mapping writes it. */
 internal class MessageType private constructor(
     val name: String,
     private val own: String,
@@ -146,7 +142,6 @@ internal class MessageType private constructor(
             listOf("int$bits" to -half..half - BigInteger.ONE, "uint$bits" to BigInteger.ZERO..half + half - BigInteger.ONE)
         }.toMap().let { it + mapOf("byte" to it.getValue("int8"), "char" to it.getValue("uint8"), "octet" to it.getValue("uint8")) }
 
-        /** Reads the type [name] from [answer], a description by `rosapi`; null: [answer] does not contain it. */
         fun of(answer: JsonObject, name: String): MessageType? {
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
@@ -174,7 +169,7 @@ internal class MessageType private constructor(
 internal fun rosType(type: String) = type.replace("/msg/", "/")
 
 /**
- * Returns a text in base64 as a list of its bytes, and any other value unchanged; null: the text is not in base64, or has more than
+ * Returns a text in base64 as a list of its bytes, and any other value unchanged. Null: the text is not in base64, or has more than
  * [MAX_ITEMS] bytes.
  */
 internal fun bytesOf(value: JsonElement): JsonElement? {

@@ -123,7 +123,6 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
 }
 
-/** Returns true if [type] has the form of a ROS 2 action. */
 internal fun isRos2Action(type: String) = "/action/" in type
 
 private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action")

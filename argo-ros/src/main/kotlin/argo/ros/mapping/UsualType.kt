@@ -3,7 +3,6 @@ package argo.ros.mapping
 /**
  * A message type with fields that ARGO knows. Rules on it have a short form, and other names in them are atoms.
  *
- * @property fields the names of its outermost fields
  * @property percept the default arguments of a percept
  * @property command the fields for a command's arguments, in their order; empty: there is no short form
  */
@@ -48,7 +47,6 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
          */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
-        /** The names of the usual types, for messages. */
         val names: Set<String> get() = TYPES.keys
     }
 }

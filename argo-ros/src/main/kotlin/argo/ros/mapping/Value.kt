@@ -108,7 +108,6 @@ internal fun Value.plainText(): String? = when (this) {
     else -> null
 }
 
-/** Describes this value for a message to the user. */
 internal fun Value.inWords(): String = when (this) {
     is Value.Number -> "the number ${GroundTerm.Number(value)}"
     is Value.Text -> "the text \"${value.take(SHOWN)}\""

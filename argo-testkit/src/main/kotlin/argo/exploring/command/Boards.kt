@@ -44,8 +44,8 @@ private const val MOST_NUMBERS = 100_000
 private val RANGE = Regex("(-?\\d+)\\.\\.(-?\\d+)")
 
 /**
- * Calls the functions of the class [name] that describe an exploration. They are static and take an [Exploration]; in Kotlin, a file
- * contains `fun Exploration.boards()`.
+ * Calls the functions of the class [name] that describe an exploration. The functions are static and take an [Exploration]; in Kotlin, a
+ * file contains `fun Exploration.boards()`.
  *
  * @throws IllegalArgumentException if there is no such class, or it has no such function
  */

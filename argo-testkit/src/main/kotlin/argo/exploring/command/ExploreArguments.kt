@@ -45,7 +45,6 @@ internal class ExploreArguments(arguments: List<String>) {
     }
 }
 
-/** Describes boards, faults and rules according to [options]. */
 internal fun Exploration.describedBy(options: ExploreArguments) {
     options.described?.let { describedIn(it) }
     options.boards.forEach { described(it, options.isVersion2) }

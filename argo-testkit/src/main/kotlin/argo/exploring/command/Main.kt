@@ -18,7 +18,6 @@ fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList
 /**
  * Explores the agents in the file of the first argument. The other arguments are options of the tool `explore`, as `--NAME=VALUE`.
  *
- * @param out takes the report
  * @param err takes the reason if nothing is explored
  * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken. A Java
  *   machine that cannot start never ends with 4.

@@ -84,8 +84,6 @@ internal fun noSuchRule(text: String) = "there is no rule $text; there are ${RUL
 
 private fun pair(terms: List<Term>, make: (Term, Term) -> Rule?): Rule? = if (terms.size == 2) make(terms[0], terms[1]) else null
 
-/** Returns a command or a condition as text: an atom, a literal, or a text in quotes. */
 private fun word(term: Term) = if (term is StringTerm) term.string else "$term"
 
-/** Returns the commands in the list [term]; null: [term] is no list. */
 private fun words(term: Term): List<String>? = (term as? ListTerm)?.map(::word)

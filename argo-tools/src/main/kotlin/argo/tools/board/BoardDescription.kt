@@ -13,9 +13,8 @@ import java.util.concurrent.TimeUnit
 /**
  * The known facts about a board.
  *
- * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
- *   itself
- * @property percepts the board's answer to one request
+ * @property actions `ledOn`, `speed/1` with an argument, and a star in place of 1 for any number of arguments; null: the board does not
+ *   describe itself
  * @property described the board's answer to the question for the kinds of its percepts
  * @property lost the number of the sketch's actions without room in the board's memory
  * @property rules the number of critical rules that fit on the board; null: the board speaks version 1

@@ -6,9 +6,8 @@ import javino.PortTimeoutException
 import javino.link.Link
 
 /**
- * A board's answer to the question for the kinds of its percepts.
- *
- * @property description the answer, empty if the board describes none; null: a board of version 2 gave no answer in time
+ * A board's answer to the question for the kinds of its percepts. [description] is the answer, empty if the board describes none; null: a
+ * board of version 2 gave no answer in time.
  */
 internal class DescribedKinds(val description: PerceptDescription?) {
     val kinds: List<PerceptKind> get() = description?.kinds().orEmpty()
@@ -25,7 +24,6 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
-        /** Asks the board on [link], and waits [timeoutMs] ms at most. */
         fun of(link: Link, timeoutMs: Int): DescribedKinds = DescribedKinds(
             try {
                 link.perceptDescription(timeoutMs)

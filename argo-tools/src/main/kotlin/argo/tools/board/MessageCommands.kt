@@ -13,7 +13,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Parameters
 
-/** A command that sends one message to a board. */
 @Command
 internal abstract class MessageCommand : DataCommand() {
     @Mixin
@@ -33,7 +32,6 @@ internal abstract class MessageCommand : DataCommand() {
         throw ToolException(unsendable.message.orEmpty())
     }
 
-    /** Refuses a message that does not suit this command. */
     protected open fun check() = Unit
 
     protected abstract fun exchange(link: Link)

@@ -11,11 +11,7 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 
-/**
- * Observes the percepts of a board for some [seconds] from now on.
- *
- * @param mayBeSilent whether the board sends only when it has news
- */
+/** Observes the percepts of a board for some [seconds] from now on. [mayBeSilent] tells whether the board sends only when it has news. */
 internal class Observation(private val seconds: Int, private val mayBeSilent: Boolean) {
     private val observed = ObservedKinds()
     private val unreadable = LinkedHashSet<String>() // at most MAX_TEXTS
@@ -63,7 +59,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
         }
     }
 
-    /** Returns the kinds in the order in which they were first observed. */
     fun kinds(): List<PerceptKind> = observed.kinds()
 
     /** Returns the reasons why [kinds] are incomplete, a sentence each. */

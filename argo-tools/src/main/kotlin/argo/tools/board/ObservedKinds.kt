@@ -18,7 +18,6 @@ internal class ObservedKinds {
     var others = 0L
         private set
 
-    /** Adds [percept], which must be readable to agents. */
     fun add(percept: String) {
         val term = PerceptTerm.of(percept)
         val kind = kinds[term.indicator()] ?: begin(term)
@@ -29,7 +28,6 @@ internal class ObservedKinds {
         if (kinds.size == MAX_KINDS || !FUNCTOR.matches(term.functor())) null
         else (term.functor() to term.arguments().map { Argument() }).also { kinds[term.indicator()] = it }
 
-    /** Returns the kinds in the order in which they were first observed. */
     fun kinds(): List<PerceptKind> = kinds.values.map { (functor, arguments) -> PerceptKind(functor, arguments.map { it.observed() }) }
 
     private class Argument {

@@ -19,7 +19,6 @@ internal class Rates {
 
     private class Kind(var count: Long, var last: String)
 
-    /** Counts a message that arrived at [ms]. */
     fun count(ms: Long, percepts: List<String>) {
         if (messages++ == 0L) firstMs = ms
         lastMs = ms
@@ -61,7 +60,6 @@ internal class Rates {
         /** Returns [percept] with `_` for its numbers: `dist(front,_)`. */
         fun kindOf(percept: String): String = NUMBER_ARGUMENT.replace(percept, "_")
 
-        /** Writes milliseconds as seconds: `12.345`. */
         fun seconds(ms: Long): String = String.format(Locale.ROOT, "%.3f", ms / MS_PER_S)
 
         fun decimal(value: Double): String = String.format(Locale.ROOT, "%.1f", value)

@@ -1,6 +1,8 @@
 package argo.tools.command
 
-/** Returns the name in [names] that [word] is probably a slip of: they differ by a letter or two, or only by case; null: there is none. */
+/**
+ * Returns the name in [names] that [word] is probably a slip of; null: there is none. A slip differs by a letter or two, or only by case.
+ */
 internal fun closest(word: String, names: Collection<String>): String? =
     names.minByOrNull { distance(word, it) }?.takeIf { distance(word, it) <= if (word.length > LONG) 2 else 1 }
 
@@ -19,5 +21,4 @@ private fun distance(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Longer words may differ by two letters. */
 private const val LONG = 4

@@ -2,7 +2,10 @@ package argo.tools.command
 
 import java.nio.file.Path
 
-/** Runs this program's Java with [arguments] on the same terminal, and returns its exit status. Both programs end together. */
+/**
+ * Runs this program's Java with [arguments] on the same terminal, and returns its exit status. If this program ends, the started program
+ * ends too.
+ */
 internal fun runJava(arguments: List<String>): Int = java(arguments).inheritIO().start().awaitEnd()
 
 /** Prepares this program's Java with [arguments] for starting. */

@@ -47,7 +47,6 @@ internal abstract class DataCommand : ToolCommand() {
     protected var json = false
 }
 
-/** Colours text if [enabled]. */
 internal class Paint(private val enabled: Boolean) {
     fun good(text: String) = paint("32", text)
 

@@ -104,11 +104,7 @@ internal class Examination(private val machine: Machine) {
     }
 }
 
-/**
- * The result of one check.
- *
- * @property remedy null: none is needed
- */
+/** The result of one check. */
 internal data class Finding(val level: Level, val what: String, val remedy: String? = null) {
     enum class Level {
         GOOD,

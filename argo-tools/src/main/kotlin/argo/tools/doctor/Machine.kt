@@ -64,7 +64,6 @@ internal object ThisMachine : Machine {
         Result.failure(trouble)
     }
 
-    /** Returns the output of a program; null if it does not exist or fails. */
     private fun output(vararg command: String): String? = try {
         val process = ProcessBuilder(*command).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         val text = process.inputStream.bufferedReader().readText().trim()

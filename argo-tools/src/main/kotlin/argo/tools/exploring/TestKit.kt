@@ -54,7 +54,6 @@ internal fun compiled(file: Path, classPath: String, classes: Path): String {
     return className(file)
 }
 
-/** Returns the name of the class with the functions of the Kotlin file [file]. */
 private fun className(file: Path): String {
     val inside = file.readLines().firstNotNullOfOrNull { PACKAGE.find(it)?.groupValues?.get(1) }
     return listOfNotNull(inside, "${file.nameWithoutExtension.replaceFirstChar(Char::uppercase)}Kt").joinToString(".")

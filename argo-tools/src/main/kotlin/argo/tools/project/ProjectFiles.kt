@@ -20,7 +20,6 @@ internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: In
 private const val AGENT = "src/agt/robot.asl"
 private const val AGENT_TEST = "src/test/kotlin/RobotSpec.kt"
 
-/** The files of every project, with their resources. */
 private val COMMON = mapOf(
     "README.md" to "README.md",
     ".gitignore" to "gitignore",
@@ -57,7 +56,7 @@ private fun wordsOfTwo(project: ProjectName) = mapOf(
     "WRITE" to "Write the ports into `$AGENT`: `boards([port(ttyACM0,[as(eyes)]), port(ttyACM1,[as(lamp)])]).`",
 )
 
-/** The versions for a new project. They equal those in pom.xml. */
+/** The versions for a new project. The same versions stand in pom.xml. */
 internal const val JASON_VERSION = "3.2.1"
 internal const val KOTLIN_VERSION = "2.4.10"
 internal const val KOTEST_VERSION = "6.2.4"

@@ -33,7 +33,6 @@ internal class RecordingContents(private val recording: McapReader) {
         }
     }
 
-    /** Returns lines for the user about a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
         val library = recording.library.ifEmpty { "an unknown program" }

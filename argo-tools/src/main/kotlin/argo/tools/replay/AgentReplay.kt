@@ -54,7 +54,6 @@ internal class AgentReplay(
         )
     }
 
-    /** Returns the beginnings of the agents whose first cycles are missing. */
     private fun beginnings(recording: Recording) =
         recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
@@ -65,7 +64,6 @@ internal class AgentReplay(
         }.sortedBy { it.cycle.ns }
     }
 
-    /** Returns the time of [moment], in ns of the agents' clock. */
     private fun nsOf(moment: Moment, recording: Recording, firstNs: Long): Long = when (moment) {
         is Moment.Time -> firstNs + minOf(moment.ns, Long.MAX_VALUE - firstNs)
         is Moment.OfCycle -> {

@@ -3,7 +3,6 @@ package argo.tools.replay
 import picocli.CommandLine.Option
 import java.nio.file.Path
 
-/** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
     @Option(
         names = ["--check"],

@@ -20,7 +20,7 @@ import java.time.Duration
  * Runs agents of the recording [file] with other programs or another filter, one after the other.
  *
  * @param programs each `AGENT=FILE`, or only a file if there is only one agent
- * @param filter the filter in place of the recorded ones, for all agents if there are no programs; null: the recorded ones
+ * @param filter the filter in place of the recorded filters, for all agents if there are no programs; null: the recorded filters
  * @param within the largest difference in time between equal commands
  */
 internal class AgentWhatIf(
@@ -74,7 +74,6 @@ internal class AgentWhatIf(
 /**
  * The result of [agent] with [what]: another program, another filter.
  *
- * @property recorded the number of recorded commands
  * @property now the number of commands in this run
  * @property problem the reason why the run could not be finished, in words; null: it was finished
  */

@@ -16,8 +16,8 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program that runs for seconds. It ends before better compilation pays, and needs no threads for garbage
- * collection. A Java machine ignores unknown options among these.
+ * Options of a Java machine for a program that runs for seconds. Such a program ends before better compilation pays, and needs no threads
+ * for garbage collection. A Java machine ignores unknown options among these.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 

@@ -15,10 +15,8 @@ internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
  *
  * @property beginnings those of the agents whose first cycles are missing
  * @property recordedNs the time from the first cycle to the last replayed one
- * @property elapsedNs the real time of the replay
  * @property refusals the cycles that no replay can have; the replay of their agents has ended before them
  * @property beliefs the beliefs of the requested agents
- * @property shown the cycles to show
  * @property problems the parts that could not be replayed, a sentence for each
  */
 internal class ReplayReport(

@@ -7,7 +7,6 @@ import kotlinx.serialization.json.JsonObject
 internal class ShownCycle(private val agent: String, val cycle: Cycle) {
     private val commands = cycle.input.calls.flatMap { it.commands }
 
-    /** Describes the cycle's course in a line. */
     fun words(): String = cycle.course.run {
         val words = listOfNotNull(
             event?.let { "event $it" },
