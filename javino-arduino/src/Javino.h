@@ -64,6 +64,7 @@ private:
   alignas(void *) uint8_t memory_[Bytes];
 };
 
+/** A board on Serial, or on another port or stream given to it. */
 class Javino : public JavinoSized<JAVINO_BYTES> {
 public:
   Javino() {}

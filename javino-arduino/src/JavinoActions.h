@@ -63,6 +63,7 @@ public:
     return Place<const __FlashStringHelper *>(*this, name);
   }
 
+  /** The number of actions. */
   uint8_t count() const { return count_; }
 
   /**

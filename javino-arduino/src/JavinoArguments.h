@@ -18,6 +18,7 @@ public:
   /** Reads the arguments of a well-formed literal; the text is not copied. */
   JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
 
+  /** The number of arguments. */
   uint8_t count() const;
 
   /** Returns true if the argument exists and is a whole number that fits into a long. */

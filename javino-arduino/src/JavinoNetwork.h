@@ -142,6 +142,7 @@ private:
   alignas(void *) uint8_t memory_[Bytes];
 };
 
+/** A board on streams. */
 class JavinoNetwork : public JavinoNetworkSized<JAVINO_BYTES> {
 public:
   JavinoNetwork() {}

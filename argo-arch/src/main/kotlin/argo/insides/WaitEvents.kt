@@ -44,12 +44,14 @@ object WaitEvents {
     internal val fields: List<Inside<*>>
         get() = listOf(trigger, formula, reason, key, unifier, intention, isDropped, elapsed, timeout)
 
+    /** True if this version of Jason has the class and all members. */
     val isThere: Boolean get() = try {
         make.parameterCount > 0 && fields.all { it.isThere }
     } catch (_: LinkageError) {
         false
     }
 
+    /** Returns true if [listener] is a waiting `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
     /** Makes a waiting `.wait` for the selected intention of [ts], which is suspended. A [timeout] from 0 ms on begins a timer. */

@@ -12,6 +12,7 @@ import java.util.logging.Logger
 
 /** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
 interface ObservedAgent {
+    /** The agent's name in the multi-agent system. */
     val name: String
 
     /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */

@@ -41,6 +41,7 @@ interface Platform {
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
+        /** The machine. */
         val system: Platform = object : Platform {
             override val clock: LineClock = LineClock.system()
 

@@ -85,6 +85,7 @@ public record LinkSettings(
         return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, protocol, value);
     }
 
+    /** The line these settings ask for. */
     public LineSettings line() {
         return new LineSettings(baud);
     }

@@ -147,6 +147,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.want(functors, now);
     }
 
+    /** Stops asking for percepts. */
     public void cancelRequest() {
         requests.cancel();
     }
@@ -287,10 +288,12 @@ public final class ComputerSession<C extends SessionCommand> {
         return hasRepeated && now - repeatedAt < timeoutNanos() / NAK_DIVISOR;
     }
 
+    /** Records that bytes have come. */
     public void receiving(long now) {
         requests.receiving(now);
     }
 
+    /** Records that a frame with a wrong checksum has come. */
     public void damaged() {
         requests.damaged();
     }
