@@ -1,6 +1,6 @@
 /**
- * @file The functions of a microcontroller that a program needs: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply
- * them for two machines; a port to another one is a third such file with its linker script.
+ * @file The functions of a microcontroller that a program needs: serial ports and a clock. The machine.c of cortex-m, riscv, coldfire and
+ * mips supply them; a port to another machine is one more such file with its linker script.
  */
 #ifndef MACHINE_H
 #define MACHINE_H

@@ -1,33 +1,51 @@
-/* A board with a small program, driven over standard input by differential.py, which explains the records. */
-#include <stdio.h>
-#include <stdlib.h>
+/* A board with a small program, and the parts of its core, driven by the records that driven.py explains. */
 #include <string.h>
 
 #include "javino_board.h"
+#include "stream.h"
 
-#define MEMORY 8192
+/* ---- Answers to records ---- */
 
-static uint8_t memory[MEMORY];
-static javino_board board;
-static javino_later later;
-static uint16_t now;
-static char percepts[4096]; /* texts without their `;`, each with a zero byte behind */
-static size_t percepts_length;
+static uint8_t sent[12288];
+static uint8_t carried[4096];
+static uint16_t sent_length, carried_length;
 
-/* The output since the last answer. */
-static uint8_t out[1 << 20];
-static uint8_t carried[1 << 16];
-static uint32_t out_length, carried_length;
-
-static const javino_action actions[] = {{"say", JAVINO_ANY}, {"grip", 0}, {"bump", 0}, {"speed", 1}, {"left", 0}, {"front", 0}};
+static void reply(void)
+{
+    stream_write(&sent_length, 2);
+    stream_write(sent, sent_length);
+    stream_write(&carried_length, 2);
+    stream_write(carried, carried_length);
+    sent_length = carried_length = 0;
+}
 
 static void write_byte(void *context, uint8_t byte)
 {
     (void)context;
-    if (out_length == sizeof out)
-        abort();
-    out[out_length++] = byte;
+    if (sent_length == sizeof sent)
+        stream_end();
+    sent[sent_length++] = byte;
 }
+
+static void note_carried(const char *text, uint8_t length)
+{
+    if (carried_length + length + 1u > sizeof carried)
+        stream_end();
+    carried[carried_length] = length;
+    memcpy(carried + carried_length + 1, text, length);
+    carried_length += length + 1u;
+}
+
+/* ---- A board ---- */
+
+static uint8_t memory[8192];
+static javino_board board;
+static javino_later later;
+static uint16_t now;
+static char percepts[4096]; /* texts without their `;`, each with a zero byte behind */
+static uint16_t percepts_length;
+
+static const javino_action actions[] = {{"say", JAVINO_ANY}, {"grip", 0}, {"bump", 0}, {"speed", 1}, {"left", 0}, {"front", 0}};
 
 static bool is(const char *text, uint8_t length, const char *other)
 {
@@ -45,11 +63,7 @@ static void act(void)
         javino_link_finish(&board.link, false);
         return;
     }
-    if (carried_length + length + 1 > sizeof carried)
-        abort();
-    carried[carried_length] = length;
-    memcpy(carried + carried_length + 1, text, length);
-    carried_length += length + 1u;
+    note_carried(text, length);
     if (is(text, length, "grip"))
         later = javino_link_later(&board.link);
 }
@@ -70,7 +84,7 @@ static void answer(void)
 static void poll(void)
 {
     javino_event event;
-    int quiet = 0;
+    uint8_t quiet = 0;
     /* A poll handles only some frames, and then hands nothing out. */
     while (quiet < 3) {
         event = javino_board_poll(&board, now);
@@ -82,13 +96,13 @@ static void poll(void)
     }
 }
 
-static void receive(const uint8_t *bytes, size_t length)
+static void receive(const uint8_t *bytes, uint16_t length)
 {
     javino_decoder_idle(&board.link.decoder, now);
     poll();
     while (length--) {
         if (!javino_link_ready(&board.link))
-            abort();
+            stream_end();
         javino_link_receive(&board.link, *bytes++, now);
         poll();
     }
@@ -97,7 +111,7 @@ static void receive(const uint8_t *bytes, size_t length)
 static void begin(void)
 {
     if (!javino_board_init(&board, memory, sizeof memory, write_byte, NULL))
-        abort();
+        stream_end();
     board.link.actions = actions;
     board.link.action_size = sizeof *actions;
     board.link.action_count = sizeof actions / sizeof *actions;
@@ -105,46 +119,111 @@ static void begin(void)
     percepts_length = 0;
 }
 
-static void reply(void)
+static void set_percepts(const uint8_t *bytes, uint16_t length)
 {
-    fwrite(&out_length, 4, 1, stdout);
-    fwrite(out, 1, out_length, stdout);
-    fwrite(&carried_length, 4, 1, stdout);
-    fwrite(carried, 1, carried_length, stdout);
-    fflush(stdout);
-    out_length = carried_length = 0;
+    if (length > sizeof percepts)
+        stream_end();
+    memcpy(percepts, bytes, length);
+    percepts_length = length;
+}
+
+/* ---- Parts of the core ---- */
+
+static javino_decoder decoder;
+
+static void find_frames(void)
+{
+    const uint8_t *frame;
+    while ((frame = javino_decoder_next(&decoder, now))) {
+        uint8_t length = (uint8_t)(decoder.taken - JAVINO_OVERHEAD);
+        uint16_t i;
+        if (*frame != JAVINO_START) {
+            note_carried((const char *)frame + JAVINO_PAYLOAD_AT_1, length);
+            continue;
+        }
+        for (i = JAVINO_LENGTH_AT; i < (uint16_t)(JAVINO_PAYLOAD_AT + length); i++)
+            write_byte(NULL, frame[i]);
+    }
+}
+
+static void decode(const uint8_t *bytes, uint16_t length)
+{
+    find_frames();
+    while (length--) {
+        if (!javino_decoder_ready(&decoder))
+            stream_end();
+        javino_decoder_put(&decoder, *bytes++, now);
+        find_frames();
+    }
+}
+
+static void begin_decoder(uint8_t nonce)
+{
+    if (!javino_decoder_init(&decoder, memory, JAVINO_WINDOW, 100))
+        stream_end();
+    if (nonce)
+        javino_decoder_session(&decoder, nonce);
+}
+
+static void checksum(const uint8_t *bytes, uint16_t length)
+{
+    uint16_t crc = JAVINO_CRC_START(0);
+    while (length--)
+        crc = javino_crc16(crc, *bytes++);
+    write_byte(NULL, (uint8_t)(crc >> 8));
+    write_byte(NULL, (uint8_t)crc);
+}
+
+static void encode(uint8_t version, uint8_t nonce, const uint8_t *bytes, uint16_t length)
+{
+    javino_encoder encoder;
+    memset(&encoder, 0, sizeof encoder);
+    encoder.write = write_byte;
+    if (version == 1) {
+        javino_encoder_begin(&encoder, (uint8_t)length);
+    } else {
+        javino_encoder_begin2(&encoder, nonce, bytes[0], bytes[1], (uint8_t)(length - 2));
+        bytes += 2;
+        length -= 2;
+    }
+    javino_encoder_finish(&encoder, (const char *)bytes, (uint8_t)length);
+}
+
+/* ---- Records ---- */
+
+static struct {
+    char what;
+    uint8_t flag;
+    uint16_t now;
+    uint16_t length;
+} record;
+
+static uint8_t bytes[8192];
+
+static void take_record(void)
+{
+    now = record.now;
+    switch (record.what) {
+    case 'n': begin(); break;
+    case 'b': receive(bytes, record.length); break;
+    case 'p': set_percepts(bytes, record.length); break;
+    case 'u': answer(); break;
+    case 'd': javino_link_done(&board.link, later, record.flag); break;
+    case 'c': checksum(bytes, record.length); break;
+    case 'e': encode(1, 0, bytes, record.length); break;
+    case 'E': encode(2, record.flag, bytes, record.length); break;
+    case 's': begin_decoder(record.flag); break;
+    case 'r': decode(bytes, record.length); break;
+    default: stream_end();
+    }
 }
 
 int main(void)
 {
-    struct {
-        char what;
-        uint8_t flag;
-        uint16_t now;
-        uint16_t length;
-    } record;
-    static uint8_t bytes[65536];
-    while (fread(&record, sizeof record, 1, stdin) == 1) {
-        if (record.length && fread(bytes, record.length, 1, stdin) != 1)
-            return 1;
-        now = record.now;
-        if (record.what == 'n') {
-            begin();
-        } else if (record.what == 'b') {
-            receive(bytes, record.length);
-        } else if (record.what == 'p') {
-            if (record.length > sizeof percepts)
-                abort();
-            memcpy(percepts, bytes, record.length);
-            percepts_length = record.length;
-        } else if (record.what == 'u') {
-            answer();
-        } else if (record.what == 'd') {
-            javino_link_done(&board.link, later, record.flag);
-        } else {
-            return 1;
-        }
+    while (stream_read(&record, sizeof record) && record.length <= sizeof bytes && stream_read(bytes, record.length)) {
+        take_record();
         reply();
     }
+    stream_end();
     return 0;
 }
