@@ -15,13 +15,17 @@ enum { UART_DATA, UART_INTERRUPTS, UART_FIFO, UART_FRAME, UART_MODEM, UART_STATE
 enum { RX_INTERRUPT = 1, RX_READY = 1, TX_EMPTY = 0x20, EIGHT_BITS = 3, DIVISOR = 0x80, OUTPUT_2 = 8 };
 #define UART_CLOCK_HZ 1843200u
 
-enum { PIC_COMMAND = 0x20, PIC_DATA = 0x21, PIC_BEGIN = 0x11, PIC_SECOND_AT_2 = 4, PIC_AUTOMATIC_END = 3, PIC_TAKE = 0x0C, LINE_IRQ = 4, PANEL_IRQ = 3 };
+enum { PIC_COMMAND = 0x20, PIC_DATA = 0x21, PIC_BEGIN = 0x11, PIC_SECOND_AT_2 = 4, PIC_AUTOMATIC_END = 3, PIC_TAKE = 0x0C };
+enum { TIMER_IRQ = 0, PANEL_IRQ = 3, LINE_IRQ = 4 };
 
-/* Bits of the processor's registers: interrupt 2 of the controller, 7 of the timer. */
-#define PORTS_PENDING (1u << 10)
-#define TIMER_PENDING (1u << 15)
+enum { TIMER_DATA = 0x40, TIMER_MODE = 0x43, TIMER_AGAIN = 0x34 };
+#define TIMER_HZ 1193182u
+
+/* Bits of the processor's registers. */
+#define CONTROLLER_ON (1u << 10)
 #define INTERRUPTS_ON 1u
 #define FLOATING_POINT_ON (1u << 29)
+#define EXCEPTION (31u << 2)
 
 #define READ(register, select) \
     ({ \
@@ -32,8 +36,6 @@ enum { PIC_COMMAND = 0x20, PIC_DATA = 0x21, PIC_BEGIN = 0x11, PIC_SECOND_AT_2 = 
 #define WRITE(register, select, value) __asm__ volatile("mtc0 %0, $" #register ", " #select "\n ehb" ::"r"((uint32_t)(value)) : "memory")
 
 #define READ_COUNT() READ(9, 0)
-#define COMPARE(value) WRITE(11, 0, value)
-#define READ_COMPARE() READ(11, 0)
 #define STATUS(value) WRITE(12, 0, value)
 #define CAUSE() READ(13, 0)
 
@@ -47,29 +49,25 @@ static void receive(uint8_t port)
         machine_receive(port, UART(port, UART_DATA));
 }
 
-/* Ends when the next interrupt lies ahead: a processor that had to wait may have passed it. */
+/* Interrupts of a timer that come late are one. The processor's own count tells how many milliseconds have passed. */
 static void tick(void)
 {
-    do {
-        COMPARE(READ_COMPARE() + COUNTS_PER_MS);
+    static uint32_t counted;
+    for (; READ_COUNT() - counted >= COUNTS_PER_MS; counted += COUNTS_PER_MS)
         machine_tick();
-    } while ((int32_t)(READ_COUNT() - READ_COMPARE()) >= 0);
 }
 
-/* The processor has one place for interrupts and exceptions. */
+/* The processor has one place for interrupts and exceptions. The controller tells of a byte once; one that it missed is read with the next
+ * interrupt. */
 __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted(void)
 {
-    uint32_t cause = CAUSE();
-    if (!(cause & (PORTS_PENDING | TIMER_PENDING)))
+    if (CAUSE() & EXCEPTION)
         machine_halt();
-    if (cause & TIMER_PENDING)
-        tick();
-    if (cause & PORTS_PENDING) {
-        ISA(PIC_COMMAND) = PIC_TAKE;
-        (void)ISA(PIC_COMMAND);
-        receive(MACHINE_LINE);
-        receive(MACHINE_PANEL);
-    }
+    ISA(PIC_COMMAND) = PIC_TAKE;
+    (void)ISA(PIC_COMMAND);
+    tick();
+    receive(MACHINE_LINE);
+    receive(MACHINE_PANEL);
 }
 
 /* Interrupts go to the vectors here once the bit for those of the boot code is cleared. */
@@ -110,11 +108,13 @@ void machine_start(void)
     ISA(PIC_DATA) = 0;
     ISA(PIC_DATA) = PIC_SECOND_AT_2;
     ISA(PIC_DATA) = PIC_AUTOMATIC_END;
-    ISA(PIC_DATA) = (uint8_t)~(1 << LINE_IRQ | 1 << PANEL_IRQ);
+    ISA(PIC_DATA) = (uint8_t)~(1 << TIMER_IRQ | 1 << PANEL_IRQ | 1 << LINE_IRQ);
     open_port(MACHINE_LINE);
     open_port(MACHINE_PANEL);
-    COMPARE(READ_COUNT() + COUNTS_PER_MS);
-    STATUS(FLOATING_POINT_ON | PORTS_PENDING | TIMER_PENDING | INTERRUPTS_ON);
+    ISA(TIMER_MODE) = TIMER_AGAIN;
+    ISA(TIMER_DATA) = (uint8_t)(TIMER_HZ / 1000);
+    ISA(TIMER_DATA) = TIMER_HZ / 1000 >> 8;
+    STATUS(FLOATING_POINT_ON | CONTROLLER_ON | INTERRUPTS_ON);
 }
 
 void machine_put(uint8_t port, uint8_t byte)
