@@ -31,7 +31,7 @@ final class TimedWriter {
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
     private final AtomicInteger underWay =
-            new AtomicInteger(); // writes of its thread that have not returned, or not begun
+            new AtomicInteger(); // the thread's writes that have not returned, or not begun
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /** @param driver writes without a time limit; returns the number of written bytes: all, fewer, or -1 on an error */
@@ -69,7 +69,7 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            if (!isTaken.getAndSet(true)) { // a write that has not begun never will
+            if (!isTaken.getAndSet(true)) { // a write that has not begun never begins
                 underWay.decrementAndGet();
             }
         }

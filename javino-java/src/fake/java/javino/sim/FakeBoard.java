@@ -310,8 +310,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function; while the
-         * board watches rules, every few milliseconds.
+         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function for each
+         * message, and every few milliseconds while the board watches rules.
          */
         public Rule answer(UnaryOperator<String> answer) {
             return answer(answer, () -> answer.apply(PerceptsRequest.ALL));

@@ -22,7 +22,7 @@ import java.util.concurrent.TimeUnit;
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
-    /** A board begins its answer by then: its loop may take 50 ms, and reading its sensors too. */
+    /** A board begins its answer within this time: its loop may take 50 ms, and so may reading its sensors. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
     /** Bytes that an AVR holds unread: its buffer has 64, less a few that are being received. */
     static final int RECEIVE_BUFFER = 60;

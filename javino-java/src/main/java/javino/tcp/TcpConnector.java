@@ -60,7 +60,7 @@ final class TcpConnector {
         }
     }
 
-    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which does. */
+    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which ends it. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
         try {

@@ -71,7 +71,7 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Draws a time, often the longest, which decides about bounds. */
+    /** Draws a time, often the longest, since the longest decides about bounds. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
     /** Reads the sensors of the rules, handles a message, or ends the call if there is none. */
