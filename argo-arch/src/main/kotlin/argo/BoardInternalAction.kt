@@ -19,7 +19,7 @@ import jason.asSyntax.Term
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
-    /** Returns true if the action suspends its intention until it calls back: see [Call.suspendIntention]. */
+    /** Returns true if the action suspends its intention until the action has ended: see [Call.suspendIntention]. */
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false

@@ -34,7 +34,7 @@ abstract class BoardQuery internal constructor(private val name: String, private
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
         /**
-         * Returns the result without an answer. In a context it is false; as a step of a plan the call fails the plan for the reason [why].
+         * Returns the result of a call without an answer: false in a context. As a step of a plan, it fails the plan for the reason [why].
          */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 

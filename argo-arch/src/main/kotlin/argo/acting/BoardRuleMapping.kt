@@ -12,8 +12,8 @@ import java.math.BigDecimal
 
 /**
  * Returns the board rule that decides like [critical]; null: there is none.
- * A board compares texts and decimal numbers. So this holds for percepts as boards write them: without namespaces, comments, variables and
- * expressions, and with numbers of at most 15 digits without an exponent.
+ * A board compares texts and decimal numbers. So both rules decide alike for percepts as boards write them: without namespaces, comments,
+ * variables and expressions, and with numbers of at most 15 digits without an exponent.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule

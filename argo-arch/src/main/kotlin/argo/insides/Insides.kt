@@ -77,7 +77,7 @@ object Insides {
     /** There is no setter. */
     val selectedIntention: Inside<Intention?> = of(Circumstance::class.java, "SI")
 
-    /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, so they cannot choose it. */
+    /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, and cannot set the capacity. */
     val percepts: Inside<Set<Literal>> = of(DefaultBeliefBase::class.java, "percepts")
 
     /** Jason's counters, shared by all agents of a program: Jason neither shows nor sets their values. */

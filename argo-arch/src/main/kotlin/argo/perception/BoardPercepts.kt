@@ -80,8 +80,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Percepts
-     * stay that the board has [reported] since [askedNanos], the time of the request for the message.
+     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
+     * percepts that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
      * @return true if the message was wanted
      */
@@ -139,7 +139,7 @@ internal class BoardPercepts(
 
     /**
      * Makes and leaves the newest snapshot with the held-back percepts that are due now, if any. If the sensing thread is making a
-     * snapshot, does not wait: the due percepts go into that one.
+     * snapshot, does not wait: the due percepts go into that snapshot.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return

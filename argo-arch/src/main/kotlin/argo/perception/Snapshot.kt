@@ -6,7 +6,7 @@ import argo.observing.PerceivedMessage
 import jason.asSyntax.Literal
 
 /**
- * The percepts of one message of a board that reach the agent.
+ * The percepts that reach the agent from one message of a board.
  *
  * @property port the port of the board that sent the message
  * @property texts the percepts as they came off the line
