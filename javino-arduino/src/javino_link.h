@@ -44,7 +44,7 @@ typedef struct {
 /** The most actions of a board. On the line, higher numbers mean no command, and rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** The most bytes of an action's name that fit into a page of the vocabulary. With a longer name, computers know no action. */
+/** The most bytes of an action's name that fit into a page of the vocabulary. Computers do not learn of an action with a longer name. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */
