@@ -44,7 +44,7 @@ final class TimedWriter {
         });
     }
 
-    /** Writes the bytes within {@code timeoutMillis}. After {@link Outcome#TOO_LATE} they never leave, or are still on their way out. */
+    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, they may still be on their way out. */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         // set by the thread when it begins to write, or by the caller when it gives up

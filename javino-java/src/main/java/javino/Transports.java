@@ -15,7 +15,7 @@ import java.util.function.BiFunction;
  * this library, and those that programs add. A program cannot replace one of this library. All methods are safe on any thread.
  */
 public final class Transports {
-    /** The scheme of a name without one: serial devices. */
+    /** The scheme of a name in which no scheme is written: serial devices. */
     public static final String SERIAL = "serial";
 
     private static final String OWN_PACKAGES = Transports.class.getPackageName() + '.';

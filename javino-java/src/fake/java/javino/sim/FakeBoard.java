@@ -26,8 +26,8 @@ import javino.wire.WireFrame;
  * }</pre>
  *
  * <p>It is strict: {@link #verify} and {@link #close} fail if it missed an {@linkplain #expect expected} message, lost a message (see
- * {@link #queueSize}), or received a surprising one. A message is surprising if no rule covers it, the test did not expect it, and did not
- * take it with {@code awaitMessage}. {@link #lenient} turns this off.
+ * {@link #queueSize}), or received a surprising message. A message is surprising if no rule covers it, the test did not expect it, and did
+ * not take it with {@code awaitMessage}. {@link #lenient} turns this off.
  *
  * <p>By default it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
  * without sensors. The line has the rate with which the port is opened. All methods are safe on any thread; rules may be changed while the

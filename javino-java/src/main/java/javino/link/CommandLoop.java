@@ -112,7 +112,7 @@ final class CommandLoop {
         }
     }
 
-    /** Sends a board of version 1 a request if the next command may go out only behind one. */
+    /** Sends a request to a board of version 1, if the next command may go out only behind a request. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;

@@ -17,8 +17,8 @@ import javino.session.WaitingCommands;
 
 /**
  * Gives the commands and requests of a line their turns, when the {@link Pacer} lets them, and writes their frames. A {@link SessionLine}
- * takes the commands from it. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while bytes are
- * written.
+ * takes the commands from this writer. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while
+ * bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
     /** The kinds of frames that the pacer tells apart: actions and requests of version 1, and frames of version 2. */

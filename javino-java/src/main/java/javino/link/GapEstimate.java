@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
  * of the loop. With a probability below n x^(n-1), the range of n random delays is less than the part x of the loop. If one delay is left
  * out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
  * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until {@value #MIN_SAMPLES} delays are known, it is this
- * maximum. From {@value #MANY} delays on, the longest is left out; later, one in {@value #OUTLIER_AMONG} at each end. So one stall of this
- * computer does not slow commands down.
+ * maximum. From {@value #MANY} delays on, the longest is left out; later, at each end one delay in {@value #OUTLIER_AMONG}. So one stall of
+ * this computer does not slow commands down.
  * <p>If each request followed the last answer at the same distance, all would meet the same part of the loop. So some requests are sent
  * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
  * are nanoseconds. Guarded by its user's lock.

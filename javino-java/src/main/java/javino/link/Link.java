@@ -303,10 +303,10 @@ public final class Link implements AutoCloseable {
     /**
      * Queues a command and returns at once. A thread in {@link #writeCommandsUntilClosed} sends urgent commands before others.
      *
-     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 that is when the last byte has left by
-     * the line's rate; if the link is not paced, when the driver has it. In version 2 it is when the board has acted. The command is
-     * repeated until then, and the board takes the repetitions for one command. The command is given up after four repetitions and 2 s
-     * without any frame of the board.
+     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
+     * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
+     * acted. The command is repeated until then, and the board takes the repetitions for one command. The command is given up after four
+     * repetitions and 2 s without any frame of the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was
