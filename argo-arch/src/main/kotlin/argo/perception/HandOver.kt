@@ -134,7 +134,7 @@ internal class FreshHandOver(
     }
 }
 
-/** Hands over every snapshot in order. An agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
+/** Hands over every snapshot in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()
