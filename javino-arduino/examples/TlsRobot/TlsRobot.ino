@@ -8,9 +8,9 @@
 //             +!start <- argo.port("tls://192.168.1.20:4433"); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// A new connection replaces the connection in use when it has proved its identity; if it cannot, it is refused. A stranger who connects
-// again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second without a
-// message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
+// A new connection replaces the connection in use when the new one has proved its identity; else the new one is refused. A stranger who
+// connects again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second
+// without a message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
 
 #include <JavinoNetwork.h>
 #include <WiFi.h>
