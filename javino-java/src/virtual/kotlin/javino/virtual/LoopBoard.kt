@@ -44,8 +44,8 @@ internal class LoopBoard(
     private val parts = ArrayDeque<ByteArray>()
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
-    private var now = 0L // the program's time, ahead of the line's while the program works
-    private var spent = 0L // time that the program has spent since now
+    private var now = 0L // the program's time; while the program works, it is ahead of the line's time
+    private var spent = 0L // time that the program has spent since the time `now`
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
     private var messages = 0 // number of messages handled in this call
