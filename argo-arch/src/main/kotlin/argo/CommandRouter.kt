@@ -127,7 +127,7 @@ private fun literalOf(command: Term): Literal? = try {
     null
 }
 
-/** Returns the namespace of the module of the plan that the agent of [ts] is carrying out; null: the plan is in no module. */
+/** Returns the namespace of the module whose plan the agent of [ts] is carrying out; null: the plan is in no module. */
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null

@@ -95,7 +95,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Combines failures of some of [wanted] ports into one; null: none failed. */
+    /** Combines the failures of some of the [wanted] ports into one failure; null: no port failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second

@@ -54,7 +54,7 @@ object Insides {
     /** True if Jason has notified the agent that it falls asleep; no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes them only by reasoning
+    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes such objects only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
