@@ -112,7 +112,7 @@ static bool is_named(const javino_link *link, const char *functor, uint8_t lengt
 {
     const char *p = link->text;
     uint8_t left = link->length;
-    uint8_t same = NOT_SAME; /* how many bytes of a name are those of the functor */
+    uint8_t same = NOT_SAME; /* how many bytes of a name equal the functor's first bytes */
     bool all = true;
     /* A bracket or a comma stands in front of each name and behind it. */
     for (; left; left--) {

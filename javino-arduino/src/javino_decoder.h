@@ -31,7 +31,7 @@ typedef struct {
     uint16_t size;
     uint16_t end;      /* number of bytes that have arrived */
     uint16_t gap;      /* place of a silence between the bytes; 0: none */
-    uint16_t taken;    /* bytes of the frame at the front: all, or in version 2 those without escapes so far */
+    uint16_t taken;    /* bytes of the frame at the front; in version 2 those read so far, without escapes */
     uint16_t timeout_ms;
     uint16_t last_ms;
     uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */

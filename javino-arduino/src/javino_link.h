@@ -85,7 +85,7 @@ typedef struct {
     uint8_t known;      /* number of shapes whose text the computer knows */
     uint8_t shapes;     /* number of shapes that have been sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the frame in hand holds commands; its length and number are those of the rest */
+    bool row;           /* the frame in hand holds commands; its length and number now tell of the rest */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;
