@@ -125,7 +125,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary they check no command.
+     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary computers check no command.
      * @param actions {@code ledOn}; {@code speed/1}, with one argument; {@code say/*}, with any number of arguments
      */
     public FakeBoard knows(String... actions) {

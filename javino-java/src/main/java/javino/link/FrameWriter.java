@@ -47,7 +47,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     private int turnsAwaited; // number of requests and HELLOs that wait for their turn
     private volatile long outcomeNanos;
     private long writtenBytes;
-    private long readBytes; // how many of the written bytes the far end has proved to have read
+    private long readBytes; // number of written bytes that the far end has certainly read
     private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 

@@ -12,7 +12,7 @@ import javino.PerceptsRequest;
  * messages either. Before that they count as messages, since some boards repeat their commands. One thread at a time.
  */
 final class LocalEchoFilter {
-    /** The most frames that are remembered, more than are ever on their way. Older frames were lost on the line. */
+    /** The most frames that are remembered; fewer are on their way at any time. Older frames were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first
