@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that their boards' hand-overs have [ready][Board.isReady].
+ * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady] in their boards' hand-overs.
  * Snapshots wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
  * are perceived together. [take] belongs to the agent's thread; any thread may ask.
  *

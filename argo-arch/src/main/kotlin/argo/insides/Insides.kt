@@ -65,7 +65,7 @@ object Insides {
     /** There is no setter. */
     val isAtomicSuspended: Inside<Boolean> = of(Circumstance::class.java, "atomicIntSuspended")
 
-    /** Jason counts them, and shows only whether there are any. */
+    /** Jason counts these intentions, and shows only whether there are any. */
     val goalConditions: Inside<Int> = of(Circumstance::class.java, "intentionsWithGoalCondition")
 
     /** There is no setter. */
