@@ -146,7 +146,7 @@ void javino_percept_term(javino_board *board, const char *text);
 /** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or there is no room without a request */
+/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or the memory is full and no request is in hand */
 bool javino_percept_end(javino_board *board);
 
 /** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */

@@ -41,7 +41,7 @@ typedef struct {
 /** The revision of version 2 that this library speaks, for WELCOME. */
 #define JAVINO_REVISION 1
 
-/** The most actions of a board. On the line, higher numbers mean no command, and rules. */
+/** The most actions of a board. On the line, higher numbers stand for "no command" and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
 /** The most bytes of an action's name that fit into a page of the vocabulary. Computers do not learn of an action with a longer name. */
@@ -70,7 +70,7 @@ typedef struct {
     bool lost;
     uint8_t frames; /**< Intact frames that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /**< Its nonce; 0: no session, and version 1. This and the next five are the payload of WELCOME. */
+    uint8_t session;    /**< Its nonce; 0: no session, and version 1. This member and the next five are the payload of WELCOME. */
     uint8_t credit;
     uint8_t longest;    /* most bytes of payload that a frame may have */
     uint8_t rules_max;  /* number of rules that the board can hold */
