@@ -286,9 +286,7 @@ public:
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /**
-   * Looks for the next message; the previous action counts as carried out. In a callback it only takes arrived bytes, and returns false.
-   */
+  /** Looks for the next message; the previous action counts as carried out. In a callback it only takes bytes, and returns false. */
   bool availableMsg();
 
   /** Returns the message's text: an action, or getPercepts for a request. Empty: there is none. Uses the heap. */

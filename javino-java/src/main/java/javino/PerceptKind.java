@@ -101,9 +101,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
-    /**
-     * Returns the first of {@code kinds} to which the percept belongs; else the first with the percept's functor and number of arguments.
-     */
+    /** Returns the first of {@code kinds} that fits the percept; else the first with the percept's functor and number of arguments. */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
                 kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
