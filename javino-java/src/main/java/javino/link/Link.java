@@ -431,7 +431,7 @@ public final class Link implements AutoCloseable {
         end("port " + port() + " is gone: it was closed");
     }
 
-    /** Announces {@link #close}: an {@link #open} of this port now waits until the port is closed, for a while. Does not wait. */
+    /** Announces {@link #close}: an {@link #open} of this port now waits for a while until the port is closed. Does not wait. */
     public void leave() {
         claim.leave();
     }
