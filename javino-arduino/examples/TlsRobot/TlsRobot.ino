@@ -1,5 +1,5 @@
 // A motor on WiFi that only its owner can use, for an ESP32. The line is encrypted, and the board proves its identity. The board knows one
-// certificate; a computer has to prove that it has the key of it. Set the network below and make certificates.h.
+// certificate; a computer has to prove that it has that certificate's key. Set the network below and make certificates.h.
 //
 //   wiring    a motor's driver at pin 4
 //   actions   speed(0..255)
