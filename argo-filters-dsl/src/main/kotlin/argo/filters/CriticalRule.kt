@@ -8,9 +8,10 @@ package argo.filters
  * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
  * U+00FF, none of them a control character, no blanks around them, no `fffe` with two hexadecimal digits, and not the request
  * `getPercepts`, with or without arguments; null: none
+ * @property smoothed whether the percept that a [SmoothingRule] has stand is to meet the rule; false: the percept as it came, without delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
-data class CriticalRule(val rule: Rule, val reflex: String? = null) {
+data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed: Boolean = false) {
     init {
         require(rule.rate == null) {
             "a critical percept is never held back, so its rule on ${rule.predicate} has neither everyMs nor a deadband"
@@ -19,7 +20,7 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
     }
 
     /** The rule in words: `dist where argument 1 is less than 15, with the reflex stop`. */
-    override fun toString(): String = "$rule" + reflex?.let { ", with the reflex $it" }.orEmpty()
+    override fun toString(): String = "$rule" + (if (smoothed) ", smoothed" else "") + reflex?.let { ", with the reflex $it" }.orEmpty()
 
     companion object {
         /** The most characters of a reflex. */

@@ -3,6 +3,7 @@ package argo.filters.jason
 import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
 import argo.filters.matching.FilterSession
+import jason.asSyntax.ASSyntax
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.BinaryStructure
@@ -19,7 +20,10 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
 /** Makes a session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
-fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
+fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { percept ->
+    val annotation = ASSyntax.createAtom("smoothed")
+    if (percept.hasAnnot(annotation)) percept else percept.copy().apply { addAnnot(annotation) }
+}
 
 /**
  * Returns the text of [percept] as a board would send it, for filters to decide over. Never throws.
