@@ -52,6 +52,7 @@ internal class BoardPercepts(
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest message, without reports
+    private var olderNanos: Map<String, Long> = emptyMap() // the times at which percepts of it that are older were true
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were seen last. */
@@ -77,7 +78,7 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos) }
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, emptySet(), it.seenNanos) }
     }
 
     /**
@@ -99,7 +100,10 @@ internal class BoardPercepts(
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times(reports.texts, seenNanos, receivedNanos))
+                    val old = seenNanos.filter { (text, nanos) -> olderNanos[text] == nanos }.keys + reports.texts
+                    olderNanos = seenNanos
+                    val times = times(reports.texts, seenNanos, receivedNanos)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, old, times)
                 }
             }
         }
@@ -127,7 +131,9 @@ internal class BoardPercepts(
     private fun place(port: OpenPort, rule: CriticalRule, text: String, receivedNanos: Long) {
         reports.add(rule, text, receivedNanos)
         val news = reader.read(text).toSet()
-        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { if (it in news) receivedNanos else null }
+        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false, message.toSet()) {
+            if (it in news) receivedNanos else null
+        }
     }
 
     /** Returns the times at which percepts of a message that includes [reported] ones were seen; null: all at [receivedNanos]. */
@@ -156,11 +162,14 @@ internal class BoardPercepts(
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
     /**
-     * Forgets snapshots that have not been handed over, held-back percepts and the rules that are met: they are of another time or place.
+     * Forgets snapshots that have not been handed over, held-back percepts, the last readings of sensors and the rules that are met: they
+     * are of another time or place.
      */
     fun forget() = lock.withLock {
+        session.forget()
         newest = null
         message = emptyList()
+        olderNanos = emptyMap()
         dueMs = null
         reports.clear()
         handOver.clear()
@@ -177,11 +186,12 @@ internal class BoardPercepts(
         texts: List<String>,
         receivedNanos: Long,
         isMessage: Boolean,
+        old: Set<String>,
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         logDropped(texts)
-        val perception = session.perceive(texts, nowMs())
+        val perception = session.perceive(texts, nowMs(), old)
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
         leave(port, perception, receivedNanos, seenNanos)
     }
