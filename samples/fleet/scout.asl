@@ -15,6 +15,10 @@ trips(0).
     .send(coordinator, achieve, hear);
     .wait(300);
     !report.
+// the coordinator is out of touch, or goes on elsewhere
+-!report <-
+    .wait(300);
+    !report.
 
 +!watch(Place)[source(coordinator)] <- +place(Place).
 +!leave(Place)[source(coordinator)] <- .abolish(place(Place)).
@@ -27,13 +31,16 @@ trips(0).
     .wait(100);
     !patrol.
 
-// The trip's number makes each formula another: the timer of a .wait runs on after the wait, and would end a later wait for the same.
+// The trip's number makes each formula different. The timer of a .wait runs on after the wait, and would end a later wait for an equal one.
 +!visit(Place) : trips(N) <-
     Trip = N + 1;
     -+trips(Trip);
     argo.act(goto(Place));
     .wait(at(Place) & trips(Trip), 5000);
-    .send(coordinator, achieve, visited(Place)).
+    !tell(visited(Place)).
 -!visit(Place)[error(Error)] <-
     .print("did not reach ", Place, ": ", Error);
     .wait(500).
+
++!tell(News) <- .send(coordinator, achieve, News).
+-!tell(_)[error(unreachable)]. // nobody waits for that

@@ -8,7 +8,7 @@ import org.openjdk.jmh.runner.options.OptionsBuilder
 import org.openjdk.jmh.runner.options.VerboseMode
 import java.io.File
 
-/** Runs the JMH benchmarks of filters and prints them as a table; the whole results are written to [json]. */
+/** Runs the JMH benchmarks of filters and prints them as a table. Writes the whole results to [json]. */
 internal fun filters(json: File) {
     val options = OptionsBuilder().include("FilterBenchmark|CycleBenchmark").addProfiler(GCProfiler::class.java)
         .verbosity(VerboseMode.SILENT).resultFormat(ResultFormatType.JSON).result(json.path).build()

@@ -17,10 +17,10 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 private const val WIDTH = 640
 private const val HEIGHT = 400
 
-/** The ages of the snapshots on which intentions acted, with the number of [sensors] and of [plans] for each percept. */
+/** The ages of the snapshots on which intentions acted, with the number of [sensors], and of [plans] for each percept. */
 internal class Ages(val sensors: Int, val plans: Int, val distribution: Distribution)
 
-/** Plots the distribution of the ages in SVG: the share of actions against the age that it does not exceed. */
+/** Plots the distribution of the ages in SVG: for each age, the share of actions at that age or below. */
 internal fun agePlot(measured: List<Ages>): String {
     val points = measured.flatMap { ages -> SHARES.map { share -> Triple(ages, share, ages.distribution.ms(share)) } }
     val data = mapOf(
@@ -37,7 +37,7 @@ internal fun agePlot(measured: List<Ages>): String {
     )
 }
 
-/** Plots the share of the line's time that requests and answers take, by baud rate and version, in SVG. */
+/** Plots the share of the line's time for requests and answers, by baud rate and version, in SVG. */
 internal fun lineUsePlot(shares: Map<Pair<Int, Int>, Double>): String {
     val data = mapOf(
         "baud" to shares.keys.map { "${it.first} baud" },

@@ -17,14 +17,14 @@ internal data class Failure(override val error: String, override val cause: Stri
     fun of(call: String): JasonException = JasonException("$call: $cause", ASSyntax.createAtom(error))
 }
 
-/** Returns this failure of a command, with a sentence on the port if its device has gone. */
+/** Returns this failure; if the port's device has gone, with a sentence about that. */
 internal fun Failure.whileLost(): Failure =
     if (error == "port_gone") copy(cause = "$cause; a device that was unplugged is looked for, and its port opened again") else this
 
 /** Returns the failure for an argument of a wrong kind. */
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 
-/** Returns the failure of a plan for [trouble] with a port; an exception that no transport should throw is `port_failed`, too. */
+/** Returns the failure of a plan for [trouble] with a port. An exception that no transport should throw is also `port_failed`. */
 internal fun failureOf(trouble: Throwable): Failure = Failure(
     errorOf(trouble),
     if (trouble is PortException) trouble.message ?: trouble.javaClass.simpleName else "$trouble",

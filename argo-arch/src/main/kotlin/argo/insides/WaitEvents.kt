@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * The object by which a `.wait` of Jason's waits: a listener of the agent's circumstance, whose class is private. If another version of
- * Jason has no such class or member, all members but [isThere] throw a [LinkageError].
+ * The object of a waiting `.wait` of Jason's: a listener of the agent's circumstance with a private class. If another version of Jason has
+ * no such class or member, all members but [isThere] throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"
@@ -54,9 +54,7 @@ object WaitEvents {
     /** Returns true if [listener] is a waiting `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
-    /**
-     * Makes a waiting `.wait` for the selected intention of [ts], and suspends that. With a [timeout] of 0 or more ms it begins a timer.
-     */
+    /** Makes a waiting `.wait` for the selected intention of [ts], which is suspended. A [timeout] from 0 ms on begins a timer. */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,
     ): CircumstanceListener = make.newInstance(wait(), trigger, formula, un, ts, timeout, elapsed) as CircumstanceListener

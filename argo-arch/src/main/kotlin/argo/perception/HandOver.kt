@@ -9,49 +9,50 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other.
- *
- * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
+ * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other. The agent's thread calls [take] in each of
+ * its perceptions; any thread may call the others.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent; it may be dropped if a snapshot of a newer message is there already. */
+    /** Leaves [snapshot] for the agent. If a snapshot of a newer message is there, [snapshot] may be dropped. */
     fun put(snapshot: Snapshot)
 
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if the snapshot that [take] would return now waits for nothing else. */
+    /** Returns true if the snapshot for [take] waits for nothing else. */
     fun isUrgent(): Boolean = isReady()
 
-    /** Returns the time in ms until a snapshot may become ready without any news; null: none will. */
+    /** Returns the ms until a snapshot may become ready without news; null: none will. */
     fun dueInMs(): Long? = null
 
     /** Takes the snapshot to perceive now; null: none is ready. */
     fun take(): Snapshot?
 
-    /** Takes all snapshots out, in the order of their messages. */
+    /** Takes out all snapshots, in the order of their messages. */
     fun drain(): List<Snapshot>
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of those that have been taken. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of taken ones. */
     fun clear()
 }
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [backlog] of the last one handed over is done.
- *
- * A snapshot with a critical percept that the last one did not have is handed over at once. Until then a newer snapshot replaces it only if
- * that meets the same critical rules, so there are never more such snapshots than rules. A board that is critical all the time must not
- * make events pile up: when [MANY_EVENTS] wait, each critical rule lets one more snapshot pass at once, until the backlog is done.
- *
- * @param tellLate is called, without the lock, when snapshots have waited for longer than [LATE_MS], with the work that they wait for
+ * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done.
+ * A snapshot is handed over at once if it has a critical percept that the last one did not have. Until then a newer snapshot replaces it
+ * only if the newer one meets the same critical rules. So there are never more such snapshots than rules. A board that is always critical
+ * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is
+ * done.
+ * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
-internal class FreshHandOver(private val backlog: Backlog, private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> }) : HandOver {
+internal class FreshHandOver(
+    private val work: EarlierWork,
+    private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
+) : HandOver {
     private val lock = ReentrantLock()
-    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
-    private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
+    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
+    private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since the last one in turn
 
-    private var waitingSince: Long? = null // the time of the first message since a snapshot was handed over; null: none has come
+    private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 
     @Volatile
     private var newest: Snapshot? = null
@@ -62,7 +63,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
             val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
             TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
         }
-        if (waitedMs > LATE_MS) backlog.kindLeft()?.let { tellLate(waitedMs, it) }
+        if (waitedMs > LATE_MS) work.kindLeft()?.let { tellLate(waitedMs, it) }
     }
 
     private fun keep(snapshot: Snapshot) {
@@ -77,7 +78,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
         }
     }
 
-    override fun isReady(): Boolean = isReady { backlog.isDone() }
+    override fun isReady(): Boolean = isReady { work.isDone() }
 
     private inline fun isReady(isDone: () -> Boolean): Boolean {
         val urgent = firstCritical()
@@ -86,19 +87,19 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
 
     override fun isUrgent(): Boolean = firstCritical() != null && isReady()
 
-    override fun dueInMs(): Long? = if (newest == null) null else backlog.dueInMs()
+    override fun dueInMs(): Long? = if (newest == null) null else work.dueInMs()
 
     private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
 
     private fun mayBeEarly(snapshot: Snapshot) =
-        backlog.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
+        work.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
 
     override fun take(): Snapshot? {
-        backlog.takenIn()
+        work.takenIn()
         if (newest == null && firstCritical() == null) return null
-        val isInTurn = backlog.isDone(isAwaited = true)
+        val isInTurn = work.isDone(isAwaited = true)
         if (!isReady { isInTurn }) return null
-        return lock.withLock { next(isInTurn) }?.also { backlog.begin() }
+        return lock.withLock { next(isInTurn) }?.also { work.begin() }
     }
 
     private fun next(isInTurn: Boolean): Snapshot? {
@@ -126,7 +127,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
     }
 
     companion object {
-        /** The time in ms after which waiting snapshots are reported. */
+        /** Waiting snapshots are reported after this time in ms. */
         const val LATE_MS = 2000L
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
@@ -134,7 +135,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
     }
 }
 
-/** Hands over every snapshot in its order; an agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
+/** Hands over every snapshot in order. An agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()
@@ -159,7 +160,6 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     }
 
     companion object {
-        /** The most snapshots that wait for an agent. */
         const val MAX_WAITING = 1000
     }
 }

@@ -3,9 +3,9 @@ package argo.filters
 import java.util.Objects
 
 /**
- * A perception filter, which decides over percepts by its [rules].
+ * A perception filter. A filter's [rules] decide which percepts an agent perceives.
  *
- * Immutable, and safe to share between agents. Two filters are equal if they decide alike, even if their [name]s differ.
+ * Immutable, and safe to share between agents. Two filters are equal if they make the same decisions, even under different [name]s.
  *
  * @property name the name by which agents call the filter
  * @property mode the fate of the percepts that meet a rule
@@ -21,12 +21,12 @@ class PerceptionFilter(
     critical: List<CriticalRule> = emptyList(),
     smoothing: List<SmoothingRule> = emptyList(),
 ) {
-    /** The fate of the percepts that meet one of a filter's rules. */
+    /** The fate of the percepts that meet one of the rules. */
     enum class Mode {
-        /** Percepts that meet a rule are dropped; all others are kept. The filters of the ARGO paper are of this mode. */
+        /** Percepts that meet a rule are dropped, all others are kept. The filters of the ARGO paper have this mode. */
         DROP,
 
-        /** Percepts that meet a rule are kept; all others are dropped. */
+        /** Percepts that meet a rule are kept, all others are dropped. */
         KEEP,
     }
 
@@ -41,7 +41,7 @@ class PerceptionFilter(
 
     val rules: List<Rule> = java.util.List.copyOf(rules)
 
-    /** The rules on percepts that must not wait, in their order. */
+    /** The rules for urgent percepts, in their order. */
     val critical: List<CriticalRule> = java.util.List.copyOf(critical)
 
     /** The rules on percepts of sensors that err, in their order. */

@@ -4,7 +4,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * The conditions of one rule under construction, all of which a percept must meet.
+ * The conditions of one rule under construction. A percept must meet all of them.
  *
  * ```kotlin
  * drop("dist") { argument(0) ne "front"; argument(1) gt 200; everyMs(500) }
@@ -18,13 +18,13 @@ open class RuleConditions internal constructor() {
     private var arity: Int? = null
     private var everyMs: Long? = null
 
-    /** The argument at [index], counted from 0, of whatever type: `argument(0) ne "front"`. */
+    /** The argument at [index], counted from 0, of any type: `argument(0) ne "front"`. */
     fun argument(index: Int): AnyArgument {
         requireIndex(index)
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
+    /** The annotations called [name]. One of them must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
@@ -45,7 +45,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
+     * Holds back percepts that come less than [ms] milliseconds after the percept last let through: `everyMs(500)`; see [Rate].
      *
      * @throws IllegalArgumentException if the rule already has another interval
      */
@@ -55,7 +55,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * As [everyMs]: `every(2.seconds)`.
+     * Sets the interval of [everyMs] by a duration: `every(2.seconds)`.
      *
      * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or the rule already has another interval
      */
@@ -82,12 +82,11 @@ open class RuleConditions internal constructor() {
         unsaid += term
     }
 
-    /** Notes that there is a condition or a deadband on [term]. */
     internal fun specify(term: Any) {
         unsaid.removeAll { it === term }
     }
 
-    /** @throws IllegalArgumentException if an argument or annotation was named without a test: the author meant a condition */
+    /** @throws IllegalArgumentException if the block names an argument or annotation without a condition on it */
     internal fun rule(predicate: Predicate): Rule {
         require(unsaid.isEmpty()) {
             "there is no condition on ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
@@ -98,7 +97,7 @@ open class RuleConditions internal constructor() {
 }
 
 /**
- * The conditions of a critical rule under construction, and its reflex. It can have neither [everyMs] nor a [deadband].
+ * The conditions of a critical rule under construction, and its reflex. A critical rule can have neither [everyMs] nor a [deadband].
  *
  * ```kotlin
  * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -114,8 +113,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * Has [command] sent when a percept that meets the rule comes, before the agent reasons: `reflex("speed(0)")`; see
-     * [CriticalRule.reflex].
+     * Sends [command] for a percept that meets the rule, before the agent reasons: `reflex("speed(0)")`; see [CriticalRule.reflex].
      *
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
      */
@@ -152,7 +150,7 @@ sealed class AnyTerm<out L> {
     /** The term must equal [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
     infix fun eq(value: GroundTerm): Unit = must(TermTest.Compare(Operator.EQ, value))
 
-    /** The term must differ from [value], a Jason term: `argument(0) ne "front"`. */
+    /** The term must differ from [value], in Jason's syntax: `argument(0) ne "front"`. */
     infix fun ne(value: String): Unit = must(TermTest.Compare(Operator.NE, GroundTerm.of(value)))
 
     /** The term must differ from [value]: `argument(1) ne 0`. */
@@ -176,7 +174,9 @@ sealed class AnyTerm<out L> {
     /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
     infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
-    /** The term must equal one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
+    /**
+     * The term must equal one of [values]: texts in Jason's syntax, numbers or [GroundTerm]s. `argument(0) isIn listOf("front", "left")`.
+     */
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
     /**
@@ -259,7 +259,7 @@ private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds
     require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
 }
 
-/** The tests that a number in the range meets. */
+/** Returns the tests that exactly the numbers in the range meet. */
 internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
     require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
     return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))

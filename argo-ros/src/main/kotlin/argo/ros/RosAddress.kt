@@ -4,14 +4,11 @@ import javino.NoSuchPortException
 import java.net.URI
 
 /**
- * The address of a bridge and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`.
- *
- * @property socket the address of its WebSocket
- * @property mapping the name of the mapping, `robot` unless a name follows `#`
+ * The address of a bridge with the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`. [mapping] is the
+ * name of the mapping; `robot` unless a name follows `#`.
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {
-        /** The port at which a bridge listens by default. */
         private const val USUAL_PORT = 9090
         private const val USUAL_MAPPING = "robot"
         private const val MAX_PORT = 65_535

@@ -43,11 +43,11 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. Its percepts are made of the newest message of each topic, unless the agent's filter
- * drops all percepts of that topic.
+ * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
+ * agent's filter drops completely.
  *
- * A thread of the HTTP client takes messages in and keeps the newest; the sensing thread makes percepts of them. So no message waits for a
- * thread, nor behind another message.
+ * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns them into percepts. So no message waits
+ * for a thread or for another message.
  */
 internal class RosLink private constructor(
     override val port: String,
@@ -65,10 +65,10 @@ internal class RosLink private constructor(
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn)
 
-    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, as all below
+    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, like all below
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private var wish: Wish? = null
-    private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
+    private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
     private var aliveNanos = clock.nanos()
@@ -109,7 +109,7 @@ internal class RosLink private constructor(
         if (topic == RobotTime.CLOCK) message.part("clock")?.rosNanos()?.let { time.show(it, nowNanos) }
         val trueNanos = time.trueAt(topic, message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
         lock.withLock {
-            if (topic !in subscribed) return // a message that was on its way when the topic was unsubscribed
+            if (topic !in subscribed) return // the message was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
             if (topic !in perceived) return
             topics.add(topic, message, trueNanos, nowNanos)
@@ -124,7 +124,6 @@ internal class RosLink private constructor(
         }?.let(::wants)
     }
 
-    /** Returns the subscriptions for [wish]: its topics, and a simulator's time. */
     private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
         val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
@@ -153,7 +152,7 @@ internal class RosLink private constructor(
         "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs, "queue_length" to 1,
     )
 
-    /** Waits for a message of a topic. If none has come after half of the time, the bridge is asked to show that it is there. */
+    /** Waits for a message. If none has come after half of [timeoutMs], pings the bridge. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
         lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { graph.explainSilence(it.topic, it.type) }
@@ -179,13 +178,13 @@ internal class RosLink private constructor(
     }
 
     /**
-     * Ends a wait since [startNanos] in which no topic published: returns the held percepts if there are no subscriptions, else null.
-     * Throws if the bridge has not shown since that it is there.
+     * Ends a wait since [startNanos] without any message. Returns the held percepts if there are no subscriptions, null otherwise. Throws a
+     * [PortTimeoutException] if the bridge has given no sign of life during the wait.
      */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, nothing more than the bridge is needed
+        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, a live bridge is enough
     }
 
     private fun await(nanos: Long) {
@@ -216,7 +215,7 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // a socket that is closing may still take the command and lose it
+        val isOver = bridge == null || !isOpen // a closing socket may accept the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
@@ -241,9 +240,9 @@ internal class RosLink private constructor(
         private const val CHECKING_MS = 3_000L
 
         /**
-         * Connects to the bridge at [address], and checks the fields of [mapping] against their types as far as the bridge knows them.
+         * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.
          *
-         * @param token the token that the bridge is shown; null: none
+         * @param token the token for the bridge; null: none
          * @throws PortException if there is no bridge, or a field does not exist
          */
         fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
@@ -266,7 +265,6 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Closes the link; its connection may have ended before the link was made. */
     private fun abandon() {
         close()
         bridge?.close()

@@ -11,7 +11,7 @@ import argo.ros.mapping.findToken
 import javino.LineClock
 import javino.PortFaultException
 
-/** Opens `ros://host:9090`: a robot that speaks ROS, behind a bridge of the rosbridge protocol, version 2. */
+/** Opens `ros://host:9090`: a ROS robot behind a bridge of the rosbridge protocol, version 2. */
 class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 

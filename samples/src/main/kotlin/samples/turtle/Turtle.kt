@@ -2,22 +2,17 @@ package samples.turtle
 
 import java.util.concurrent.TimeUnit
 
-/**
- * A robot that drives straight at a wall. Safe for use by several threads.
- *
- * @param nanos the time
- */
+/** A robot that drives straight at a wall, by the time of [nanos]. Safe for use by several threads. */
 internal class Turtle(private val nanos: () -> Long) {
     private var metres = 0.0
     private var metresPerSecond = 0.0
     private var sinceNanos = nanos()
 
-    /** The turtle's distance from its dock, in m. At the wall it stays. */
+    /** The turtle's distance from its dock, in m. The turtle stays at the wall. */
     @get:Synchronized
     val position: Double
         get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
 
-    /** The turtle's distance from the wall, in m. */
     val range: Double get() = WALL - position
 
     @get:Synchronized

@@ -16,11 +16,11 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address: the topics `/sonar` and `/cmd_vel`, and the
- * action `/dock` of ROS 1. It knows only the part of the protocol for these.
+ * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address. This bridge knows only the parts of the
+ * protocol for the topics `/sonar` and `/cmd_vel`, and for the ROS 1 action `/dock`.
  */
 internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
-    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // least time between messages, by subscriber to the sonar
+    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // the least time between messages, by subscriber of the sonar
     private val sentNanos = ConcurrentHashMap<WebSocket, Long>()
     private val goals = ConcurrentHashMap<String, WebSocket>()
     private val started = CompletableFuture<Unit>()
@@ -50,7 +50,7 @@ internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
         timer.scheduleAtFixedRate(::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** The bridge's port, as an agent names it. */
+    /** The bridge's port in an agent's notation. */
     val port: String get() = "ros://127.0.0.1:${server.port}"
 
     private fun hear(client: WebSocket, operation: JsonObject) {

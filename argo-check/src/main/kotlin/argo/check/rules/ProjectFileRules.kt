@@ -10,9 +10,10 @@ import argo.check.project.Role
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** Architectures, options and programs of agents in the files of a project. */
+/** Architectures, options and programs of agents in project files. */
 internal object ProjectFileRules {
     private const val ARCHITECTURE = MasAgent.ARCHITECTURE
+    private val INFRASTRUCTURES = setOf("Local", "Jade", "Fleet")
     private val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
 
     fun check(project: Project): List<Finding> = project.projectFiles.flatMap { check(project, it) }
@@ -37,7 +38,7 @@ internal object ProjectFileRules {
         val isNamed = tokens[at].text == "agentArchClass" || words(tokens, at - 3, "ag", "-", "arch", ":")
         val token = tokens.getOrNull(at + 1)?.takeIf { isNamed } ?: return
         val rest = tokens.getOrNull(at + 2)?.takeIf { it.span.start == token.span.end && it.text.startsWith('.') }?.text
-        val name = token.text + rest.orEmpty() // a name in upper case is a variable to Jason's programs, which ends at the dot
+        val name = token.text + rest.orEmpty() // the lexer takes a name in upper case for a variable, and ends it at the dot
         val why = "the agent does not start"
         when {
             name == ARCHITECTURE -> {}
@@ -52,7 +53,9 @@ internal object ProjectFileRules {
         }
     }
 
-    /** Warns of another version's jar: it holds classes of the same names, and the first on the class path wins. */
+    /**
+     * Warns of another version's jar. The jars of both versions have classes of the same names, and the first jar on the class path wins.
+     */
     private fun otherArgo(token: Token, report: Report) {
         if (token.kind != TokenKind.STRING && !token.text.startsWith('\'') || !OTHER_ARGO.containsMatchIn(token.text)) return
         report.error(
@@ -63,14 +66,20 @@ internal object ProjectFileRules {
     }
 
     private fun infrastructure(tokens: List<Token>, at: Int, report: Report) {
-        if (!words(tokens, at, "infrastructure", ":", "Centralised")) return
-        report.hint("infrastructure", tokens[at].span, "the name of this infrastructure is Local now",
-            "Jason reads the old one with a message", "infrastructure: Local")
+        val name = tokens.getOrNull(at + 2)?.takeIf { words(tokens, at, "infrastructure", ":") } ?: return
+        when (name.text) {
+            in INFRASTRUCTURES -> {}
+            "Centralised" -> report.hint("infrastructure", tokens[at].span, "the name of this infrastructure is Local now",
+                "Jason reads the old one with a message", "infrastructure: Local")
+            else -> report.warning("infrastructure", name.span, "neither Jason nor ARGO has an infrastructure ${name.text}",
+                "unless the project has a launcher for it, Jason runs all agents on one computer",
+                Names.near(name.text, INFRASTRUCTURES)?.let { "did you mean $it?" } ?: "there are ${INFRASTRUCTURES.joinToString()}")
+        }
     }
 
     private fun agent(project: Project, file: MasFile, agent: MasAgent, report: Report) {
         agent.options.forEach { option(it, report) }
-        val options = agent.options.filter { it.name.text.startsWith("argo_") }
+        val options = agent.options.filter { it.name.text.startsWith("argo_") && it.name.text != KnownOption.OF_FLEET }
         if (!agent.isArgo && agent.architectures.isEmpty()) options.firstOrNull()?.let {
             report.error("no-architecture", it.name.span, "${it.name} has no effect", "only the architecture $ARCHITECTURE reads it",
                 "${agent.name} … agentArchClass $ARCHITECTURE;")
@@ -91,7 +100,7 @@ internal object ProjectFileRules {
         }
     }
 
-    /** A project of JaCaMo has options of agents in its own form. */
+    /** JaCaMo writes an agent's options in a form of its own. */
     private fun options(tokens: List<Token>, report: Report) = tokens.indices
         .filter { tokens.getOrNull(it + 1)?.let { next -> next.isSymbol("=") || next.isSymbol(":") } == true }
         .forEach { option(AgentOption(tokens[it], tokens.getOrNull(it + 2)), report) }

@@ -26,9 +26,9 @@ fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { pe
 }
 
 /**
- * Returns the text of [percept] as a board would send it, for filters to decide over. Never throws.
+ * Returns the text of [percept] as a board would send it, for filters. Never throws.
  *
- * Unlike `toString`, it escapes quotes, line breaks and such in strings. Terms nested deeper than filters look are written as a variable.
+ * Unlike `toString`, it escapes quotes and line breaks in strings. A term nested too deep for filters becomes a variable.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 

@@ -57,7 +57,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     }
 }
 
-/** A condition in the form in which it is applied: on an argument, or on annotations. */
+/** A condition on an argument or on annotations, in a form that is fast to apply. */
 private class CompiledCondition(condition: Condition) {
     private val argument = (condition as? Condition.Argument)?.index ?: -1
     private val until = (condition as? Condition.Argument)?.untilTest()?.let(::CompiledTest)
@@ -105,7 +105,7 @@ private class CompiledCondition(condition: Condition) {
             tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
 }
 
-/** A test of a term in its text. Plain atoms and plain numbers are compared in place; other terms are read into a [GroundTerm] first. */
+/** A test of a term in its text. Plain atoms and numbers are compared in place. Other terms are first read into a [GroundTerm]. */
 internal class CompiledTest(private val test: TermTest) {
     private val operator = (test as? TermTest.Compare)?.operator ?: Operator.EQ
     private val values: Set<GroundTerm> = when (test) {
@@ -130,14 +130,14 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test; null stands for a term that is not ground and plain. */
+    /** Returns true if [value] meets the test. Null stands for a term that is no value, such as a variable. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: it equals one of the test's values; [number]: the term's number, else NaN. */
+    /** Returns true if a term meets the test. [isEqual]: the term equals one of the test's values. [number]: the term's number, or NaN. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual
@@ -147,7 +147,7 @@ internal class CompiledTest(private val test: TermTest) {
         Operator.LE -> number <= numbers[0]
     }
 
-    /** Returns the word of [value] if it is an atom without quotes, negation, namespace, arguments and annotations; else null. */
+    /** Returns the name of [value] if it is an atom without quotes, negation, namespace and annotations; null otherwise. */
     private fun plainAtom(value: GroundTerm): String? =
         (value as? GroundTerm.Structure)?.predicate?.functor?.takeIf { value == GroundTerm.Structure(Predicate(it)) && it[0] != '\'' }
 }

@@ -6,9 +6,8 @@ import argo.filters.PerceptionFilter.OnSwitch
 /**
  * One agent's filters over time: remembers which percepts were let through, held back and frozen, and the last ones of smoothed sensors.
  *
- * [P] is the form in which percepts come: [FilterSession.ofTexts] takes them as they came off the line,
- * `argo.filters.jason.literalSession()` takes Jason literals. The caller gives the time, in milliseconds of any clock that never goes back.
- * Not safe for use by several threads at once.
+ * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
+ * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  */
 class FilterSession<P : Any> internal constructor(private val textOf: (P) -> String, private val annotated: (P) -> P) {
     private var matcher: PerceptMatcher? = null
@@ -19,7 +18,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, P> = emptyMap()
 
-    /** The active filter, or null: everything is kept. */
+    /** The active filter; null: everything is kept. */
     val filter: PerceptionFilter?
         get() = matcher?.filter
 
@@ -67,8 +66,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Returns the agent's perception at [nowMs] if no newer percepts have come and held-back ones are due; null if none is due. It is the
-     * last perception, with each due percept in place of the one that was let through before it.
+     * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
+     * is the last perception with each due percept in the place of its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null

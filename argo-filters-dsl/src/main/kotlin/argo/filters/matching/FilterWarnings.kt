@@ -75,7 +75,7 @@ private class ReviewedRule(
         rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
             rule.conditions.all(other.allowed::imply)
 
-    /** Returns true if [other], of the same list, changes nothing beside this rule. */
+    /** Returns true if [other], a rule of the same list, has no effect beside this rule. */
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null ->

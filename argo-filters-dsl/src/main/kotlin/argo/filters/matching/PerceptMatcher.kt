@@ -8,13 +8,13 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.SmoothingRule
 
 /**
- * Decides over percepts by a filter's rules.
+ * Decides over percepts by a filter's rules. Immutable; any thread may use it.
  *
  * Immutable; any thread may use it. Rates, smoothing rules and second limits depend on time and on earlier percepts, which a
  * [FilterSession] records; a matcher treats each percept as the first of its sensor, which no rate holds back and which stands for itself.
  */
 class PerceptMatcher internal constructor(
-    /** The filter from which the matcher was compiled. */
+    /** The filter of this matcher. */
     val filter: PerceptionFilter,
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
@@ -28,10 +28,10 @@ class PerceptMatcher internal constructor(
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
-     * Returns true if the filter drops the percept in [percept] from [start] to [end], as it came off the line: `dist(f,123)`.
+     * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
      *
-     * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing
-     * if the percept has no namespace and all conditions are on arguments that are plain atoms or numbers.
+     * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
+     * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean = drops(percept, start, end, false, null)
@@ -89,7 +89,7 @@ class PerceptMatcher internal constructor(
     /** Returns the critical rules that the percept with the text [percept] meets, in the order of the filter. Never throws. */
     fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let { criticalRules(it, it, null) }.orEmpty()
 
-    /** Explains why the filter keeps or drops the percept with the text [percept]. */
+    /** Explains why the filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 

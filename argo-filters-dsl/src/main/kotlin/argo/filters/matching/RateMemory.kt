@@ -4,13 +4,13 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** A [percept] that was let through at [atMs]; [numbers] are its numeric arguments. */
+/** A [percept] that was let through at [atMs], with its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** The time since which newer percepts have been held back; null: none has been. */
+    /** The time at which the first newer percept was held back; null: none has been. */
     var heldSinceMs: Long? = null
 }
 
-/** A percept is held back by [rule] until [dueMs], and [last] is perceived in its place. */
+/** The [rule] holds a percept back until [dueMs]; until then the agent perceives [last] in its place. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
@@ -20,13 +20,12 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThr
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
 
-    /** True if no rule has a rate. */
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = SensorMemory<LetThrough<P>>()
 
     /**
-     * Returns how the rules that [percept] [met] hold it back at [nowMs], the decisive rule first; empty if the percept is let through or
+     * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive one first; empty if the percept is let through or
      * dropped for good.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
@@ -39,7 +38,6 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         }
     }
 
-    /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
     fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
             if (rule.rate == null || !SensorMemory.isRoomFor(text.length)) continue
@@ -56,7 +54,7 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
 
-    /** Returns the time [ms] after [startMs], at most the last time that the clock can show. */
+    /** Returns the time [ms] after [startMs], limited to [Long.MAX_VALUE]. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun hasMoved(rate: Rate, last: LetThrough<P>, text: PerceptText): Boolean = rate.deadbands.any { deadband ->
@@ -64,14 +62,14 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         arguments.any { hasMoved(last.numbers[it], text.number(it), deadband.width) }
     }
 
-    /** Returns true if a number has moved; an argument that is no number counts as one that has. */
+    /** Returns true if a number has moved. An argument that is no number counts as moved. */
     private fun hasMoved(last: Double?, now: Double?, width: Double) = last == null || now == null || Math.abs(now - last) >= width
 
     private fun numbers(text: PerceptText): Map<Int, Double> =
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** Stands for any number in a key. No term is written like this. */
+        /** Replaces every number in a key. No term has this text. */
         const val ANY_NUMBER = "#"
     }
 }

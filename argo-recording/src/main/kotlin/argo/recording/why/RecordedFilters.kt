@@ -8,15 +8,13 @@ import argo.filters.matching.FilterSession
 import argo.recording.FilterChange
 
 /**
- * The filters through which an agent perceives, at the present cycle of its recording.
- *
- * @param files the files in the recording, by their names
+ * The filters through which an agent perceives at the present cycle of its recording. [files] are the files in the recording, by their
+ * names.
  */
 internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     private var ofAll: FilterSession<String>? = null
     private val ofBoards = HashMap<String, FilterSession<String>?>()
 
-    /** Applies [changes]: the agent perceives through other filters from its next cycle on. */
     fun changed(changes: List<FilterChange>) = changes.forEach { change ->
         val port = change.port
         if (port == null) {

@@ -7,9 +7,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A bridge in this program for tests: it answers at once, on the thread that asks it. Services and goals succeed, and there is no `rosapi`.
- *
- * @param heard takes each message that goes to a topic, and the request or goal of each service and action, with its name
+ * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed. There is
+ * no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and action, with its name.
  */
 internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
@@ -29,7 +28,6 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     override fun ping() = listener.isAlive()
 
-    /** Publishes [message], in JSON, on [topic] as a node would. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
@@ -61,7 +59,7 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
         val service = operation.text("service").orEmpty()
         val isKnown = !service.startsWith("/rosapi/")
         if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // the refusal has no reason, since no test reads one
+        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // the refusal has no reason, since no test reads it
         listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
     }
 

@@ -12,14 +12,12 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic.
- *
- * @property throttleMs the least time between two messages that the bridge sends, in ms. In between it keeps only the newest message
- * (`queue_length` 1), so no message comes older than that time, and those in between cost no time here
+ * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps only the newest
+ * message (`queue_length` 1) for that time, so no message comes older, and skipped messages cost no time here.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
 
-/** Returns the subscriptions while the agent has this wish: each topic once, unless the filter drops all of its percepts. */
+/** Returns the subscriptions under this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
     return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
@@ -29,7 +27,7 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     }
 }
 
-/** Returns true if [filter] drops every percept that [percept] can become. */
+/** Returns true if [filter] drops every percept of the form [percept]. */
 internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): Boolean {
     if (filter.critical.any { isFor(it.rule, percept) }) return false
     val rules = filter.rules.filter { isFor(it, percept) }
@@ -40,7 +38,8 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
 }
 
 /**
- * Returns the time in ms for which [filter] holds back every percept that [percept] can become, whatever its numbers; null: it does not.
+ * Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: percepts of this
+ * form are not held back.
  */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
     val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // those look at each percept
@@ -54,7 +53,7 @@ private fun isFor(rule: Rule, percept: Expression.Compound) =
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
-/** Returns true if [condition] holds for all percepts that [percept] can become, false if for none, null if for some. */
+/** Returns true if [condition] holds for all percepts of the form [percept], false if for none, null if for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
     if (index >= percept.arguments.size) return false

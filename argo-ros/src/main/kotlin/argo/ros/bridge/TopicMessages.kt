@@ -11,11 +11,10 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and their percepts. Not safe for use by several threads at once.
+ * The newest message of each topic, and its percepts. Not safe for use by several threads at once.
  *
- * @param rules turn messages into percepts
- * @param typeOf returns the type of a rule's messages; null: it is not known
- * @param warn takes the reason if a message has no percept of a rule although its conditions may hold, each reason once
+ * @param typeOf returns the type of a rule's messages; null: the type is not known
+ * @param warn takes, once each, the reasons why a message gives no percept of a rule whose conditions may hold
  */
 internal class TopicMessages(
     private val rules: List<PerceptRule>,
@@ -26,17 +25,16 @@ internal class TopicMessages(
 
     private val newest = HashMap<String, Newest>()
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // for each rule whose type is known, the fields that are bytes
+    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // the fields that are bytes, for each rule of known type
     private var isNew = false
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
-    /** Takes in a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
+    /** Adds a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
         newest[topic] = Newest(message, trueNanos, receivedNanos)
         isNew = true
     }
 
-    /** Forgets the messages of all topics but [topics], the only ones with a subscription. */
     fun keepOnly(topics: Collection<String>) {
         if (newest.keys.retainAll(topics.toSet())) isNew = true
     }
@@ -47,10 +45,10 @@ internal class TopicMessages(
         expiryNanos = null
     }
 
-    /** Returns true if [take] has something new at [nowNanos]. */
+    /** Returns true if [take] would return new percepts at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean = isNew || expiryNanos?.let { it - nowNanos <= 0 } == true
 
-    /** Returns the time of the next news without a message; null: never. */
+    /** Returns when the percepts change without a new message, by the platform's clock; null: never. */
     fun dueNanos(): Long? = expiryNanos
 
     /** Returns all percepts that hold at [nowNanos], in the order of the rules. */
@@ -84,7 +82,6 @@ internal class TopicMessages(
         }
     }
 
-    /** Returns the fields of [rule] that are bytes. */
     private fun bytesIn(rule: PerceptRule): Set<List<String>> {
         bytes[rule]?.let { return it }
         val type = typeOf(rule) ?: return emptySet()
@@ -99,7 +96,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** The most reasons that are told for each rule: numbers of messages in them can make many. */
+        /** The most reasons reported for each rule. A message's numbers in them could make many. */
         const val MAX_TOLD = 3
     }
 }

@@ -5,22 +5,17 @@ import argo.ros.mapping.MappingException
 import argo.ros.mapping.findToken
 import javino.NoSuchPortException
 
-/** An address names no bridge; [message] says why. */
+/** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/**
- * The bridge to a graph.
- *
- * @property ros the bridge's address
- * @property token the token that it is shown; null: none
- */
+/** The bridge to a graph. [token] is the token for the bridge; null: none. */
 internal class BridgeAddress(val ros: RosAddress, val token: String?) {
     companion object {
         private val NUMBER = Regex("[0-9]+")
 
         /**
-         * Reads `HOST:PORT`, which may have the form of a port of an agent, `ros://HOST:PORT#NAME`. The token stands in the file
-         * `NAME.ros.token`, as for a port.
+         * Reads `HOST:PORT`, also in the form of an agent's port, `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`,
+         * as for such a port.
          *
          * @throws RefusedAddress with the reason
          */

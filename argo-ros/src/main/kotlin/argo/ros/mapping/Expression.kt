@@ -5,16 +5,16 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 
-/** An expression over the fields of a message, or over the arguments of a command. Values are looked up by a [Scope]. */
+/** An expression over the fields of a message or the arguments of a command. A [Scope] contains their values. */
 internal sealed interface Expression {
-    /** Returns the value; [Value.None] if a field has none, or one with which the expression cannot calculate. */
+    /** Returns the value; [Value.None] if a field has none, or if it does not suit the calculation. */
     fun valueIn(scope: Scope): Value
 
     data class Constant(val value: Value) : Expression {
         override fun valueIn(scope: Scope) = value
     }
 
-    /** A field, or a parameter: [path] has names, and numbers of items from 0. */
+    /** A field, or a parameter: [path] consists of names, and of indices from 0. */
     data class Field(val place: Place, val path: List<String>) : Expression {
         override fun valueIn(scope: Scope) = scope.valueOf(path)
     }
@@ -69,7 +69,7 @@ internal fun Expression.fields(): List<Expression.Field> = when (this) {
     is Expression.Compound -> arguments.flatMap { it.fields() }
 }
 
-/** Writes [path] as a mapping has it: `poses[0].x`. */
+/** Writes [path] in the syntax of mappings: `poses[0].x`. */
 internal fun written(path: List<String>): String =
     path.reduceOrNull { before, step -> if (step[0].isDigit()) "$before[$step]" else "$before.$step" }.orEmpty()
 
@@ -78,11 +78,7 @@ internal fun interface Scope {
     fun valueOf(path: List<String>): Value
 }
 
-/**
- * The fields of a message.
- *
- * @param bytes the paths of the fields that are bytes, which bridges write as text in base64
- */
+/** The fields of a message. [bytes] are the paths of the fields that are bytes; bridges write these as text in base64. */
 internal class MessageScope(private val message: JsonElement, private val bytes: Set<List<String>> = emptySet()) : Scope {
     override fun valueOf(path: List<String>): Value {
         var at = message
@@ -144,17 +140,11 @@ internal data class Comparison(val left: Expression, val operator: String, val r
     private fun incomparable(a: Value, b: Value) = Value.None("$operator cannot compare ${a.inWords()} with ${b.inWords()}")
 
     companion object {
-        /** All operators, the longer ones first. */
         val OPERATORS = listOf("<=", ">=", "==", "!=", "<", ">")
     }
 }
 
-/**
- * The functions that a mapping may use.
- *
- * @property taken the function's argument, in words
- * @property of returns the function's value; null: the function does not take the argument
- */
+/** The functions of mappings. [of] returns the function's value; null: the function does not accept the argument. */
 internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     ROUND("a number", { value -> value.number()?.let { Value.of(Math.rint(it)) } }),
     ABS("a number", { value -> value.number()?.let { Value.of(Math.abs(it)) } }),
@@ -170,7 +160,6 @@ internal enum class Function(val taken: String, val of: (Value) -> Value?) {
     }
 }
 
-/** Returns the numbers in an array; the other items were not measured. */
 private fun Value.numbers(): List<Double> =
     ((this as? Value.Part)?.json as? JsonArray)?.mapNotNull { Value.of(it).number() }.orEmpty()
 

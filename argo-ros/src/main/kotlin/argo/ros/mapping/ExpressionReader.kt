@@ -3,14 +3,9 @@ package argo.ros.mapping
 import argo.filters.GroundTerm
 import java.math.BigDecimal
 
-/**
- * Reads expressions.
- *
- * @param cursor the rule that they are in
- * @param nameOf returns the meaning of a bare name at a place, as an argument of a literal
- */
+/** Reads expressions. [nameOf] returns the meaning of a bare name that is an argument of a literal. */
 internal class ExpressionReader(private val cursor: Cursor, private val nameOf: (String, Place) -> Expression) {
-    /** Reads an expression. A bare name is a field or a parameter; as an argument of a literal, [nameOf] decides. */
+    /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression {
         var left = product(isArgument)
         while (true) {
@@ -36,7 +31,7 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
         return arguments
     }
 
-    /** Returns [expression] if one can calculate with it; refuses an atom or a string. */
+    /** Returns [expression] if it suits a calculation; refuses an atom or a string. */
     private fun calculable(expression: Expression): Expression =
         if (expression is Expression.Constant && expression.value !is Value.Number) {
             throw cursor.refusal("only numbers and fields can be calculated with, and ${expression.value.inWords()} is neither")
@@ -100,7 +95,7 @@ internal class ExpressionReader(private val cursor: Cursor, private val nameOf: 
         private val QUOTED = Regex("'[^'\\\\]+'")
         private val ZERO = Expression.Constant(Value.Number(0.0))
 
-        /** Returns the atom, without its quotes if it needs none. */
+        /** Returns the atom [quoted] without its quotes if it needs none. */
         private fun plain(quoted: String): String =
             quoted.removeSurrounding("'").takeIf { Regex("[a-z][A-Za-z0-9_]*").matches(it) && GroundTerm.ofOrNull(it) != null } ?: quoted
     }

@@ -3,25 +3,19 @@ package argo.ros.mapping
 import argo.filters.Problem
 import java.util.concurrent.TimeUnit
 
-/**
- * The percepts and commands for the topics, services and actions of a robot, from a file `NAME.ros.yaml`. Immutable.
- *
- * @property source the file
- */
+/** Maps a robot's topics, services and actions to percepts and commands; read from a file `NAME.ros.yaml`, the [source]. Immutable. */
 internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>)
 
 /** A place in a mapping's file, line and column counted from 1. */
 internal data class Place(val line: Int, val column: Int)
 
 /**
- * A rule that makes a percept of a topic's messages:
- * `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
+ * A rule that makes percepts of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property topic the topic's name
- * @property type the type of its messages, as written
- * @property percept the literal, with fields of the message for its arguments
- * @property conditions a message has this percept if all of them hold
- * @property forMs the time in ms for which a message has it; null: until the next message
+ * @property type the type of the topic's messages, as written
+ * @property percept the literal, with fields of the message as arguments
+ * @property conditions a message gives the percept if all of them hold
+ * @property forMs the time in ms for which the percept holds; null: until the next message
  */
 internal class PerceptRule(
     val place: Place,
@@ -33,12 +27,9 @@ internal class PerceptRule(
 )
 
 /**
- * A command, and the message, request or goal that a robot gets for it:
- * `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
+ * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property name the command's functor
- * @property parameters the variables for its arguments
- * @property kind the kind of [target]
+ * @property parameters the variables for the command's arguments
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
@@ -54,21 +45,21 @@ internal class CommandRule(
     val fields: List<FieldValue>,
     val withinMs: Int,
 ) {
-    /** The way in which a command is carried out. [defaultMs] is the time in ms that it may take if its rule has none. */
+    /** The way in which a command is carried out. [defaultMs] is its time limit in ms if the rule has none. */
     enum class Kind(val defaultMs: Long) {
-        /** The subscribers of the topic act; the command is over when it has left. */
+        /** The subscribers of the topic act. The command ends when it has left. */
         TOPIC(TimeUnit.SECONDS.toMillis(5)),
 
-        /** The command is over with the response. */
+        /** The command ends with the response. */
         SERVICE(TimeUnit.SECONDS.toMillis(5)),
 
-        /** The command is over with the result. */
+        /** The command ends with the result. */
         ACTION(TimeUnit.SECONDS.toMillis(60)),
     }
 }
 
-/** A field of a message that is sent, by its path from the outside in. */
+/** A field of a message to send. [path] leads to it from the outside in. */
 internal class FieldValue(val place: Place, val path: List<String>, val value: Expression)
 
-/** A mapping's file was refused. The message has all [problems], one a line. */
+/** A mapping's file was refused. The message contains all [problems], one a line. */
 internal class MappingException(val problems: List<Problem>) : Exception(problems.joinToString("\n"))

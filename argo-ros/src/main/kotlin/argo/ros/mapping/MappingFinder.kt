@@ -8,15 +8,15 @@ import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
-/** The characters that a header of HTTP takes. */
+/** The characters that are valid in an HTTP header. */
 private val TOKEN = Regex("[!-~]+")
 
 internal const val SUFFIX = ".ros.yaml"
 
 /**
- * Reads the mapping [name], which may begin with folders, anew from [directory] or, if there is none, from the class path.
+ * Reads the mapping [name] anew from [directory], or from the class path if [directory] does not have it. The name may begin with folders.
  *
- * @throws MappingException if it is refused, or not found
+ * @throws MappingException if the mapping is refused, or not found
  */
 internal fun findMapping(name: String, directory: Path = Path.of("").toAbsolutePath()): Mapping {
     val fileName = "$name$SUFFIX"
@@ -43,9 +43,9 @@ private fun text(source: String, read: () -> String): String = try {
 }
 
 /**
- * Reads the token that the bridge of the mapping [name] wants from the file `NAME.ros.token` in [directory]; null: there is no such file.
+ * Reads the token for the bridge of the mapping [name] from the file `NAME.ros.token` in [directory]; null: there is no such file.
  *
- * @throws MappingException if it cannot be read, or holds no token
+ * @throws MappingException if the file cannot be read, or contains no token
  */
 internal fun findToken(name: String, directory: Path = Path.of("").toAbsolutePath()): String? {
     val file = directory.resolve("$name.ros.token")

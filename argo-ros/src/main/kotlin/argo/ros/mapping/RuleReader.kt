@@ -55,7 +55,7 @@ private fun argumentOf(name: String, place: Place, type: String, usual: UsualTyp
     return Expression.Constant(Value.Symbol(name))
 }
 
-/** Returns true if [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
+/** Returns true if [one] is a slip of [other]: two letters swapped, or one letter wrong, missing or superfluous. */
 private fun isNear(one: String, other: String): Boolean {
     if (other.length <= 2 || Math.abs(one.length - other.length) > 1) return false
     val same = one.commonPrefixWith(other).length
@@ -123,7 +123,6 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
 }
 
-/** Returns true if [type] is written as an action of ROS 2. */
 internal fun isRos2Action(type: String) = "/action/" in type
 
 private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action")

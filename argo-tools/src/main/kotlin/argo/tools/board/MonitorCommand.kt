@@ -75,7 +75,7 @@ internal class MonitorCommand : DataCommand() {
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
         if (raw && (record != null || json)) misuse("--raw goes with neither --record nor --json")
         if (raw) return Interruption().use { line.openRaw(port).use { RawMonitor(it, out, paint).run(count, seconds) } }
-        record?.let(::requireNew) // before the port is opened, which resets the board
+        record?.let(::requireNew) // checked first, since opening the port resets the board
         return Interruption().use { line.open(port).use(::monitorRecording) }
     }
 
@@ -202,7 +202,7 @@ internal class MonitorCommand : DataCommand() {
         )
     }
 
-    /** The percept [text] and the problem with it, if there is one; the board describes these [kinds], or none. */
+    /** The percept [text] and the problem with it, if any. The board describes these [kinds], or none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
         val whyUnbelieved = whyUnbelieved(text)
