@@ -160,10 +160,7 @@ internal class BoardPercepts(
     /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /**
-     * Forgets snapshots that have not been handed over, held-back percepts, the last readings of sensors and the rules that are met: they
-     * are of another time or place.
-     */
+    /** Forgets pending snapshots, held-back percepts, readings of sensors and met rules: they are of another time or place. */
     fun forget() = lock.withLock {
         session.forget()
         newest = null

@@ -9,8 +9,8 @@ import java.util.Objects
  *
  * @property name the name by which agents call the filter
  * @property mode the fate of the percepts that meet a rule
- * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
- * @param critical the rules on percepts that must not wait, which decide before all other rules
+ * @property onSwitch the fate of the beliefs that this filter hides when an agent changes to it
+ * @param critical the rules for urgent percepts; they decide before all other rules
  * @param smoothing the rules on percepts of sensors that err; the first one that a percept meets smooths it
  */
 class PerceptionFilter(

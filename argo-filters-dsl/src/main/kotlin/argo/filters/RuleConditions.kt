@@ -77,7 +77,6 @@ open class RuleConditions internal constructor() {
         conditions[conditions.indexOfLast { it === old }] = new
     }
 
-    /** Notes that the rule names [term], which needs a condition or a deadband. */
     internal fun mention(term: Any) {
         unsaid += term
     }
@@ -127,21 +126,18 @@ class CriticalConditions internal constructor() : RuleConditions() {
 }
 
 /**
- * A term whose type is not declared: an argument or an annotation's value.
- *
- * [L] is the result of a comparison by order: for an argument a [Limit], which may get a second one.
- *
- * Text is read as Jason reads it: `argument(0) eq "front"` compares with an atom, `argument(0) eq "\"front\""` with a string.
+ * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
+ * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: of an argument a [Limit], which may get a
+ * second one.
  */
 @FilterDsl
 sealed class AnyTerm<out L> {
-    /** The term must meet all [tests]. */
     internal abstract fun must(vararg tests: TermTest)
 
     /** The term must meet [test], which compares by order. */
     internal abstract fun order(test: TermTest.Compare): L
 
-    /** The term must equal [value], a Jason term: `argument(0) eq "front"`. */
+    /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
 
     /** The term must equal [value]: `argument(1) eq 36`. */
@@ -162,13 +158,13 @@ sealed class AnyTerm<out L> {
     /** The term must be a number greater than [value]: `argument(1) gt 200`. */
     infix fun gt(value: Number): L = order(TermTest.Compare(Operator.GT, value.asTerm()))
 
-    /** The term must be a number, and at least [value]: `argument(1) ge 200`. */
+    /** The term must be a number and at least [value]: `argument(1) ge 200`. */
     infix fun ge(value: Number): L = order(TermTest.Compare(Operator.GE, value.asTerm()))
 
     /** The term must be a number less than [value]: `annotation("q") lt 0.5`. */
     infix fun lt(value: Number): L = order(TermTest.Compare(Operator.LT, value.asTerm()))
 
-    /** The term must be a number, and at most [value]: `argument(1) le 15`. */
+    /** The term must be a number and at most [value]: `argument(1) le 15`. */
     infix fun le(value: Number): L = order(TermTest.Compare(Operator.LE, value.asTerm()))
 
     /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */

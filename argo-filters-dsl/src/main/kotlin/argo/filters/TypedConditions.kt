@@ -41,7 +41,7 @@ fun NumberArgument.outliers(deviations: Number, among: Int = Outliers.AMONG) {
 context(rule: TypedSmoothingRule)
 fun PerceptType.annotate(): Unit = rule.smoothing.annotate()
 
-/** Has [command] sent when a percept that meets the rule comes: `reflex("stop")`; see [CriticalConditions.reflex]. */
+/** Sends [command] for a percept that meets the rule: `reflex("stop")`; see [CriticalConditions.reflex]. */
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 

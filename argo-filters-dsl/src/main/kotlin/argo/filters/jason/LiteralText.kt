@@ -19,7 +19,7 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
-/** Makes a session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
+/** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. The session begins without a filter. */
 fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { percept ->
     val annotation = ASSyntax.createAtom("smoothed")
     if (percept.hasAnnot(annotation)) percept else percept.copy().apply { addAnnot(annotation) }

@@ -34,7 +34,7 @@ class MessageSession(
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
     /**
-     * Returns the part that the agent perceives of a message that has been split into the texts of its percepts.
+     * Returns what the agent perceives of a message that has been split into the [texts] of its percepts.
      *
      * @param old the texts of percepts whose sensors have not been read since the last message, as for [FilterSession.perceive]
      */

@@ -4,7 +4,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * One agent's filters over time: remembers which percepts were let through, held back and frozen, and the last ones of smoothed sensors.
+ * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen, and the last ones of sensors.
  *
  * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
  * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
@@ -25,9 +25,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Makes [filter] the active one from the next perception on; null: no filter.
      *
-     * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until another
-     * change. One of them ends earlier when a percept that differs from it only in numbers is let through. What the filter before has
-     * remembered is forgotten, as by [forget].
+     * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains them until the next change of
+     * filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The session forgets what
+     * was before, as by [forget].
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -74,7 +74,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return if (nowMs < due) null else decided(nowMs)
     }
 
-    /** Explains why the filter would keep, drop, replace or hold back [percept] at [nowMs], without doing it. */
+    /** Explains why the filter would keep, drop, replace or hold back [percept] at [nowMs]. Changes nothing. */
     fun explain(percept: P, nowMs: Long): Explanation {
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
@@ -162,7 +162,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** Makes a session over percepts as they came off the line, without a filter at first. */
+        /** Makes a session for percepts in the text of the line. The session begins without a filter. */
         fun ofTexts(): FilterSession<String> = FilterSession({ it }, ::withSmoothed)
     }
 }

@@ -86,7 +86,7 @@ class PerceptMatcher internal constructor(
             }
         }
 
-    /** Returns the critical rules that the percept with the text [percept] meets, in the order of the filter. Never throws. */
+    /** Returns the critical rules that the text [percept] meets, in the order of the filter. Never throws. */
     fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let { criticalRules(it, it, null) }.orEmpty()
 
     /** Explains why the filter keeps or drops the text [percept]. */
