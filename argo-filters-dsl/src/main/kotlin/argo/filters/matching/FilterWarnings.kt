@@ -9,10 +9,9 @@ import argo.filters.Rule
 import argo.filters.SmoothingRule
 
 /**
- * Finds parts of the filter that have no effect and returns one sentence for each: rules that no percept can match, rules and conditions
- * that other ones make superfluous, deadbands and smoothing on missing arguments, critical rules whose smoothing does nothing, and the lack
- * of any rule. Rules are counted from 1. Each sentence is
- * true for all percepts; but some parts without effect are not found.
+ * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
+ * rules and conditions, deadbands and smoothing on missing arguments, and critical rules that are smoothed by no rule. A filter without
+ * rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but some parts without effect are not found.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -36,7 +35,7 @@ private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.f
     if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
-/** Returns the warnings on [rules]. The rules in [first] decide before them. */
+/** Returns the warnings on [rules]. The rules in [first] decide before [rules]. */
 private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->
@@ -70,7 +69,7 @@ private class ReviewedRule(
     /** Returns true if the critical rule decides over the same percepts as ordinary rules do, if smoothing rules are on [smoothed]. */
     fun seesWhatRulesSee(smoothed: Set<Predicate>): Boolean = critical?.smoothed == true || rule.predicate !in smoothed
 
-    /** Returns true if each percept that matches [other] matches this rule. */
+    /** Returns true if every percept that matches [other] matches this rule. */
     fun covers(other: ReviewedRule): Boolean =
         rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
             rule.conditions.all(other.allowed::imply)
@@ -80,7 +79,7 @@ private class ReviewedRule(
         val doesAtLeastAsMuch = when {
             critical != null ->
                 critical.smoothed == other.critical?.smoothed && other.critical.reflex.let { it == null || it == critical.reflex }
-            // each rule remembers the percepts that it let through, so only a rule that matches exactly the same percepts can replace it
+            // a rule with a rate remembers percepts, so only a rule for exactly the same percepts can replace it
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)

@@ -10,8 +10,8 @@ import argo.filters.SmoothingRule
 /**
  * Decides over percepts by a filter's rules. Immutable; any thread may use it.
  *
- * Immutable; any thread may use it. Rates, smoothing rules and second limits depend on time and on earlier percepts, which a
- * [FilterSession] records; a matcher treats each percept as the first of its sensor, which no rate holds back and which stands for itself.
+ * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
+ * each percept as the first of its sensor, which no rate holds back and which stands for itself.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */

@@ -14,8 +14,8 @@ internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<In
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * The memory of a filter's rates: for each rule and each kind of percept, the percept that was let through last. Percepts that differ only
- * in numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
+ * The memory of a filter's rates: the percept last let through, for each rule and each kind of percept. Percepts that differ only in
+ * numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
  */
 internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode

@@ -36,8 +36,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. It does not know the percepts before,
-     * by which rates hold back and smoothing rules choose.
+     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. The percepts
+     * before, by which rates hold back and smoothing rules choose, are not known here.
      */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 
