@@ -23,8 +23,8 @@ internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
 
 /**
  * Simulates a range finder, read 20 times a second, with outliers in 5 % of its percepts, and an agent whose critical rule stops it below
- * 40 cm. Prints the share of the false stops that smoothing prevents while the robot stands at 45 cm, and the percepts by which it delays
- * the stop of a robot that drives at a wall, and of one before which something appears.
+ * 40 cm. Prints the share of the false stops that smoothing leaves while the robot stands at 45 cm, and the percepts by which it delays the
+ * stop of a robot that drives at a wall, and of one before which something appears, with a sensor that is exact.
  */
 internal fun noise() {
     println("stops with outliers in 5 % of the percepts, 45 cm before the sensor with noise of 1 cm, limit 40 cm, simulated:")
@@ -36,7 +36,7 @@ internal fun noise() {
     }
     for ((words, rules) in SMOOTHING) {
         println(figures("%-30s delay of a stop: %d percepts driving at 50 cm/s, %d before a wall that appears",
-            words, worstDelay(rules) { 60 - it * 2.5 }, worstDelay(rules) { if (it < 8) 60.0 else 20.0 }))
+            words, delay(rules, DRIVING), delay(rules, APPEARING)))
     }
 }
 
@@ -49,11 +49,15 @@ internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: 
     }
 }
 
-/** Returns by how many percepts smoothing delays the stop of a robot whose sensor shows the distances [cm] one after the other, at most. */
-internal fun worstDelay(smoothing: RuleList.() -> Unit, cm: (Int) -> Double): Int = (1L..500).maxOf { seed ->
-    val random = Random(seed)
-    val numbers = List(40) { (cm(it) + random.nextGaussian()).toInt() }
-    fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> numbers.indexOfFirst(stops::begin) }
+/** The distances that the sensor of a robot shows that drives at a wall, from several places. */
+internal val DRIVING: List<List<Int>> = (60..69).map { begin -> List(40) { (begin - it * 2.5).toInt() } }
+
+/** The distances that it shows if a wall appears before the robot. */
+internal val APPEARING: List<List<Int>> = listOf(List(40) { if (it < 8) 60 else 20 })
+
+/** Returns by how many percepts smoothing delays the stop of a robot, at most, whose sensor shows one of these [courses]. */
+internal fun delay(smoothing: RuleList.() -> Unit, courses: List<List<Int>>): Int = courses.maxOf { course ->
+    fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> course.indexOfFirst(stops::begin) }
     begin(smoothing) - begin {}
 }
 

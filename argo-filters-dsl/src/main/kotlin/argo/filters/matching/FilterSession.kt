@@ -102,9 +102,15 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
 
     private fun decided(matcher: PerceptMatcher, nowMs: Long): FilteredPercepts<P> {
         val holds = ArrayList<Hold<P>>()
-        val all = picture.received.indices.mapNotNull { decided(matcher, it, nowMs, holds) }
-        val passed = if (rates.isEmpty && smoother == null) all else all.distinct()
-        val seen = if (holds.isEmpty() && !picture.hasDoubted) passed else passed.filter(picture.seen()::contains)
+        val all = ArrayList<P>(picture.received.size)
+        val seenNow = if (picture.hasDoubted) ArrayList<P>(picture.received.size) else null
+        for (place in picture.received.indices) {
+            val percept = decided(matcher, place, nowMs, holds) ?: continue
+            all += percept
+            if (!picture.isDoubted(place) || percept === picture.received[place]) seenNow?.add(percept)
+        }
+        val passed = if (rates.isEmpty) all else all.distinct()
+        val seen = if (holds.isEmpty()) seenNow ?: passed else passed.filter(picture.seen()::contains)
         val kept = if (frozen.isEmpty()) passed else passed + stillFrozen(passed)
         return FilteredPercepts(picture.received, kept, seen, criticalOf(matcher), holds.minOfOrNull { it.dueMs })
     }
