@@ -17,14 +17,14 @@ import java.math.BigDecimal
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
-    if (rule.arity != null || !isPlain(rule.predicate)) return null
+    if (critical.smoothed || rule.arity != null || !isPlain(rule.predicate)) return null
     val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
     if (!conditions.all { it.isExact(conditions) }) return null
     return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.isSendable }
 }
 
 private fun conditionOf(condition: Argument): Condition? {
-    val test = condition.test as? TermTest.Compare ?: return null
+    val test = condition.test.takeIf { condition.until == null } as? TermTest.Compare ?: return null
     val value = valueOf(test.value) ?: return null
     val place = (condition.index + 1).takeIf { it <= Condition.MAX_PLACE } ?: return null
     return Condition(place, operatorOf(test.operator), value)

@@ -7,6 +7,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.string.shouldContain
 
 class RobotRulesSpec : FunSpec({
     val root = tempdir().toPath()
@@ -79,6 +80,14 @@ class RobotRulesSpec : FunSpec({
             "4:2 filter-drops: filter front drops temp/1, which this plan waits for; change the filter, or remove the plan",
         )
         found("$agent\n-ready <- argo.change_filter(none).", front).shouldBeEmpty()
+    }
+
+    test("a filter may let a percept through that is behind its first limit and not at the second one") {
+        fun filter(until: String) = "filters/near.xml" to "<PerceptionFilter keep='true'><filter><predicate>dist</predicate>" +
+            "<parameter id='1' operator='LT' $until>40</parameter></filter><filter><predicate>ready</predicate></filter></PerceptionFilter>"
+        val agent = "+ready <- argo.change_filter(near).\n+dist(front,43) <- .print(a)."
+        found(agent, filter("")).single() shouldContain "filter-drops"
+        found(agent, filter("until='45'")).shouldBeEmpty()
     }
 
     test("a line of a file of percepts that cannot be read is told of") {
