@@ -151,7 +151,7 @@ static bool has_bit(const board *board, uint16_t address, int pin)
     return board->avr->data[address] >> (pin - PORTS[port_of(pin)].first) & 1;
 }
 
-/* Reads the register of a port's inputs. It lies directly below the register of the port's directions. */
+/* Reads the register of a port's inputs. That register lies directly below the register of the port's directions. */
 bool board_level(const board *board, int pin)
 {
     return has_bit(board, (uint16_t)(PORTS[port_of(pin)].ddr - 1), pin);

@@ -26,7 +26,7 @@ typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 /** Called with each byte that the board sends, when the byte's last bit has left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called when the board begins to send a byte. The cycle is that at which the byte's last bit will have left. */
+/** Called when the board begins to send a byte. `cycle` is when the byte's last bit will have left. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
 /** The board. All members but avr are private. */
@@ -79,9 +79,7 @@ unsigned board_baud(const board *board);
 /** Sends a byte to the board. The byte arrives at the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 
-/**
- * Sends a byte to the board. Its first bit comes at this cycle, which must lie in the future and not before the cycles of earlier bytes.
- */
+/** Sends a byte to the board, with its first bit at this cycle: in the future, and not before the cycles of earlier bytes. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
 
 /** From now on hands the board's bytes to this function in place of the sink. */

@@ -33,16 +33,12 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial; or on a stream without a rate that the sketch opens, such as
-   * a WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream that has no rate and that the sketch
+   * opens, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /**
-   * Opens the board's port, if it can be opened, and begins the conversation.
-   *
-   * @param baud  9600 and 115200 are common; the far end must use the same
-   */
+  /** Opens the board's port, if it can be opened, and begins the conversation. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
     /* Serial by name: for a constant rate the compiler then computes its settings. */
     if (open_)

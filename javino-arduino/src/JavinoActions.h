@@ -10,7 +10,7 @@
 class JavinoBoard;
 
 /**
- * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR. Only a name that is a String takes
+ * The actions that a board knows, by name. Actions lie in the board's memory, seven bytes each on AVR. Only a name that is a String takes
  * heap. A name in flash, F("ledOn"), is copied into the board's memory, so give it before anything has arrived. Other names are not copied,
  * so they must last.
  */
@@ -67,8 +67,8 @@ public:
   uint8_t count() const { return count_; }
 
   /**
-   * Returns true if an action has been left out. Either the memory was full (JavinoSized has more), or JAVINO_ACTIONS_MAX were there
-   * before, or the action's name is longer than JAVINO_NAME_MAX, or percepts had already been written.
+   * Returns true if an action has been left out: the memory was full (JavinoSized has more), JAVINO_ACTIONS_MAX actions were there, its
+   * name is longer than JAVINO_NAME_MAX, or percepts had been written before.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 
@@ -106,7 +106,6 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
-  /** Counts a left-out action. */
   void leaveOut();
 
   /** Returns the name as a text that lasts: a String's on the heap, a name in flash in the board's memory. Null: the action is left out. */
@@ -114,7 +113,6 @@ private:
   const char *keep(const String &name);
   const char *keep(const __FlashStringHelper *name);
 
-  /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
     if (!function)
       return false;

@@ -28,10 +28,7 @@ public:
   long number(uint8_t index, long otherwise = 0) const;
 
 #ifndef JAVINO_NO_DECIMALS
-  /**
-   * Returns the number, which may have decimals and an exponent; `otherwise`: there is none. Never an infinity or a NaN. A string is no
-   * number.
-   */
+  /** Returns the number, perhaps with decimals and exponent; `otherwise`: there is none. Never infinity or NaN; a string is no number. */
   double decimal(uint8_t index, double otherwise = 0) const;
 #endif
 

@@ -1,6 +1,4 @@
-/**
- * @file A board of the Arduino family: the common part of Javino.h (for serial ports) and JavinoNetwork.h.
- */
+/** @file A board of the Arduino family: the common part of Javino.h (for serial ports) and JavinoNetwork.h. */
 #ifndef JAVINO_BOARD_CLASS_H
 #define JAVINO_BOARD_CLASS_H
 
@@ -30,11 +28,7 @@ struct JavinoDecimals {
   uint8_t digits;
 };
 
-/**
- * A number in a percept with other than two decimals: `percept("gps", decimals(48.137154, 6))` is gps(48.137154).
- *
- * @param digits  decimals, 1 to 9; on AVR a number has some seven digits in all
- */
+/** A number in a percept with 1 to 9 decimals: `percept("gps", decimals(48.137154, 6))`. On AVR a number has some seven digits in all. */
 inline JavinoDecimals decimals(double value, uint8_t digits) {
   JavinoDecimals number = {value, digits};
   return number;
@@ -94,11 +88,7 @@ public:
    */
   typedef JavinoActions::BoardFunction BoardCallback;
 
-  /**
-   * Sets the longest pause within a message; a longer one ends the message.
-   *
-   * @param ms  milliseconds, at most 10,000. The default at a serial port is 100, or below 2000 baud 20 byte times
-   */
+  /** Sets the longest pause within a message, at most 10,000 ms. At a serial port it begins as 100 ms, below 2000 baud as 20 byte times. */
   void setTimeLimit(uint16_t ms) { javino_link_timeout(&board_.link, ms); }
 
   /** Takes the bytes that have arrived. run() and availableMsg() do this too, so a sketch works without serialEvent(). */
@@ -114,7 +104,7 @@ public:
    */
   void run();
 
-  /** Registers the function that writes percepts for each request. It calls percept() or addPercept(). */
+  /** Registers the function that writes percepts for each request. The function calls percept() or addPercept(). */
   void perceive(Callback write) {
     perceive_ = write;
     look_ = write ? perceiveAlone : NULL;
@@ -188,26 +178,19 @@ public:
    * Call it in an action's function to report the outcome later, with done(). The function returns at once, and its result is ignored. The
    * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
    * version 2 is carried out, not even an urgent one. So if another action must be able to stop this one, report this one as carried out
-   * when it begins, and its end with a percept.
+   * when it begins. A percept can report its end.
    *
    * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
    */
   JavinoLater later() { return javino_link_later(&board_.link); }
 
-  /**
-   * Reports the outcome of an action that called later().
-   *
-   * @param carried_out  false: the action could not be carried out
-   * @return true: the outcome was reported; false: the computer has begun anew since, so nobody waits for it
-   */
+  /** Reports whether an action that called later() was carried out. @return false: the computer has begun anew, so nobody waits for it */
   bool done(JavinoLater later, bool carried_out = true) { return javino_link_done(&board_.link, later, carried_out); }
 
   /**
-   * Registers the function that is called if nothing valid has arrived for this time. It can stop motors if the computer has died. It is
-   * called once, and again only after something has arrived. Bytes that arrived during a long loop() are dated to its beginning. Only a
-   * watchdog notices a loop() that never returns.
-   *
-   * @param ms  milliseconds; 0: never
+   * Registers the function that is called if nothing valid has arrived for `ms` milliseconds; with 0, never. The function can stop motors
+   * if the computer has died. It is called once, and again only after something has arrived. Bytes that arrived during a long loop() are
+   * dated to its beginning. Only a watchdog notices a loop() that never returns.
    */
   void onLinkLost(unsigned long ms, Callback function) {
     silence_ms_ = ms;
@@ -221,11 +204,7 @@ public:
     supervise_ = ms && function ? loseWithBoard : NULL;
   }
 
-  /**
-   * Counts incoming frames and the time of loop() from now on. A sketch without this call does not link the code.
-   *
-   * @param counters  lasts as long as the board
-   */
+  /** Counts incoming frames and the time of loop() from now on. The counters must last. Sketches without this call do not link the code. */
   void countInto(JavinoCounters &counters) {
     counters.frames_ = board_.link.frames;
     counters.damaged_ = board_.link.decoder.damaged;
@@ -266,7 +245,7 @@ public:
   /**
    * Writes one percept of the answer: `percept("dist", "front", 30)` is dist(front,30).
    *
-   * @param functor  an atom, with a ~ before it if the percept is negated
+   * @param functor  an atom, perhaps with a ~ in front
    * @param terms    whole numbers, also of 64 bits; numbers with two decimals, or as many as decimals() says; true and false; text, written
    *                 as an atom if it is one, else as a string
    * @return false: it will not be sent, since it is longer than a frame, or the memory is full without a request
@@ -278,7 +257,7 @@ public:
     return begins(functor) ? write(terms...) : true;
   }
 
-  /** Writes one percept given as text, without the `;` behind it. @return as percept() */
+  /** Writes one percept given as text, without the `;` at its end. @return as percept() */
   bool addPercept(const char *text);
   bool addPercept(const String &text) { return addPercept(text.c_str()); }
   bool addPercept(const __FlashStringHelper *text);
@@ -325,8 +304,7 @@ public:
   void refuse() { javino_link_finish(&board_.link, false); }
 
   /**
-   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. It goes out unchanged, even if the request names other
-   * functors.
+   * Sends a message, at once or as an answer: percepts, each with a `;` behind it. Sends all of them, whichever functors the request names.
    *
    * @return false: version 1 cannot send a percept of this length
    */
@@ -352,7 +330,7 @@ protected:
   /** A board on this stream. The memory is aligned for pointers. */
   JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size);
 
-  /** Forgets the received part of a message, since the rest does not come. */
+  /** Forgets the received part of a message, whose rest will not come. */
   void forgetPart() {
     javino_decoder *decoder = &board_.link.decoder;
     uint8_t session = decoder->session;
@@ -388,7 +366,6 @@ private:
   void handle();
   bool carryOutAction();
 
-  /** Like javino_percept_begin. */
   bool begins(const __FlashStringHelper *functor);
 
   template <typename... Terms> bool write(Terms... terms) {
@@ -432,12 +409,12 @@ private:
   void term(const String &value) { javino_percept_term(&board_, value.c_str()); }
 
   void (*look_)(JavinoBoard &); /* Calls perceive_. */
-  Callback perceive_;            /* Set together with look_. */
+  Callback perceive_;
   void (*supervise_)(JavinoBoard &); /* Null: the sketch does not supervise its link, and does not link the code. */
-  Callback lost_;                    /* Set together with supervise_ and silence_ms_. */
+  Callback lost_;
   unsigned long silence_ms_;
   Hook hook_;
-  JavinoCounters *counters_; /* Set together with the hook count. */
+  JavinoCounters *counters_;
   int free_;                                  /* The port's room for bytes when all earlier bytes have left. */
   bool waiting_; /* The action in hand waits for the bytes behind it. */
   bool busy_;    /* run() or availableMsg() is under way. */

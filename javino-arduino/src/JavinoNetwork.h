@@ -94,11 +94,9 @@ public:
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this stream from now on, such as a computer's new connection. A part of a message from the old stream is forgotten. If an outcome
-   * was lost and a computer repeats its command through the new stream, the command is still carried out only once. Do not call it within a
-   * callback.
-   *
-   * @param stream  an open stream, which must last until another is set
+   * Uses this open stream from now on, such as a computer's new connection. The stream must last until another is set. A part of a message
+   * from the old stream is forgotten. If an outcome was lost and a computer repeats its command through the new stream, the command is
+   * still carried out only once. Do not call this within a callback.
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);
@@ -144,6 +142,7 @@ private:
   alignas(void *) uint8_t memory_[Bytes];
 };
 
+/** A board on streams. */
 class JavinoNetwork : public JavinoNetworkSized<JAVINO_BYTES> {
 public:
   JavinoNetwork() {}

@@ -1,11 +1,11 @@
 /**
  * @file A board: a link, and the percepts with which it answers requests.
  *
- * An answer is text: percepts, each with a `;` behind it. It is built behind the received bytes, in the link's memory. It is coded in place
- * when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits, the percept takes
- * half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of the answer, in
- * version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame still arrives.
- * In version 1 they are one message of at most 255 bytes.
+ * An answer is text: percepts, each with a `;` behind it. The answer is built behind the received bytes, in the link's memory. The board
+ * codes it in place when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits,
+ * the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of
+ * the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame
+ * still arrives. In version 1 they are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -23,7 +23,7 @@ extern "C" {
 /** The least memory, in bytes, that a board works with. */
 #define JAVINO_MEMORY_MIN 160
 
-/** The largest text in bytes. 255, the text of one frame, takes less flash; in version 2 it may be as much as the memory holds. */
+/** The largest text in bytes. 255, the text of one frame, takes less flash. In version 2 the text may fill the memory. */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
@@ -39,8 +39,8 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * The number of shapes (texts of percepts without their digits) that a board distinguishes, at most 126. Each takes four bytes. A percept
- * of any further shape is sent as text.
+ * How many shapes (texts of percepts without their digits) a board distinguishes, at most 126. Each takes four bytes. Percepts of further
+ * shapes go as text.
  */
 #ifndef JAVINO_SHAPES
 #ifdef __AVR__
@@ -105,18 +105,10 @@ typedef struct javino_board {
  */
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
-/**
- * Takes bytes away from the end of the memory.
- *
- * @return the bytes; NULL: too few would be left, or percepts are being written
- */
+/** Takes bytes away from the end of the memory. @return NULL: too few would be left, or percepts are being written */
 void *javino_board_take(javino_board *board, uint16_t size);
 
-/**
- * Takes bytes away from the beginning of the memory, before the first byte arrives.
- *
- * @return the bytes; NULL: too few would be left, percepts are being written, or something has arrived
- */
+/** Like javino_board_take, from the beginning of the memory. @return NULL also if something has arrived */
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
@@ -125,7 +117,7 @@ void *javino_board_take_front(javino_board *board, uint16_t size);
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
-/** @return true if the request in hand asks for percepts of this functor, or if no request is in hand. */
+/** @return true if the request in hand asks for percepts of this functor, or if no request is in hand */
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
@@ -136,11 +128,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
  */
 bool javino_kind_begin(javino_board *board);
 
-/**
- * Begins a percept with its functor: an atom, with a ~ in front if the percept is negated.
- *
- * @return true: it is wanted; false: write nothing, and do not end it
- */
+/** Begins a percept with its functor: an atom, perhaps with a ~ in front. @return false: nobody wants it; write nothing, do not end it */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
 /** Writes one character unchanged. */
@@ -158,11 +146,7 @@ void javino_percept_term(javino_board *board, const char *text);
 /** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/**
- * Ends a percept.
- *
- * @return true: it will be sent; false: in version 1 it is longer than 255 bytes, or there is no room without a request.
- */
+/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or there is no room without a request */
 bool javino_percept_end(javino_board *board);
 
 /** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */
@@ -179,7 +163,7 @@ void javino_board_clear(javino_board *board);
 
 /**
  * Sends a message of any length. Version 2 divides it into parts; version 1 divides a message that is longer than a frame into messages of
- * whole percepts. It counts as an answer to the request in hand.
+ * whole percepts. The message counts as an answer to the request in hand.
  *
  * @return true: all of it has been sent; false: a percept is longer than a frame of version 1
  */

@@ -39,7 +39,7 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* Without room, unread bytes of unknown age may wait. While a frame is in hand there may be a second silence; then the first is kept, since
+/* Without room, unread bytes of unknown age may wait. A second silence may come while a frame is in hand. The first silence is kept, since
  * the bytes before it have waited longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
@@ -213,7 +213,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (read == JAVINO_FOLLOWS_HEADER && !d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
-            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with the bytes behind it. */
+            return JAVINO_FOLLOWS_OTHER; /* Such a frame could never arrive whole, with the bytes behind it. */
         if (whole <= stop)
             d->taken = whole;
         else

@@ -1,7 +1,4 @@
-/**
- * @file
- * Finds the frames of the Javino protocol, versions 1 and 2, in the bytes that arrive. See javino_frame.h for the rules of all files.
- */
+/** @file Finds the frames of the Javino protocol, versions 1 and 2, in the bytes that arrive. javino_frame.h has the rules of all files. */
 #ifndef JAVINO_DECODER_H
 #define JAVINO_DECODER_H
 
@@ -59,25 +56,22 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
 bool javino_decoder_ready(const javino_decoder *decoder);
 
 /**
- * Takes one received byte. Only after javino_decoder_ready has returned true. A byte that has waited in a receive buffer is not late.
- *
- * @param now_ms  the time at which the byte left the receive buffer
+ * Takes one received byte. Call this only after javino_decoder_ready has returned true. A byte that has waited in a receive buffer is not
+ * late: now_ms is when the byte left the buffer.
  */
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
 
 /**
- * Tells the decoder that the receive buffer is empty, unless javino_decoder_ready returns false. javino_decoder_next does so too. If it is
- * not called for long, as during a long action, only this function shows silences.
+ * Tells the decoder that all bytes of the receive buffer were handed in, or that javino_decoder_ready returns false. So does
+ * javino_decoder_next. Call this function during a long action, in which javino_decoder_next is not called: else silences go unnoticed.
  *
  * @param now_ms  the time of the last look into the receive buffer
  */
 void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms);
 
 /**
- * Begins a session of version 2. In a session a frame of version 1 counts only behind a silence of a quarter of the timeout, and its bytes
- * are not read again.
- *
- * @param nonce the nonce of the session; 0 ends it
+ * Begins a session of version 2; nonce 0 ends it. In a session a frame of version 1 counts only behind a silence of a quarter of the
+ * timeout, and its bytes are not read again.
  */
 void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
 

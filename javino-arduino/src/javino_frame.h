@@ -102,13 +102,7 @@ typedef struct {
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 #endif
 
-/**
- * Begins a frame of version 2. The same calls must follow as behind javino_encoder_begin.
- *
- * @param nonce   as for JAVINO_CRC_START
- * @param kind    the byte CC
- * @param number  the byte SS
- */
+/** Begins a frame of version 2, with the bytes CC (kind) and SS (number). The same calls must follow as behind javino_encoder_begin. */
 void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length);
 
 /** Writes one byte of payload, in version 2 with an escape if necessary. */

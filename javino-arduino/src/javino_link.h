@@ -1,6 +1,6 @@
 /**
- * @file The board's end of a line: sessions, requests, a lost link, and commands, each carried out once and in order. See javino_frame.h
- *     for the rules of all files.
+ * @file The board's end of a line: sessions, requests, a lost link, and commands, each carried out once and in order. javino_frame.h has
+ *     the rules of all files.
  */
 #ifndef JAVINO_LINK_H
 #define JAVINO_LINK_H
@@ -32,12 +32,9 @@ enum {
 };
 typedef uint8_t javino_event;
 
-/**
- * An action of a program. The computer may ask for it, and name it by its number. The program's own data for the action may follow in
- * memory.
- */
+/** An action of a program, which the computer may name by a number. Data of the program for the action may follow in memory. */
 typedef struct {
-    const char *name;  /**< Its functor, which lasts; at most JAVINO_NAME_MAX bytes. */
+    const char *name;  /**< The action's functor, which lasts; at most JAVINO_NAME_MAX bytes. */
     uint8_t arguments; /**< Number of its arguments, or JAVINO_ANY. */
 } javino_action;
 
@@ -96,7 +93,7 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** True if the message in hand is of version 2; without one, if the next sent message will be. A message of version 1 ends the session. */
+/** True if the message in hand, or else the next message sent, is of version 2. A message of version 1 ends the session. */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)
@@ -106,7 +103,7 @@ typedef struct {
 #endif
 
 /**
- * Prepares a link. It speaks version 1 until a computer begins a session of version 2.
+ * Prepares a link. The link speaks version 1 until a computer begins a session of version 2.
  *
  * @param bytes    memory that belongs to the link from now on
  * @param size     number of those bytes: JAVINO_WINDOW, or fewer if longer frames may be lost
@@ -115,17 +112,13 @@ typedef struct {
  */
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context);
 
-/**
- * Sets the inter-byte timeout, which is 100 ms at first.
- *
- * @param timeout_ms  see JAVINO_TIMEOUT_MS
- */
+/** Sets the inter-byte timeout, see JAVINO_TIMEOUT_MS. It is 100 ms at first. */
 void javino_link_timeout(javino_link *link, uint16_t timeout_ms);
 
 /** @return true if javino_link_receive has room. If not, leave the byte where it is and poll. */
 bool javino_link_ready(const javino_link *link);
 
-/** Takes one received byte. Only after javino_link_ready has returned true. As javino_decoder_put. */
+/** Takes one received byte. Call this only after javino_link_ready has returned true. See javino_decoder_put. */
 void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
 
 /**
@@ -140,11 +133,7 @@ void javino_link_receive(javino_link *link, uint8_t byte, uint16_t now_ms);
  */
 javino_event javino_link_poll(javino_link *link, uint16_t now_ms);
 
-/**
- * Ends the message in hand, if there is one. Version 2 tells the computer.
- *
- * @param done  whether the command has been carried out; false: it is unknown or malformed
- */
+/** Ends the message in hand, if any. Version 2 tells the computer whether its command was carried out (done). */
 void javino_link_finish(javino_link *link, bool done);
 
 /**
@@ -156,9 +145,7 @@ void javino_link_finish(javino_link *link, bool done);
 javino_later javino_link_later(javino_link *link);
 
 /**
- * Reports the outcome of a command that javino_link_later has ended. Not while a frame is being written.
- *
- * @param done  whether the command could be carried out
+ * Reports the outcome of a command that javino_link_later has ended: whether it was carried out. Not while a frame is being written.
  * @return true: the outcome was reported; false: a new session has begun since, or later is 0
  */
 bool javino_link_done(javino_link *link, javino_later later, bool done);
@@ -182,9 +169,7 @@ void javino_link_send(javino_link *link, const char *text, uint8_t length);
 
 /**
  * Begins a frame of version 2, with the number of the next command. On link->encoder, exactly length calls of javino_encoder_put and one of
- * javino_encoder_end must follow.
- *
- * @param kind  JAVINO_ACK and so on, without flags
+ * javino_encoder_end must follow. The kind has no flags.
  */
 void javino_link_begin(javino_link *link, uint8_t kind, uint8_t length);
 

@@ -34,19 +34,11 @@ uint8_t javino_word(const char *text, uint8_t length);
 uint8_t javino_functor(const char *text, uint8_t length);
 
 /**
- * Finds one argument of a literal.
- *
- * @param index     counted from 0
- * @param argument  set to its first byte; spaces around an argument do not belong to it
- * @return its length; 0: there is no such argument
+ * Finds the argument of a literal with this index, from 0. Sets `argument` to its first byte, behind spaces. @return its length; 0: none
  */
 uint8_t javino_argument(const char *text, uint8_t length, uint8_t index, const char **argument);
 
-/**
- * Reads a whole number.
- *
- * @return true: the text is a whole number that fits
- */
+/** Reads a whole number. @return true: the text is a whole number that fits */
 bool javino_number(const char *text, uint8_t length, int32_t *number);
 
 #ifdef __cplusplus

@@ -1,7 +1,7 @@
 /**
- * @file Critical rules that a board itself watches: conditions on percepts, and a reflex, the command that the board carries out when the
- * conditions begin to be met. The computer sets rules with special commands, which javino_board_poll handles; see "Rules on the board" in
- * docs/protocol.md.
+ * @file Critical rules that a board itself watches. A rule has conditions on percepts, and may have a reflex: a command that the board
+ * carries out when the conditions begin to be met. The computer sets rules with special commands, which javino_board_poll handles; see
+ * "Rules on the board" in docs/protocol.md.
  */
 #ifndef JAVINO_RULES_H
 #define JAVINO_RULES_H
@@ -15,7 +15,7 @@ extern "C" {
 /** The largest number of rules on a board, if their texts have room. */
 #define JAVINO_RULES_MAX 8
 
-/** Bytes of an answer in a part while rules are set: a critical report then waits only for little. */
+/** Bytes of an answer in each part while rules are set: a critical report waits at most for one such part. */
 #define JAVINO_SHORT_PART 12
 
 /** Milliseconds between two looks at the sensors. */
@@ -27,7 +27,7 @@ typedef void (*javino_perceive)(void *context);
 /** Carries out the command of a reflex. @return false: it is unknown or malformed */
 typedef bool (*javino_act)(void *context, const char *text, uint8_t length);
 
-/** The rules of a board. They lie in its memory; the members are private. */
+/** The rules of a board. Rules lie in the board's memory. The members are private. */
 struct javino_rules {
     javino_act act;
     javino_perceive perceive; /* NULL until the program's first look */

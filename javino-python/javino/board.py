@@ -15,7 +15,6 @@ _PART = 253
 _PART_WITH_RULES = 12
 _PAGE = 252
 _LOOK_MS = 5
-_IDLE_MS = 100
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
 _KINDS = "(?)"  # in place of functors; asks for the kinds of percepts
@@ -91,7 +90,7 @@ class Board:
         self._actions = []  # (name, arguments, function), by number
         self._perceive = None
         self._kinds = []
-        self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
+        self._receiver = frames.Receiver(self, frames.idle_ms(baud), longest)
         self._running = False
         self._inbox = b""  # bytes that came while a registered function ran
         self._texts = []  # percepts that were written and not sent
@@ -173,8 +172,8 @@ class Board:
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers a function that is called once when nothing valid has arrived for `ms` milliseconds. It is called again only after
-        something valid has arrived. With 0 ms it is never called."""
+        """Registers a function that is called once when nothing valid has arrived for `ms` milliseconds. The function is called again only
+        after something valid has arrived. With 0 ms it is never called."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
@@ -190,7 +189,8 @@ class Board:
     def percept(self, functor, *values):
         """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. `term` describes the values.
 
-        Returns False if the percept will not be sent. It may be too long for version 1, or too many percepts wait without a request.
+        Returns False if the percept will not be sent. The percept may be too long for version 1, or too many percepts wait without a
+        request.
         """
         if not self.wants(functor):
             return True
@@ -465,7 +465,7 @@ class Board:
     # ---- frames, as the receiver finds them ----
 
     def take1(self, payload):
-        """Takes a message of version 1. Its sender has no session, so the session of an earlier program ends."""
+        """Takes a message of version 1. The sender has no session, so the session of an earlier program ends."""
         self._note_valid()
         if self._session:
             self._begin(0)

@@ -1,6 +1,6 @@
 """Frames of the Javino protocol, versions 1 and 2. This module finds frames in arrived bytes, and writes frames.
 
-It uses no line and no clock. The caller hands in bytes, and times in milliseconds.
+The module uses no line and no clock. The caller hands in bytes, and times in milliseconds.
 """
 try:
     from binascii import crc_hqx  # the same polynomial, in C
@@ -34,6 +34,7 @@ MAX_PAYLOAD = 255
 _TO_BOARD = (HELLO, ASK, DESCRIBE, COMMANDS, RESUME)
 _PREAMBLE = b"fffe"
 _HEADER = 6
+_IDLE_MS = 100
 _HEX = b"0123456789abcdefABCDEF"
 _NO, _MAYBE, _YES = 0, 1, 2
 
@@ -73,6 +74,11 @@ def _header(data, at, end):
     return _YES if end - at >= _HEADER else _MAYBE
 
 
+def idle_ms(baud=None):
+    """Returns the milliseconds of silence that end an unfinished frame: 100, or 20 byte times if they last longer at this rate."""
+    return max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS
+
+
 class Receiver:
     """Finds the frames for a board on a line that both versions share.
 
@@ -80,7 +86,7 @@ class Receiver:
     gets true if the bytes behind a frame of version 1 show that it was read rightly, else false.
     """
 
-    def __init__(self, sink, timeout=100, longest=MAX_PAYLOAD):
+    def __init__(self, sink, timeout=_IDLE_MS, longest=MAX_PAYLOAD):
         self.session = 0
         """The nonce of the board's session; 0 without a session. `take1` and `take2` set it."""
         self._sink = sink

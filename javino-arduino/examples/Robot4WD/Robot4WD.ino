@@ -8,8 +8,8 @@
 //             +dist(f,Cm) : Cm < 40 <- argo.act(stop).
 //             +light(f,Level) : Level > 100 <- argo.act(ledLightOn).
 //
-// It stops by itself after a second of silence from the computer. It watches critical rules that the computer sets, such as "stop when
-// dist(f,_) is less than 40".
+// The robot stops by itself after a second of silence from the computer. The board watches critical rules that the computer sets, such as
+// "stop when dist(f,_) is less than 40".
 //
 // Wiring for an Uno:
 //   A0-A3   analogue outputs of four LV-MaxSonar-EZ: Vcc/512 an inch, which is half an inch a step

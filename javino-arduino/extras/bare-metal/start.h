@@ -16,7 +16,7 @@ void machine_tick(void);
 /** Halts the machine. Exceptions end here. */
 void machine_halt(void);
 
-/** Sets up the memory, calls constructors, and calls main. This is the first C function; it needs a stack. */
+/** Sets up the memory, calls constructors, and calls main. machine_reset is the first C function, and needs a stack. */
 void machine_reset(void);
 
 #endif

@@ -1,6 +1,6 @@
 /**
- * @file A ColdFire MCF5208 without any library. QEMU emulates it with `qemu-system-m68k -M mcf5208evb`. It is big-endian: the first byte of
- * a number in memory is the highest.
+ * @file A ColdFire MCF5208 without any library. QEMU emulates it with `qemu-system-m68k -M mcf5208evb`. The processor is big-endian: the
+ * first byte of a number in memory is the highest.
  */
 #include "start.h"
 

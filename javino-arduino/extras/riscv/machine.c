@@ -107,7 +107,7 @@ void machine_start(void)
 {
     uint8_t port;
     __asm__ volatile("csrw mtvec, %0" ::"r"(trap));
-    /* This comes before the ports are opened: QEMU forgets an interrupt that is pending when PLIC_ON lets it through. */
+    /* Interrupts are let through before the ports are opened: QEMU forgets an interrupt that is pending when PLIC_ON lets it through. */
     PLIC_PRIORITY(UART0_INTERRUPT) = 1;
     PLIC_PRIORITY(UART1_INTERRUPT) = 1;
     PLIC_ON = 1u << UART0_INTERRUPT | 1u << UART1_INTERRUPT;

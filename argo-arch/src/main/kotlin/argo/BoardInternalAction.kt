@@ -15,7 +15,7 @@ import jason.asSyntax.Term
 
 /**
  * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
- * until another thread has done the work. It never suspends the agent.
+ * until another thread has done the work. The action never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
@@ -55,10 +55,7 @@ abstract class BoardInternalAction internal constructor(private val name: String
 
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
-        /**
-         * Suspends the intention. Returns the function to call with the outcome, once, on any thread: null, or the reason why the plan
-         * fails.
-         */
+        /** Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails. */
         fun suspendIntention(): (Failure?) -> Unit {
             val key = suspendInt(ts, name, 0)
             return ts.boundary.suspended { failure ->

@@ -59,8 +59,8 @@ internal enum class View(val word: String) {
         }
 
     /**
-     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 it is a keep filter, so that requests can
-     * name its percepts.
+     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 the filter is a keep filter, so that requests
+     * can name the percepts.
      */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name

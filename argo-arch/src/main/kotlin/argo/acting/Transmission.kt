@@ -10,8 +10,8 @@ internal fun interface Transmission {
      * fails with `act_replaced`.
      *
      * @param left called once, by any thread, when the command is no longer under way to the board; before [outcome]
-     * @param outcome called once, by any thread: with null when the last byte has left the line or, in version 2, the board has acted; else
-     *     with the reason of the failure
+     * @param outcome called once, by any thread. Null: the last byte has left the line or, in version 2, the board has acted. Else: the
+     *     reason of the failure
      */
     fun follow(left: () -> Unit, outcome: (Failure?) -> Unit)
 }

@@ -13,7 +13,7 @@ import argo.connecting.Ports
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.Observers
-import argo.perception.Backlog
+import argo.perception.EarlierWork
 import argo.perception.EveryHandOver
 import argo.perception.FreshHandOver
 import argo.perception.HandOver
@@ -139,7 +139,7 @@ internal class AgentBoards(
     fun handOverOf(board: Board): HandOver {
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
-        return FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) }) { ms, why ->
+        return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }) { ms, why ->
             late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"

@@ -32,7 +32,8 @@ internal class MindState(
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
                 .partition { it.isHidden }
             val all = circumstance.allIntentions
-            val intentions = all.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }.sortedBy { it.id }.toList()
+            val intentions = all.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
+                .sortedBy { it.id }.toList()
             val notLookedAt = all.asSequence().count()
             return MindState(
                 base.size() - hidden.size,

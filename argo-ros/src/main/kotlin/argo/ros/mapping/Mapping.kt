@@ -12,7 +12,7 @@ internal data class Place(val line: Int, val column: Int)
 /**
  * A rule that makes percepts of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property type the type of its messages, as written
+ * @property type the type of the topic's messages, as written
  * @property percept the literal, with fields of the message as arguments
  * @property conditions a message gives the percept if all of them hold
  * @property forMs the time in ms for which the percept holds; null: until the next message
@@ -29,7 +29,7 @@ internal class PerceptRule(
 /**
  * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property parameters the variables for its arguments
+ * @property parameters the variables for the command's arguments
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths

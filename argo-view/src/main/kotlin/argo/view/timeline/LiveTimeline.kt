@@ -10,8 +10,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * The timeline of the last minutes of the running [agent]. It is read from the agent's recording when a page is opened or asks anew. Only
- * the newest timeline is kept. It costs no work while no page asks.
+ * The timeline of the last minutes of the running [agent]. The timeline is read from the agent's recording when a page is opened or asks
+ * anew. Only the newest timeline is kept. While no page asks, the timeline costs no work.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
@@ -56,7 +56,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers. A longer one would cost the robot's computer time and memory. The recording has more. */
+        /** The time that the timeline covers. A longer timeline would cost the robot's computer time and memory. The recording has more. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }
