@@ -157,6 +157,7 @@ class FleetAgentsSpec : FunSpec({
             computer("") {
                 shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "nobody", "x")) }
                 shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p(")) }
+                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "f(".repeat(100_000))) }
                 shouldThrow<Exception> { cluster.receives("scout1", byteArrayOf(7)) }
                 shouldLog("a message of scout1 is refused: it is of format 7")
                 shouldLog("a message of b cannot be read and is refused")
