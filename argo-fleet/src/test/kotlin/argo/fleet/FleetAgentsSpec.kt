@@ -225,6 +225,28 @@ class FleetAgentsSpec : FunSpec({
         }
     }
 
+    test("a computer that was out of touch and goes on is not asked again for what it has told; it may have missed nobody") {
+        computer("+!go <- .send(b, tell, x); +done.", also = {
+            cluster.view()
+            fleet.directory.names shouldNotContain "b"
+            cluster.view("scout1" to "1")
+        }) {
+            cluster.next().end.complete(null)
+            shouldBelieve("a", "done[source(self)]")
+        }
+    }
+
+    test("an agent of the project that has been killed is gone, and its name is free") {
+        computer("+!go <- .send(late, tell, x). -!go[error(E)] <- +failed(E); .create_agent(late).", also = {
+            cluster.view("scout1" to "1", "scout2" to "1")
+            cluster.receives("scout2", whole("late"))
+            cluster.receives("scout2", RosterNews(gone = setOf("late")))
+        }) {
+            shouldBelieve("a", "failed(no_agent)[source(self)]")
+            eventually(20.seconds) { fleet.directory.roster("base").agents shouldContain "late" }
+        }
+    }
+
     test("the end of the system is told to all computers") {
         val stops = ArrayList<Stop>()
         computer("+!go <- .stopMAS(0,false).", also = {

@@ -59,10 +59,11 @@ internal class FleetAgArch(
     override fun sendMsg(message: Message) {
         if (message.sender == null) message.sender = agName
         if (!mayRun()) throw held()
-        when (val place = fleet.directory.find(message.receiver)) {
+        val directory = fleet.directory
+        when (val place = directory.find(message.receiver)) {
             Place.Here -> super.sendMsg(message)
             is Place.There -> send(message, place.computer)
-            is Place.Off -> throw errorOf(unreachable(message.receiver, place.computers))
+            is Place.Off -> throw errorOf(unreachable(message.receiver, place, directory.inTouch))
             Place.Unknown -> if (isRunning) throw noAgent("there is no agent ${message.receiver} in the fleet; the message is $message")
         }
     }
