@@ -40,7 +40,9 @@ internal class Leases(
 ) : AutoCloseable {
     private val nanos = System::nanoTime
     private val start = nanos()
-    private val held = planned.mapValues { (agent, computers) -> Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis)) }
+    private val held = planned.mapValues { (agent, computers) ->
+        Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
+    }
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
         Thread(work, "argo-fleet-leases").apply { isDaemon = true }
     }
