@@ -85,7 +85,7 @@ internal class Leases(
         synchronized(this) { held(mind.agent).take(mind) }
         (fleet.directory.inTouch - fleet.here).forEach { computer ->
             fleet.send(computer, mind).exceptionally { failed ->
-                log.log(Level.FINE, failed) { "$computer has not got what ${mind.agent} believes" }
+                log.warning("$computer has not got what ${mind.agent} believes: ${failed.message}")
                 null
             }
         }
