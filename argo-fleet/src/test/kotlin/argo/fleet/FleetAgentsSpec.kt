@@ -220,8 +220,11 @@ class FleetAgentsSpec : FunSpec({
                 sent.end.complete(null)
             }
             cluster.view("scout1" to "2", "scout2" to "1")
-            told shouldContainExactlyInAnyOrder listOf("scout1" to whole("a"), "scout2" to whole("a"))
+            told shouldContainExactlyInAnyOrder listOf("scout1", "scout2").map { it to whole("a").copy(asksBack = true) }
             fleet.directory.names shouldNotContain "b" // until scout1, which is new, has told
+            told.clear()
+            cluster.receives("scout1", whole("b").copy(asksBack = true))
+            told shouldBe listOf("scout1" to whole("a"))
         }
     }
 

@@ -95,10 +95,10 @@ internal class Fleet(
         (directory.inTouch - here).forEach { sendRoster(it, news) }
     }
 
-    private fun tellAll(computer: String) = synchronized(this) {
+    private fun tellAll(computer: String, asksBack: Boolean = false) = synchronized(this) {
         if (computer !in directory.inTouch) return@synchronized
         val mine = directory.roster(here)
-        sendRoster(computer, RosterNews(isWhole = true, came = mine.agents, offered = mine.offers))
+        sendRoster(computer, RosterNews(isWhole = true, came = mine.agents, offered = mine.offers, asksBack = asksBack))
     }
 
     /** Sends [news]. If they do not arrive although [computer] stays in touch, it is told everything anew a little later. */
@@ -149,6 +149,7 @@ internal class Fleet(
                 once("an agent called $it runs here and on $from: these send to their own one, others to that of ${minOf(here, from)}")
             }
             change { it.with(from, news) }
+            if (news.asksBack) tellAll(from)
         }
 
         override fun changed(view: ClusterView) {
@@ -158,7 +159,7 @@ internal class Fleet(
                 val come = others.filter { it in begun || it.name !in directory.inTouch }
                 // a computer that goes on may not have missed this one: what it has told stays true, and it tells all changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
-                come.forEach { tellAll(it.name) }
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
             }
             leases.changed(view)
         }
