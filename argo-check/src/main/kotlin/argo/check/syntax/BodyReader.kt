@@ -88,7 +88,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         }
         if (operator == BodyOperator.DO && cursor.isAt("(") && isBodyInBrackets()) return group()
         val term = terms.formula()
-        if (operator != BodyOperator.DO && term is Literal && term.isInternal) {
+        if (operator != BodyOperator.DO && operator != BodyOperator.DELETE && term is Literal && term.isInternal) {
             cursor.fail("${term.name} is an internal action, and no belief or goal that ${operator.symbol} can stand before", term.span)
         }
         return Formula(cursor.since(start), operator, term)
