@@ -33,8 +33,8 @@ interface Boundary {
     fun call(call: InternalCall, live: () -> Any): Any
 
     /**
-     * Returns the callback of an intention that waits for something outside. Any thread may call it, once, at the end of that. Then
-     * [complete] is called, at once or in a later cycle, with null or with the reason of a failure.
+     * Returns the callback of an intention that waits for something outside. Any thread may call the callback, once, when the wait is over.
+     * After that [complete] is called, at once or in a later cycle, with null or with the reason of a failure.
      */
     fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit
 
