@@ -2,11 +2,11 @@ package argo.check.syntax
 
 /**
  * Returns the terms in [components] that Jason's parser refuses for their kind: it reads them, and then finds that one cannot be an operand,
- * a formula or a step. Programs that register functions of their own may add anything.
+ * a formula or a step. Programs that register functions of their own, or include files that may, can add anything.
  */
 internal fun operandErrors(components: List<Component>): List<SyntaxError> {
     val nodes = components.flatMap { it.withDescendants() }
-    val hasFunctions = nodes.any { it is Directive && it.call?.functor == REGISTRATION }
+    val hasFunctions = nodes.any { it is Directive && it.call?.functor in REGISTRATIONS }
     return nodes.flatMap { node ->
         when (node) {
             is Formula -> step(node)
@@ -43,4 +43,4 @@ private fun isConstant(term: Term): Boolean = when (term) {
 private fun refusal(term: Term, what: String) = SyntaxError(term.span, "this is $what")
 
 private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
-private const val REGISTRATION = "register_function"
+private val REGISTRATIONS = setOf("register_function", "include")
