@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures a board in Python on a pseudo-terminal: requests a second for twelve percepts, each sent after the previous answer. With
+"""Measures how many requests for twelve percepts a board in Python answers a second, one after the other, on a pseudo-terminal. With
 MicroPython it also measures memory.
 
     bench.py [PYTHON...] measures with these interpreters; python3 by default

@@ -52,7 +52,7 @@ struct board {
     unsigned out_begin;
     unsigned out_end;
     bool sending;
-    uint64_t out_free; /* the cycle at which the last byte told to forecast will have left */
+    uint64_t out_free; /* the cycle at which the last byte passed to forecast will have left */
 };
 
 /**

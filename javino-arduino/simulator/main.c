@@ -20,7 +20,7 @@
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
-/* The longest delay of the simulator that is made up for. A longer delay is skipped. */
+/* The simulator catches up with delays of at most this length. A longer delay is skipped. */
 #define LAG_NS 50000000ull
 /* How long the panel waits between two checks of the pins. */
 #define PANEL_NS 100000000ull

@@ -36,8 +36,8 @@ uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received)
         return byte;
     for (bit = 0; bit < DATA_BITS; bit++) {
         /*
-         * The receiver counts its bits from the start bit, and samples in the middle of each of them. This is the place in the sender's
-         * bits.
+         * The receiver counts its bits from the start bit, and samples in the middle of each of them. At that moment the sender is at this
+         * place in its own bits.
          */
         unsigned long long place = (2 * bit + 3) * (unsigned long long)sent / (2ull * received);
         if (place > DATA_BITS || (place > 0 && byte >> (place - 1) & 1))

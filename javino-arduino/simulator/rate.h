@@ -13,8 +13,8 @@ void rate_forget(int terminal);
  * Returns the byte that a receiver reads. If the rates differ by at most 3 %, that is the byte sent; else it consists of the bits that the
  * receiver samples.
  *
- * @param sent      the sender's rate, in baud; 0 stands for the receiver's rate, in baud; 0: the receiver's rate
- * @param received  the receiver's rate, in baud; 0 stands for the sender's rate, in baud; 0: the sender's rate
+ * @param sent      the sender's rate, in baud; 0 stands for the receiver's rate
+ * @param received  the receiver's rate, in baud; 0 stands for the sender's rate
  */
 uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received);
 

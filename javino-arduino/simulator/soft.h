@@ -17,7 +17,7 @@ typedef struct {
     unsigned in_end;
     unsigned bits; /* remaining bits of the byte that goes to the board; the lowest comes next */
     int bits_left;
-    int taken; /* how many bits have come of the byte that the board sends */
+    int taken; /* how many bits of the board's byte have come */
     uint8_t byte;
 } soft;
 

@@ -178,7 +178,7 @@ public:
    * Call it in an action's function to report the outcome later, with done(). The function returns at once, and its result is ignored. The
    * board goes on: it answers requests while a gripper closes. ARGO's `argo.act` waits for the outcome. Until then no other action of
    * version 2 is carried out, not even an urgent one. So if another action must be able to stop this one, report this one as carried out
-   * when it begins. A percept can report its end.
+   * when it begins. A percept can then report the end.
    *
    * @return the value for done(). In version 1, which has no outcomes, done() does nothing with it
    */
@@ -248,7 +248,7 @@ public:
    * @param functor  an atom, perhaps with a ~ in front
    * @param terms    whole numbers, also of 64 bits; numbers with two decimals, or as many as decimals() says; true and false; text, written
    *                 as an atom if it is one, else as a string
-   * @return false: it will not be sent, since it is longer than a frame, or the memory is full without a request
+   * @return false: the percept will not be sent; it is longer than a frame, or the memory is full and no request is in hand
    */
   template <typename... Terms> bool percept(const char *functor, Terms... terms) {
     return javino_percept_begin(&board_, functor) ? write(terms...) : true;
@@ -286,7 +286,7 @@ public:
   /** @name Messages one by one, in place of run() */
   ///@{
 
-  /** Looks for the next message. The message before is over; its action counts as carried out. Within a callback, see run(). */
+  /** Looks for the next message; the previous action counts as carried out. In a callback it only takes bytes, and returns false. */
   bool availableMsg();
 
   /** Returns the message's text: an action, or getPercepts for a request. Empty: there is none. Uses the heap. */

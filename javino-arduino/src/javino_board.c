@@ -112,7 +112,7 @@ static bool is_named(const javino_link *link, const char *functor, uint8_t lengt
 {
     const char *p = link->text;
     uint8_t left = link->length;
-    uint8_t same = NOT_SAME; /* how many bytes of a name are those of the functor */
+    uint8_t same = NOT_SAME; /* how many bytes of a name equal the functor's first bytes */
     bool all = true;
     /* A bracket or a comma stands in front of each name and behind it. */
     for (; left; left--) {
@@ -174,7 +174,7 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
         javino_encoder_put(&l->encoder, part);
 }
 
-/* Sends an item as its own part. */
+/* Sends an item as a part of its own. */
 static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_encoder *e = &b->link.encoder;
@@ -210,7 +210,7 @@ void javino_board_send_text(javino_board *board, bool last, javino_room n)
 #endif
 }
 
-/* Codes the percepts that are not coded yet. An incomplete percept stays behind them. */
+/* Codes the percepts that are not coded yet. An incomplete percept stays behind the coded ones. */
 static JAVINO_NOINLINE void code(javino_board *b)
 {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -248,7 +248,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set, only the part that must go out now: the rest follows when the rules can be watched. */
+    /* While rules are set, only one short part goes out now. The rest follows when the rules can be watched. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -274,10 +274,10 @@ bool javino_kind_begin(javino_board *board)
 {
     const javino_link *l = &board->link;
     if (l->event != JAVINO_REQUEST || l->length != 3 || l->text[1] != '?')
-        return false; /* The functors are not (?). */
+        return false; /* The request does not ask for kinds by (?). */
     javino_percept_put(board, '?');
 #ifndef JAVINO_VERSION_1_ONLY
-    board->text[board->whole] = JAVINO_ITEM_TEXT; /* Takes no shape from the percepts. */
+    board->text[board->whole] = JAVINO_ITEM_TEXT; /* The text uses up no shape. */
 #endif
     return true;
 }

@@ -50,7 +50,7 @@ typedef uint8_t javino_room;
 #endif
 #endif
 
-/** A text without its digits: its CRC, and the sum of the CRCs of all its beginnings. */
+/** The CRC of a text without its digits, and the sum of the CRCs of all beginnings of that text. */
 typedef struct {
     uint16_t crc;
     uint16_t sum;
@@ -97,8 +97,8 @@ typedef struct javino_board {
  * Prepares a board.
  *
  * @param memory   belongs to the board from now on
- * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received. More serves long
- * answers, and bytes that arrive during them.
+ * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received. More memory
+ * serves long answers, and bytes that arrive during such an answer.
  * @param write    as for javino_link_init
  * @param context  handed to write
  * @return false if the size is less than JAVINO_MEMORY_MIN; then do not use the board
@@ -124,11 +124,11 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
  * Begins the description of a kind of percepts, for a computer that asks for kinds. The kind's text must follow, such as
  * `dist(front|left, cm 0..400)`, and then javino_percept_end.
  *
- * @return true: the request in hand asks for kinds; false: write nothing, and do not end it
+ * @return true: the request in hand asks for kinds; false: write nothing, and do not end the description
  */
 bool javino_kind_begin(javino_board *board);
 
-/** Begins a percept with its functor: an atom, perhaps with a ~ in front. @return false: nobody wants it; write nothing, do not end it */
+/** Begins a percept with its functor: an atom, perhaps behind a ~. @return false: nobody wants the percept; write nothing, do not end it */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
 /** Writes one character unchanged. */
@@ -146,7 +146,7 @@ void javino_percept_term(javino_board *board, const char *text);
 /** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or there is no room without a request */
+/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or the memory is full and no request is in hand */
 bool javino_percept_end(javino_board *board);
 
 /** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */

@@ -39,8 +39,8 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* Without room, unread bytes of unknown age may wait. A second silence may come while a frame is in hand. The first silence is kept, since
- * the bytes before it have waited longer. */
+/* While there is no room, bytes of unknown age may wait unread, so no silence counts. A second silence may come while a frame is in hand.
+ * The first silence is kept, since the bytes before it have waited longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;

@@ -31,7 +31,7 @@ typedef struct {
     uint16_t size;
     uint16_t end;      /* number of bytes that have arrived */
     uint16_t gap;      /* place of a silence between the bytes; 0: none */
-    uint16_t taken;    /* bytes of the frame at the front: all, or in version 2 those without escapes so far */
+    uint16_t taken;    /* bytes of the frame at the front; in version 2 those read so far, without escapes */
     uint16_t timeout_ms;
     uint16_t last_ms;
     uint16_t silence; /* ms of silence at the end of the bytes, as far as is known */
@@ -62,8 +62,8 @@ bool javino_decoder_ready(const javino_decoder *decoder);
 void javino_decoder_put(javino_decoder *decoder, uint8_t byte, uint16_t now_ms);
 
 /**
- * Tells the decoder that all bytes of the receive buffer were handed in, or that javino_decoder_ready returns false. So does
- * javino_decoder_next. Call this function during a long action, in which javino_decoder_next is not called: else silences go unnoticed.
+ * Tells the decoder that all bytes of the receive buffer were handed in, or that javino_decoder_ready returns false. javino_decoder_next
+ * tells this too. Call this function during a long action, in which javino_decoder_next is not called: otherwise silences go unnoticed.
  *
  * @param now_ms  the time of the last look into the receive buffer
  */
@@ -79,8 +79,8 @@ void javino_decoder_session(javino_decoder *decoder, uint8_t nonce);
  * Looks for the next frame. The frame before is no longer valid.
  *
  * A frame is found with its last byte. The bytes of a version 1 frame are kept until the next bytes are known. A header or silence confirms
- * the frame. Anything else means that the frame may have been misread, so its bytes are read again from the second on. So are they if
- * silence falls inside the frame.
+ * the frame. Anything else means that the frame may have been misread, so its bytes are read again from the second on. They are also read
+ * again if silence falls inside the frame.
  *
  * A frame of version 2 is dropped and not read again if it is damaged, too long for the memory, of another session or not from a computer.
  * Without a session only HELLO is checked. Other frames cannot be checked; they only show that a computer is there.

@@ -22,7 +22,7 @@ enum {
 /** Bytes in front of an item's text. */
 #define JAVINO_ITEM_HEADER 2
 
-/** Codes the percepts that are not coded yet, in the answer's version. Drops an incomplete percept. */
+/** Codes the percepts that are not coded yet, in the answer's version. An incomplete percept stays behind the coded ones. */
 void javino_items_code(javino_board *board);
 
 #ifdef __cplusplus

@@ -41,10 +41,10 @@ typedef struct {
 /** The revision of version 2 that this library speaks, for WELCOME. */
 #define JAVINO_REVISION 1
 
-/** The most actions of a board. On the line, higher numbers mean no command, and rules. */
+/** The most actions of a board. On the line, higher numbers stand for "no command" and for rules. */
 #define JAVINO_ACTIONS_MAX 126
 
-/** The most bytes of an action's name that fit into a page of the vocabulary. With a longer name, computers know no action. */
+/** The most bytes of an action's name that fit into a page of the vocabulary. Computers do not learn of an action with a longer name. */
 #define JAVINO_NAME_MAX (JAVINO_MAX_PAYLOAD - 5)
 
 /** Any number of arguments. */
@@ -70,7 +70,7 @@ typedef struct {
     bool lost;
     uint8_t frames; /**< Intact frames that have arrived, modulo 256. May be read. */
 #ifndef JAVINO_VERSION_1_ONLY
-    uint8_t session;    /**< Its nonce; 0: no session, and version 1. This and the next five are the payload of WELCOME. */
+    uint8_t session;    /**< Its nonce; 0: no session, and version 1. This member and the next five are the payload of WELCOME. */
     uint8_t credit;
     uint8_t longest;    /* most bytes of payload that a frame may have */
     uint8_t rules_max;  /* number of rules that the board can hold */
@@ -85,7 +85,7 @@ typedef struct {
     uint8_t known;      /* number of shapes whose text the computer knows */
     uint8_t shapes;     /* number of shapes that have been sent in this session */
     uint8_t rules;      /* number of rules that are set */
-    bool row;           /* the frame in hand holds commands; its length and number are those of the rest */
+    bool row;           /* the frame in hand holds commands; its length and number now tell of the rest */
 #endif
     javino_encoder encoder;
     javino_decoder decoder;

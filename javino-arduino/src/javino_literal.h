@@ -21,7 +21,7 @@ typedef struct {
     uint32_t kinds; /**< The innermost sixteen open brackets, two bits each. */
 } javino_nesting;
 
-/** Takes one character. @return true if it stands outside of brackets and quotes, and is neither */
+/** Takes one character. @return true if it is no bracket and no quote, and stands outside of both */
 bool javino_outside(javino_nesting *nesting, char c);
 
 /** @return the number of bytes in front of the first bracket, at most length; a zero also ends the text */

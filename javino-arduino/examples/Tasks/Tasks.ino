@@ -26,9 +26,9 @@ struct Reading {
   uint8_t motor;
 };
 
-QueueHandle_t commands;  // of uint8_t: the motor's power
-QueueHandle_t readings;  // of one Reading
-volatile uint32_t alive; // time of the line's task's last sign of life, ms
+QueueHandle_t commands;  // holds a uint8_t: the motor's power
+QueueHandle_t readings;  // holds a Reading
+volatile uint32_t alive; // when the line's task last gave a sign of life, ms
 
 // ---- the robot's task ----
 

@@ -1,5 +1,5 @@
 // A motor on WiFi that only its owner can use, for an ESP32. The line is encrypted, and the board proves its identity. The board knows one
-// certificate; a computer has to prove that it has the key of it. Set the network below and make certificates.h.
+// certificate; a computer has to prove that it has that certificate's key. Set the network below and make certificates.h.
 //
 //   wiring    a motor's driver at pin 4
 //   actions   speed(0..255)
@@ -8,9 +8,9 @@
 //             +!start <- argo.port("tls://192.168.1.20:4433"); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// A new connection replaces the connection in use when it has proved its identity; if it cannot, it is refused. A stranger who connects
-// again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second without a
-// message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
+// A new connection replaces the connection in use when the new one has proved its identity; else the new one is refused. A stranger who
+// connects again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second
+// without a message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
 
 #include <JavinoNetwork.h>
 #include <WiFi.h>

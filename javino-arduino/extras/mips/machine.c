@@ -1,7 +1,7 @@
 /**
  * @file
- * A MIPS32 without any library, as `qemu-system-mipsel -M malta -cpu 24Kf` is. The processor is of the family of a PIC32MZ EF, with the
- * lowest byte of a number first; the ports and the controller of interrupts are those of a PC.
+ * A MIPS32 without any library, as `qemu-system-mipsel -M malta -cpu 24Kf` is. The processor belongs to the family of the PIC32MZ EF, and
+ * has the lowest byte of a number first. The ports and the interrupt controller are those of a PC.
  */
 #include "start.h"
 
@@ -49,7 +49,7 @@ static void receive(uint8_t port)
         machine_receive(port, UART(port, UART_DATA));
 }
 
-/* Interrupts of a timer that come late are one. The processor's own count tells how many milliseconds have passed. */
+/* Late interrupts of the timer merge into one. The processor's own count tells how many milliseconds have passed. */
 static void tick(void)
 {
     static uint32_t counted;
@@ -57,8 +57,8 @@ static void tick(void)
         machine_tick();
 }
 
-/* The processor has one place for interrupts and exceptions. The controller tells of a byte once; one that it missed is read with the next
- * interrupt. */
+/* The processor has one place for interrupts and exceptions. The controller reports a byte only once; a byte that it missed is read with
+ * the next interrupt. */
 __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted(void)
 {
     if (CAUSE() & EXCEPTION)
@@ -70,7 +70,7 @@ __attribute__((interrupt, keep_interrupts_masked, used)) static void interrupted
     receive(MACHINE_PANEL);
 }
 
-/* Interrupts go to the vectors here once the bit for those of the boot code is cleared. */
+/* Interrupts go to these vectors as soon as the bit that selects the boot code's vectors is cleared. */
 __asm__(".section .vectors, \"ax\"\n"
         ".set noreorder\n"
         "vectors: .space 0x180\n"

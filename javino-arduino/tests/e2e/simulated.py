@@ -104,6 +104,18 @@ def analogue_inputs_become_percepts(robot="Robot4WD"):
             equal(session.ask("(?)"), "?dist(f|b|r|l, cm 0..650);?light(f|b|r|l, 0..1023);?temp(f|b|r|l, C 0..150);")
 
 
+def a_greenhouse_shows_its_sensors_and_switches_its_devices():
+    with Board("Greenhouse") as board:
+        for pin, millivolts in (("A0", 290), ("A1", 2250), ("A2", 2500)):
+            board.command(f"set {pin} {millivolts}")
+        board.line.ready()
+        for pin in (7, 8):
+            board.watch(pin)
+        board.line.write(frame1(b"set(pump,on)") + frame1(b"set(vent,on)"))  # a vent is open or closed
+        board.await_pin(7, "high")
+        equal(board.line.ask(), "temp(28.84);soil(50);light(511);state(pump,on);state(vent,closed);")
+
+
 def motors_stop_when_the_far_end_falls_silent():
     with Board("LinkLost") as board:
         board.line.ready()
@@ -661,6 +673,7 @@ CASES = [
     a_repeated_command_is_carried_out_once,
     a_program_of_version_1_is_understood_behind_one_of_version_2,
     analogue_inputs_become_percepts,
+    a_greenhouse_shows_its_sensors_and_switches_its_devices,
     motors_stop_when_the_far_end_falls_silent,
     motors_stop_when_the_far_end_closes_the_line,
     a_reflex_is_carried_out_by_the_board_itself,

@@ -19,7 +19,7 @@ import jason.asSyntax.Term
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
-    /** Returns true if the action suspends its intention until it calls back: see [Call.suspendIntention]. */
+    /** Returns true if the action suspends its intention until the action has ended: see [Call.suspendIntention]. */
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
@@ -74,7 +74,7 @@ private fun counted(arguments: IntRange) = when {
 /** Returns all architectures of the agent of [ts], in their order. */
 internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
 
-/** Returns the [Arch] of the agent of [ts]; null: it has none. */
+/** Returns the [Arch] of the agent of [ts]; null: the agent has none. */
 internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
 
 internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live

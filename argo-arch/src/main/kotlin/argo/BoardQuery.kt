@@ -34,14 +34,14 @@ abstract class BoardQuery internal constructor(private val name: String, private
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
         /**
-         * Returns the result without an answer. In a context it is false; as a step of a plan the call fails the plan for the reason [why].
+         * Returns the result of a call without an answer: false in a context. As a step of a plan, it fails the plan for the reason [why].
          */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 
         /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; in a context it has its own. */
+        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; a call in a context has its own unifier. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

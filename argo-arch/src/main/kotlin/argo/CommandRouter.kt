@@ -31,14 +31,14 @@ internal class CommandRouter(private val boards: AgentBoards) {
     }
 
     /**
-     * Sends [command], a literal or a string. The snapshots of one board wait for the command: of the board whose percept caused it, else
-     * of the board that gets it.
+     * Sends [command], a literal or a string. The snapshots of one board wait for the command: those of the board whose percept caused it,
+     * else those of the board that gets it.
      *
      * @param module the namespace of the command's module; null: it is in no module
      * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before
      *     [outcome]
      * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way
-     * @return null: the command was sent; else the reason why it has no board
+     * @return null: the command was sent; else the reason why the command has no board
      * @throws argo.calls.ArgumentException if the line cannot carry the command
      */
     fun send(
@@ -127,7 +127,7 @@ private fun literalOf(command: Term): Literal? = try {
     null
 }
 
-/** Returns the namespace of the module of the plan that the agent of [ts] is carrying out; null: the plan is in no module. */
+/** Returns the namespace of the module whose plan the agent of [ts] is carrying out; null: the plan is in no module. */
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null

@@ -3,11 +3,14 @@ package benchmarks;
 import argo.filters.format.XmlFilters;
 import argo.filters.jason.LiteralTextKt;
 import argo.filters.jason.PerceptReader;
+import argo.filters.matching.FilterSession;
 import argo.filters.matching.PerceptMatcher;
 import argo.filters.matching.PerceptMatcherKt;
 import jason.asSyntax.ASSyntax;
 import jason.asSyntax.Literal;
 import jason.asSyntax.parser.ParseException;
+import java.util.List;
+import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -29,14 +32,28 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 8, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 @Fork(1)
 public class FilterBenchmark {
+    /** The percepts of a message that is perceived. */
+    static final int MESSAGE = 12;
+
     private static final String ON_TEMP = "<filter><predicate>temp</predicate></filter>";
     private static final String NOT_FRONT =
             "<filter><predicate>dist</predicate><parameter operator=\"NE\" id=\"0\">f</parameter></filter>";
+
+    private static final String NOT_BACK =
+            "<filter><predicate>dist</predicate><parameter id=\"0\">b</parameter></filter>";
 
     private final PerceptMatcher byPredicate = matcher(ON_TEMP);
     private final PerceptMatcher byArgument = matcher(NOT_FRONT);
     private final PerceptMatcher tenRules = matcher(ON_TEMP + otherRules(9));
     private final PerceptMatcher thousandRules = matcher(ON_TEMP + otherRules(999));
+    private final FilterSession<String> filtered = session(NOT_BACK);
+    private final FilterSession<String> smoothed = session(smoothing("median=\"5\"") + NOT_BACK);
+    private final FilterSession<String> withoutOutliers = session(smoothing("outliers=\"3\"") + NOT_BACK);
+    private final FilterSession<String> until = session(
+            NOT_BACK
+                    + "<filter><predicate>dist</predicate><parameter id=\"1\" operator=\"GT\" until=\"300\">400</parameter></filter>");
+    private final List<List<String>> messages = messages();
+    private int next;
     private String temp = "temp(r,36)";
     private String dist = "dist(r,227)";
 
@@ -49,6 +66,53 @@ public class FilterBenchmark {
         return IntStream.range(0, count)
                 .mapToObj(i -> "<filter><predicate>sensor" + i + "</predicate></filter>")
                 .collect(Collectors.joining());
+    }
+
+    private static FilterSession<String> session(String rules) {
+        FilterSession<String> session = FilterSession.Companion.ofTexts();
+        session.switchTo(XmlFilters.INSTANCE.read(
+                "<PerceptionFilter>" + rules + "</PerceptionFilter>", "benchmark.xml", "benchmark"));
+        return session;
+    }
+
+    private static String smoothing(String how) {
+        return "<smooth><predicate>dist</predicate><parameter id=\"1\" " + how + "/></smooth>";
+    }
+
+    /** Messages of several sensors, whose numbers move and sometimes are far off. */
+    private static List<List<String>> messages() {
+        Random random = new Random(1);
+        return IntStream.range(0, 64)
+                .mapToObj(i -> IntStream.range(0, MESSAGE)
+                        .mapToObj(sensor -> "dist(s" + sensor + ','
+                                + (random.nextInt(20) == 0 ? 399 : 100 + random.nextInt(9)) + ')')
+                        .toList())
+                .toList();
+    }
+
+    private int perceive(FilterSession<String> session) {
+        next = (next + 1) % messages.size();
+        return session.perceive(messages.get(next), next).getKept().size();
+    }
+
+    @Benchmark
+    public int perceive() {
+        return perceive(filtered);
+    }
+
+    @Benchmark
+    public int perceiveSmoothed() {
+        return perceive(smoothed);
+    }
+
+    @Benchmark
+    public int perceiveWithoutOutliers() {
+        return perceive(withoutOutliers);
+    }
+
+    @Benchmark
+    public int perceiveUntil() {
+        return perceive(until);
     }
 
     @Benchmark

@@ -20,6 +20,7 @@ internal fun filters(json: File) {
         println(figures("%-32s %12.1f %s %10.1f B", name, time.score, time.scoreUnit, allocated(result)))
     }
     printRatios(results.mapValues { it.value.primaryResult.score })
+    noise()
     println("all results: $json")
 }
 
@@ -28,6 +29,9 @@ private fun name(result: RunResult): String {
     return result.params.benchmark.substringAfterLast('.') + if (parameters.isEmpty()) "" else "($parameters)"
 }
 
+private const val MESSAGE = FilterBenchmark.MESSAGE
+
+/** Returns the bytes that one operation allocates. */
 private fun allocated(result: RunResult): Double =
     result.secondaryResults.entries.firstOrNull { it.key.endsWith("gc.alloc.rate.norm") }?.value?.score ?: Double.NaN
 
@@ -38,6 +42,12 @@ private fun printRatios(score: Map<String, Double>) {
     ratio("Jason's parser, times a kept percept read", "readWithJasonsParser", "readKept")
     ratio("filtering after parsing, times filtering before it", "dropAfterJasonsParser", "dropByArgument")
     ratio("1000 rules, times 10 rules", "dropByOneOf1000Rules", "dropByOneOf10Rules")
+    ratio("a message whose percepts are smoothed, times one that is only filtered", "perceiveSmoothed", "perceive")
+    fun more(words: String, of: String) =
+        println(figures("%-72s %8.1f ns", "$words, more for each percept", (score.getValue(of) - score.getValue("perceive")) / MESSAGE))
+    more("smoothed by a median of 5", "perceiveSmoothed")
+    more("outliers left out", "perceiveWithoutOutliers")
+    more("a second limit", "perceiveUntil")
     for (n in listOf(12, 120, 1200)) ratio(
         "a cycle with $n percepts and no filter, times with one that keeps one", "cycle(none,$n)", "cycle(one,$n)",
     )

@@ -27,7 +27,7 @@ public final class FrameDecoder {
     private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
     private static final int PREAMBLE_END = 3;
     private static final int LENGTH_AT = 4;
-    /** Twice a delivered frame with an unfinished header behind it: bytes are seldom moved. */
+    /** Room for two of the longest frames, each with an unfinished header behind it, so bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
     private enum Header {
@@ -181,7 +181,7 @@ public final class FrameDecoder {
         }
     }
 
-    /** Returns whether anything was decided; so do the methods called here. */
+    /** Returns whether anything was decided, as do the methods called here. */
     private boolean confirmOrDoubt() {
         return switch (isOtherAt(start + delivered) ? Header.COMPLETE : headerAt(start + delivered)) {
             case COMPLETE -> confirm();

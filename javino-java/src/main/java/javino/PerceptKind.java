@@ -21,7 +21,7 @@ import java.util.stream.Collectors;
  * </table>
  *
  * @param functor the percepts' functor, with a {@code ~} in front if they are strongly negated
- * @param arguments the arguments, in their order; percepts of this kind have as many
+ * @param arguments the descriptions of the arguments, in their order, one for each argument of such a percept
  */
 public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     private static final Pattern FUNCTOR = Pattern.compile("~?[a-z][A-Za-z0-9_]*");
@@ -39,7 +39,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     /**
      * Reads the text of one kind, with or without a {@code ;} behind it.
      *
-     * @throws IllegalArgumentException if it cannot be read, with the place and what could stand there
+     * @throws IllegalArgumentException if the text cannot be read; the message names the place and what could stand there
      */
     public static PerceptKind parse(String text) {
         var parts = TEXT.matcher(text.strip());
@@ -68,7 +68,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     /**
      * Reads a file of percepts: one kind a line. A {@code #} begins a comment.
      *
-     * @throws IllegalArgumentException if a line cannot be read, with its number from 1
+     * @throws IllegalArgumentException if a line cannot be read; the message has the line's number, from 1
      */
     public static List<PerceptKind> parseLines(String file) {
         List<PerceptKind> kinds = new ArrayList<>();
@@ -86,7 +86,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return kinds;
     }
 
-    /** Returns why a percept does not belong to this kind, as "argument 2 is 512, more than 400"; empty: it belongs to it. */
+    /** Returns why a percept does not belong to this kind, as "argument 2 is 512, more than 400"; empty: the percept belongs. */
     public Optional<String> deviationOf(PerceptTerm percept) {
         if (!isAlike(percept)) {
             return Optional.of(percept.indicator() + " is not " + functor + "/" + arguments.size());
@@ -101,7 +101,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
-    /** Returns the first of {@code kinds} to which the percept belongs; else the first with its functor and number of arguments. */
+    /** Returns the first of {@code kinds} that fits the percept; else the first with the percept's functor and number of arguments. */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
                 kinds.stream().filter(kind -> kind.isAlike(percept)).toList();

@@ -42,7 +42,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return text.substring(from, end);
     }
 
-    /** The texts of an answer, each with its {@code ;}. The rest behind the last one is a text too. */
+    /** The texts of an answer, each with its {@code ;}. A rest behind the last {@code ;} is a text too. */
     public static List<String> split(String answer) {
         List<String> texts = new ArrayList<>();
         Nesting nesting = new Nesting();

@@ -31,7 +31,7 @@ final class TimedWriter {
     private final ToIntFunction<byte[]> driver;
     private final ExecutorService thread;
     private final AtomicInteger underWay =
-            new AtomicInteger(); // writes of its thread that have not returned, or not begun
+            new AtomicInteger(); // the thread's writes that have not returned, or not begun
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
     /** @param driver writes without a time limit; returns the number of written bytes: all, fewer, or -1 on an error */
@@ -44,7 +44,7 @@ final class TimedWriter {
         });
     }
 
-    /** Writes the bytes within {@code timeoutMillis}. After {@link Outcome#TOO_LATE} they never leave, or are still on their way out. */
+    /** Writes the bytes within {@code timeoutMillis}. If the outcome is {@link Outcome#TOO_LATE}, they may still be on their way out. */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         // set by the thread when it begins to write, or by the caller when it gives up
@@ -69,7 +69,7 @@ final class TimedWriter {
             LOG.log(System.Logger.Level.ERROR, "the driver failed", e.getCause());
             return Outcome.FAILED;
         } finally {
-            if (!isTaken.getAndSet(true)) { // a write that has not begun never will
+            if (!isTaken.getAndSet(true)) { // a write that has not begun never begins
                 underWay.decrementAndGet();
             }
         }

@@ -41,8 +41,8 @@ public interface Transport extends AutoCloseable {
     /**
      * Hands bytes to the line and returns when the driver has taken them all. The bytes may leave later.
      *
-     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread, which has found that the
-     *     line {@linkplain #isWritableNow takes a frame now}, calls the driver itself
+     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread calls the driver itself,
+     *     after it has found that the line {@linkplain #isWritableNow takes a frame now}
      * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
      * @throws PortGoneException if the line is closed, or its device gone
      */
@@ -53,11 +53,10 @@ public interface Transport extends AutoCloseable {
 
     /**
      * Returns whether {@link #write} certainly hands a frame of {@value #LONGEST_FRAME} bytes to the driver without a wait, while no other
-     * thread writes. The line knows its room, or {@code unread} leaves room in the smallest buffer that the line may have. Safe on any
-     * thread; does not wait.
+     * thread writes. This is certain if the line knows its room, or if the {@code unread} bytes leave room in the smallest buffer that the
+     * line may have. Safe on any thread; does not wait.
      *
-     * @param unread how many of the last written bytes may be unread: no answer shows that the far end has read them, and unasked messages
-     *     show nothing
+     * @param unread number of the last written bytes that the far end may not have read. Only answers prove that it has read bytes
      */
     default boolean isWritableNow(long unread) {
         return false;

@@ -12,10 +12,10 @@ import java.util.function.BiFunction;
  * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
  *
  * <p>{@link ServiceLoader} finds the providers: {@code serial}, {@code usb}, {@code tcp}, {@code tls}, {@code sim} and {@code replay} of
- * this library, and those that programs add. A program cannot replace one of this library. All methods are safe on any thread.
+ * this library, and those that programs add. A program cannot replace a provider of this library. All methods are safe on any thread.
  */
 public final class Transports {
-    /** The scheme of a name without one: serial devices. */
+    /** The scheme of a name in which no scheme is written: serial devices. */
     public static final String SERIAL = "serial";
 
     private static final String OWN_PACKAGES = Transports.class.getPackageName() + '.';

@@ -27,17 +27,17 @@
  *   <tr><td>{@link javino.PortFaultException}</td><td>the driver refuses for another reason; carries its code</td><td>opening</td>
  *     <td>is not open</td></tr>
  *   <tr><td>{@link javino.PortTimeoutException}</td><td>an operation was not done in time</td><td>reading, writing</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.ActionRefusedException}</td><td>a version 2 board does not know the action, or refuses it</td><td>sending</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.ActionUnconfirmedException}</td><td>a version 2 board did not say that it acted</td><td>sending</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.CommandWithdrawnException}</td><td>a command's time was over before it began to go out</td><td>sending</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.CommandReplacedException}</td><td>a later command took the place of one that waited</td><td>sending</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.PortInterruptedException}</td><td>the calling thread was interrupted</td><td>any call that waits</td>
- *     <td>can be used on</td></tr>
+ *     <td>stays usable</td></tr>
  *   <tr><td>{@link javino.PortGoneException}</td><td>it was closed, or its device is not there any more</td><td>reading, writing</td>
  *     <td>can be opened anew when the device is back</td></tr>
  * </table>

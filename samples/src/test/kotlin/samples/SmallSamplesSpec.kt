@@ -55,6 +55,8 @@ class SmallSamplesSpec : FunSpec({
         "[watcher] dist(f,120) is dropped by filter nearFront",
     )
 
+    ends("greenhouse", "[gardener] vent open", "[operator] the storm is over")
+
     ends("delegation", "[robot] drives", "[pilot] the wall is", "[robot] stopped")
 })
 

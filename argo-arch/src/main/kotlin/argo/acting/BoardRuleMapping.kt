@@ -12,19 +12,19 @@ import java.math.BigDecimal
 
 /**
  * Returns the board rule that decides like [critical]; null: there is none.
- * A board compares texts and decimal numbers. So this holds for percepts as boards write them: without namespaces, comments, variables and
- * expressions, and with numbers of at most 15 digits without an exponent.
+ * A board compares texts and decimal numbers. So both rules decide alike for percepts as boards write them: without namespaces, comments,
+ * variables and expressions, and with numbers of at most 15 digits without an exponent.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
-    if (rule.arity != null || !isPlain(rule.predicate)) return null
+    if (critical.smoothed || rule.arity != null || !isPlain(rule.predicate)) return null
     val conditions = rule.conditions.map { (it as? Argument)?.let(::conditionOf) ?: return null }
     if (!conditions.all { it.isExact(conditions) }) return null
     return BoardRule("${rule.predicate}", conditions, critical.reflex).takeIf { it.isSendable }
 }
 
 private fun conditionOf(condition: Argument): Condition? {
-    val test = condition.test as? TermTest.Compare ?: return null
+    val test = condition.test.takeIf { condition.until == null } as? TermTest.Compare ?: return null
     val value = valueOf(test.value) ?: return null
     val place = (condition.index + 1).takeIf { it <= Condition.MAX_PLACE } ?: return null
     return Condition(place, operatorOf(test.operator), value)

@@ -8,8 +8,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The critical rules that one board itself watches. Sends the board, in their order, the rules that the agent wants and the board can
- * watch, until the board is full. Rules that the board holds are not sent again. Safe for use by several threads.
+ * The critical rules that one board itself watches. Sends the board the rules that the agent wants and the board can watch, in their order,
+ * until the board is full. Rules that the board holds are not sent again. Safe for use by several threads.
  *
  * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change board and computer
  * may both carry a reflex out, but never do both miss a percept.
@@ -33,7 +33,7 @@ internal class BoardRules(
 
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
-    private val numbered = HashMap<Int, CriticalRule>() // by its number, each rule of this session, removed ones too
+    private val numbered = HashMap<Int, CriticalRule>() // each rule of this session by its number, removed rules too
     private val refused = HashSet<CriticalRule>()
     private var wishes: List<CriticalRule> = emptyList()
     private var room = 0

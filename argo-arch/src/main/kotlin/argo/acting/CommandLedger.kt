@@ -11,7 +11,7 @@ import kotlin.concurrent.withLock
  * hand-over. Commands that go to another board count until none has gone there for [ELSEWHERE_MS]. So commands do not pile up on a slow
  * line, and a line that stands still delays no other board. Safe for use by several threads.
  * @param nowMs a clock in ms that never goes back
- * @param countsElsewhere returns whether commands to another port count: not while its board does not answer
+ * @param countsElsewhere returns whether commands to another port count; false while the board there does not answer
  * @param port the port of the board itself; one object for one open port
  */
 internal class CommandLedger(
@@ -52,8 +52,8 @@ internal class CommandLedger(
     }
 
     /**
-     * Returns the later of two times for each other port with commands up to [number]: the issue of the last such command, and the last end
-     * of a command there.
+     * Returns a time for each other port with commands up to [number]: the issue of the last such command or, if later, the last end of a
+     * command there.
      */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()
@@ -64,7 +64,7 @@ internal class CommandLedger(
     }
 
     companion object {
-        /** The ms for which commands to another port count although none goes there. */
+        /** The ms for which commands to another port count although none of them goes out. */
         const val ELSEWHERE_MS = 100L
     }
 }

@@ -75,7 +75,7 @@ internal class CommandSender(
             // nothing is left to do: the waiting commands have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // the port is opened anew with another thread; without a thread no command would go out
+        } catch (unforeseen: Throwable) { // opening the port anew starts another thread; without a thread no command goes out
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

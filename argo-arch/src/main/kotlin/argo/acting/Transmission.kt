@@ -5,9 +5,9 @@ import argo.calls.Failure
 /** A command that a link has taken. The callbacks are attached after the write, so bookkeeping does not delay the first byte. */
 internal fun interface Transmission {
     /**
-     * Sets the callbacks for the command's end. Call this once, on the thread that has sent the command. At its time limit a command fails
-     * with `act_timeout` if it has not begun to go out: it never will. If it has begun, it fails with `act_unconfirmed`. A replaced command
-     * fails with `act_replaced`.
+     * Sets the callbacks for the command's end. Call this once, on the thread that has sent the command. A command that has not begun to go
+     * out at its time limit fails with `act_timeout`, and never goes out. One that has begun by then fails with `act_unconfirmed`. A
+     * replaced command fails with `act_replaced`.
      *
      * @param left called once, by any thread, when the command is no longer under way to the board; before [outcome]
      * @param outcome called once, by any thread. Null: the last byte has left the line or, in version 2, the board has acted. Else: the

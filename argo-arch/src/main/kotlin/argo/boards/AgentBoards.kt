@@ -60,17 +60,17 @@ internal class AgentBoards(
     var isPerceiving = false
         private set
 
-    /** The sensing interval in ms of boards without their own. */
+    /** The sensing interval in ms of boards without an interval of their own. */
     @Volatile
     var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
-    /** The filter of boards without their own; null: everything is kept. */
+    /** The filter of boards without a filter of their own; null: everything is kept. */
     @Volatile
     var filter: PerceptionFilter? = null
         private set
 
-    /** The published coupling. Null: other threads than the agent's sense boards and write commands. */
+    /** The published coupling. Null: threads other than the agent's own sense the boards and write commands. */
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 

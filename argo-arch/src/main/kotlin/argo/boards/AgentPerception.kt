@@ -30,7 +30,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 
-    /** Returns the new critical percepts of the snapshots of the last [update]. The next call returns none. */
+    /** Returns the critical percepts of the snapshots that the last [update] took. The next call returns none. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
     /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */

@@ -37,10 +37,10 @@ import kotlin.concurrent.withLock
  *
  * @property term the agent's name for the port
  * @param port the line to the board
- * @param former the board whose filter and interval this one takes over; null: it has the agent's
+ * @param former the board whose filter and interval this board takes over; null: the agent's apply
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
-    /** The board's own filter; null inside lets everything through. */
+    /** The board's own filter; if [filter] is null, every percept passes. */
     private class OwnFilter(val filter: PerceptionFilter?)
 
     /** The namespace of the board's percepts; null: the default namespace. */
@@ -170,7 +170,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /** Returns true if an agent woken now would only wait for other boards' answers. The last of these answers wakes it. */
+    /** Returns true if an agent woken now would only wait for other boards' answers. The last of these answers wakes the agent. */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
     /** Takes a percept that the board has reported. See [BoardPercepts.reported], also for the result. Any thread. */
@@ -190,7 +190,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     }
 
     /**
-     * Returns true if [percept] is, or was before the last snapshot, a percept of this board. [isAlone]: no other board has its namespace.
+     * Returns true if [percept] is of this board, or was before the last snapshot. [isAlone]: no other board has this board's namespace.
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())

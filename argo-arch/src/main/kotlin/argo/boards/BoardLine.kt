@@ -26,7 +26,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     val described = DescribedPercepts(port) { agent.log.warning(it) }
 
-    private val warning = agent.rateLimitedWarning() // by the rule of left-out reports
+    private val warning = agent.rateLimitedWarning() // about left-out reports, one kind for each rule
 
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
@@ -75,7 +75,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         if (!isTaken) tellLeftOut(critical, outcome, percept)
     }
 
-    /** Logs that a report is left out: the board sent it before it learned that the agent no longer wants it. */
+    /** Logs that a report is left out: the agent no longer wants it, and the board did not know that yet. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
         warning.report(of) {

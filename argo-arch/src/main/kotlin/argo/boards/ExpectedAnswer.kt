@@ -25,7 +25,7 @@ internal class ExpectedAnswer {
         expectedNanos = nanos
     }
 
-    /** Notes that the answer can be perceived. The next answer is expected after [nextNanos], even before the next request. */
+    /** Notes that the answer can be perceived. The next request goes out at [nextNanos]; its answer is expected from now on. */
     fun read(nextNanos: Long) = expectAfter(nextNanos)
 
     private fun expectAfter(nanos: Long) {

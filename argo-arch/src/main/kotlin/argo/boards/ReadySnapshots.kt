@@ -7,7 +7,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that their boards' hand-overs have [ready][Board.isReady].
+ * Decides which snapshots of its [boards] an agent perceives now: those that are [ready][Board.isReady] in their boards' hand-overs.
  * Snapshots wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
  * are perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
@@ -19,7 +19,7 @@ internal class ReadySnapshots(
     private val boards: () -> List<Board>,
     private val wake: (seen: () -> Boolean) -> Unit,
 ) {
-    /** A wait for the answers of [boards]. Each answer removes its own board, so it is not compared with all others. */
+    /** A wait for the answers of [boards]. Each answer removes its own board, so no answer is compared with all boards. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
@@ -52,7 +52,7 @@ internal class ReadySnapshots(
     /** Returns true if the newly ready snapshot of [board] waits for other boards. If that lasts too long, the agent is woken. */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
-    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first true begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first such result begins the wait. */
     private fun areAwaiting(boards: List<Board>) =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 

@@ -4,7 +4,7 @@ import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit
 
 /**
- * A lost port under one of its agent's names for it, with the time of the next look for its device.
+ * A lost port under one of the names that its agent has for the port, with the time of the next look for the device.
  * The first look only finds out whether the device is there. A port may be lost although its device is there: a serial server may accept
  * each connection and then hang up. Such a port is opened ever more seldom. Used by one thread at a time.
  * @property port the port that was lost

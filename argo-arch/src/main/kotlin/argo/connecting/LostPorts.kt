@@ -76,7 +76,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // not closed earlier: the thread that finds the loss may not wait
+            close(port.port) // closed only here, since the thread that finds the loss may not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return

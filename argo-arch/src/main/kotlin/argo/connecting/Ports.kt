@@ -22,7 +22,7 @@ import kotlin.concurrent.withLock
  * @param owner the agent's name, for the message to a second agent on a port
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
  * @param platform opens ports, and schedules the search for lost ones
- * @param warn takes reports that are no state of a port, such as why a returned device cannot be opened
+ * @param warn takes warnings that the states of ports do not show, such as why a returned device cannot be opened
  */
 internal class Ports(
     private val owner: String,
@@ -95,7 +95,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Combines failures of some of [wanted] ports into one; null: none failed. */
+    /** Combines the failures of some of the [wanted] ports into one failure; null: no port failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second

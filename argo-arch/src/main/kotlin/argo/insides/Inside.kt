@@ -19,11 +19,11 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         false
     }
 
-    /** Returns the field's value in [one]; null: of a static field. */
+    /** Returns the field's value in [one]; for a static field, [one] is null. */
     @Suppress("UNCHECKED_CAST")
     operator fun get(one: Any?): T = member.get(one) as T
 
-    /** Sets the field in [one] to [value]; null: a static field. */
+    /** Sets the field in [one] to [value]; for a static field, [one] is null. */
     operator fun set(one: Any?, value: T) = member.set(one, value)
 
     override fun toString() = try {

@@ -54,7 +54,7 @@ object Insides {
     /** True if Jason has notified the agent that it falls asleep; no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes them only by reasoning
+    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes such objects only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
@@ -65,7 +65,7 @@ object Insides {
     /** There is no setter. */
     val isAtomicSuspended: Inside<Boolean> = of(Circumstance::class.java, "atomicIntSuspended")
 
-    /** Jason counts them, and shows only whether there are any. */
+    /** Jason counts these intentions, and shows only whether there are any. */
     val goalConditions: Inside<Int> = of(Circumstance::class.java, "intentionsWithGoalCondition")
 
     /** There is no setter. */
@@ -77,7 +77,7 @@ object Insides {
     /** There is no setter. */
     val selectedIntention: Inside<Intention?> = of(Circumstance::class.java, "SI")
 
-    /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, so they cannot choose it. */
+    /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, and cannot set the capacity. */
     val percepts: Inside<Set<Literal>> = of(DefaultBeliefBase::class.java, "percepts")
 
     /** Jason's counters, shared by all agents of a program: Jason neither shows nor sets their values. */

@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * The object of a waiting `.wait` of Jason's: a listener of the agent's circumstance with a private class. If another version of Jason has
- * no such class or member, all members but [isThere] throw a [LinkageError].
+ * The object by which Jason's `.wait` waits: a listener of the agent's circumstance, of a private class. If another version of Jason has no
+ * such class or member, all members but [isThere] throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"

@@ -132,7 +132,7 @@ class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
  * @property outcome the outcome of the command
- * @property left the end of the command's way to the board; completes no later than [outcome]. The agent gets no new snapshot before it. So
- * it is a second future if the outcome takes long, as for a robot's journey
+ * @property left the end of the command's way to the board; completes no later than [outcome]. The agent gets no new snapshot before that
+ * end. If the outcome takes long, as for a robot's journey, this is a future of its own
  */
 class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)

@@ -18,7 +18,7 @@ interface ObservedAgent {
     /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
     val policy: String
 
-    /** The sensing interval in ms of boards without their own. */
+    /** The sensing interval in ms of boards without an interval of their own. */
     val intervalMs: Int
 
     /**

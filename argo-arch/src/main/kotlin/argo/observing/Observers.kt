@@ -7,8 +7,8 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Calls all [observers] of an agent, in their order. If one throws, [log] gets its first exception, and the others are still called. Safe
- * for use by several threads.
+ * Calls all [observers] of an agent, in their order. If an observer throws, [log] gets its first exception, and the other observers are
+ * still called. Safe for use by several threads.
  * @param nanos the agent's clock, in ns
  */
 internal class Observers(val observers: List<AgentObserver>, private val log: Logger, private val nanos: () -> Long) {

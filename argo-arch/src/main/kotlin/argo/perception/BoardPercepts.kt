@@ -52,6 +52,7 @@ internal class BoardPercepts(
     private val session = MessageSession(reader::read, limit::limited)
     private val reports = ReportedPercepts()
     private var message: List<String> = emptyList() // the newest message, without reports
+    private var olderNanos: Map<String, Long> = emptyMap() // the times at which percepts of it that are older were true
     private var newest: Snapshot? = null
 
     /** The times at which the board's percepts were last seen. */
@@ -76,12 +77,12 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos) }
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, emptySet(), it.seenNanos) }
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Percepts
-     * stay that the board has [reported] since [askedNanos], the time of the request for the message.
+     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
+     * percepts that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
      * @return true if the message was wanted
      */
@@ -98,7 +99,10 @@ internal class BoardPercepts(
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times(reports.texts, seenNanos, receivedNanos))
+                    val old = seenNanos.filter { (text, nanos) -> olderNanos[text] == nanos }.keys + reports.texts
+                    olderNanos = seenNanos
+                    val times = times(reports.texts, seenNanos, receivedNanos)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, old, times)
                 }
             }
         }
@@ -126,7 +130,9 @@ internal class BoardPercepts(
     private fun place(port: OpenPort, rule: CriticalRule, text: String, receivedNanos: Long) {
         reports.add(rule, text, receivedNanos)
         val news = reader.read(text).toSet()
-        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { if (it in news) receivedNanos else null }
+        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false, message.toSet()) {
+            if (it in news) receivedNanos else null
+        }
     }
 
     /** Returns the times at which the percepts of a message with [reported] ones were seen; null: all at [receivedNanos]. */
@@ -139,7 +145,7 @@ internal class BoardPercepts(
 
     /**
      * Makes and leaves the newest snapshot with the held-back percepts that are due now, if any. If the sensing thread is making a
-     * snapshot, does not wait: the due percepts go into that one.
+     * snapshot, does not wait: the due percepts go into that snapshot.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -154,10 +160,12 @@ internal class BoardPercepts(
     /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /** Forgets pending snapshots, held-back percepts and met rules: they are of another time or place. */
+    /** Forgets pending snapshots, held-back percepts, readings of sensors and met rules: they are of another time or place. */
     fun forget() = lock.withLock {
+        session.forget()
         newest = null
         message = emptyList()
+        olderNanos = emptyMap()
         dueMs = null
         reports.clear()
         handOver.clear()
@@ -173,11 +181,12 @@ internal class BoardPercepts(
         texts: List<String>,
         receivedNanos: Long,
         isMessage: Boolean,
+        old: Set<String>,
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         logDropped(texts)
-        val perception = session.perceive(texts, nowMs())
+        val perception = session.perceive(texts, nowMs(), old)
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
         leave(port, perception, receivedNanos, seenNanos)
     }

@@ -11,7 +11,7 @@ import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
 
 /**
- * Puts namespaces back into the events of deleted percepts. Jason makes the event `-dist(f,30)` of the deletion of `left::dist(f,30)`, but
+ * Puts namespaces back into the events of deleted percepts. When `left::dist(f,30)` is deleted, Jason makes the event `-dist(f,30)`, but
  * looks for plans for `-left::dist(f,30)`. Belongs to the agent's thread.
  */
 internal class DeletedPercepts {

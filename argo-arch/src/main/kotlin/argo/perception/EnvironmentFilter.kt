@@ -10,7 +10,7 @@ import jason.asSyntax.Literal
 
 /**
  * Filters the percepts that an agent without `argo.Arch` gets from its Jason environment. The agent's first call of `argo.change_filter`
- * puts it in front of the agent's architectures.
+ * puts this filter in front of the agent's architectures.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
     private val environment = EnvironmentPercepts(perceivedSoFar, Platform.system.nowMs)

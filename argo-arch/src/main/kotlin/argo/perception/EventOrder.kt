@@ -44,6 +44,6 @@ internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> 
     queue.addAll(inTurns(lanes) + others)
 }
 
-/** Returns the first of each of [lanes], then the second of each, and so on. */
+/** Returns the first element of each lane, then the second of each lane, and so on. */
 private fun <T> inTurns(lanes: List<List<T>>): List<T> =
     (0 until lanes.maxOf { it.size }).flatMap { i -> lanes.mapNotNull { it.getOrNull(i) } }

@@ -19,7 +19,7 @@ internal interface HandOver {
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if the snapshot for [take] waits for nothing else. */
+    /** Returns true if [take] would return a snapshot now, even if other boards' answers are due. */
     fun isUrgent(): Boolean = isReady()
 
     /** Returns the ms until a snapshot may become ready without news; null: none will. */
@@ -37,10 +37,9 @@ internal interface HandOver {
 
 /**
  * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done.
- * A snapshot is handed over at once if it has a critical percept that the last one did not have. Until then a newer snapshot replaces it
- * only if the newer one meets the same critical rules. So there are never more such snapshots than rules. A board that is always critical
- * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is
- * done.
+ * A snapshot is handed over at once if it has a critical percept that the last one did not have. Before that, only a newer snapshot that
+ * meets the same critical rules replaces it. So there are never more such snapshots than rules. A board that is always critical must not
+ * make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is done.
  * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
 internal class FreshHandOver(
@@ -50,7 +49,7 @@ internal class FreshHandOver(
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
     private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
-    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since the last one in turn
+    private val earlyRules = HashSet<CriticalRule>() // rules that let a snapshot pass early since the last snapshot in turn
 
     private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 
@@ -135,7 +134,7 @@ internal class FreshHandOver(
     }
 }
 
-/** Hands over every snapshot in order. An agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
+/** Hands over every snapshot in order. If more than [MAX_WAITING] snapshots wait, the oldest is lost, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()

@@ -12,7 +12,7 @@ import jason.asSyntax.Literal
  * @param warning takes the message when the limit is exceeded
  */
 internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
-    /** Returns the first [max] different ones of [percepts]; those in [critical] come before others. */
+    /** Returns the first [max] different percepts among [percepts]; those in [critical] come before others. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
         if (percepts.size <= max) return percepts
         val different = percepts.distinct()

@@ -37,7 +37,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** Returns how many of [numbers] [other] has in the same places: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
+    /** Returns how many of [numbers] stand in the same places in [other]: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

@@ -6,7 +6,7 @@ import argo.observing.PerceivedMessage
 import jason.asSyntax.Literal
 
 /**
- * The percepts of one message of a board that reach the agent.
+ * The percepts that reach the agent from one message of a board.
  *
  * @property port the port of the board that sent the message
  * @property texts the percepts as they came off the line
@@ -15,8 +15,8 @@ import jason.asSyntax.Literal
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable the percepts in [kept] that cannot be believed
- * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message had it.
- * Without this function, all were seen at [receivedNanos]
+ * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message had that
+ * percept. Without this function, all were seen at [receivedNanos]
  */
 internal class Snapshot(
     val port: OpenPort?,

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items], each on its own thread, called [name]; if the machine has no other thread, on this one. Returns when all
+ * Does [work] for each of [items] on a thread of its own, called [name], or on this thread if the machine has no other. Returns when all
  * work has ended. An exception of [work] ends only its thread.
  */
 internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {

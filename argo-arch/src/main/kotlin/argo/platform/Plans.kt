@@ -7,10 +7,10 @@ import java.lang.reflect.InvocationTargetException
 import java.lang.reflect.Method
 
 /**
- * A library of plans of Jason's.
+ * The plan library of an agent in Jason.
  *
- * Jason 3.3.0 and 3.2.1 have its class in different packages, and a program is compiled with one version. This class calls the methods of
- * both by name; no other code may name Jason's class. For the agent's thread.
+ * Jason 3.3.0 and 3.2.1 have the library's class in different packages, and a program is compiled with one version. This class calls the
+ * methods of both by name; no other code may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */

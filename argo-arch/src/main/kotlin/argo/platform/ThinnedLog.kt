@@ -57,7 +57,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 
     companion object {
-        /** The number of lines of a kind that go out at once. */
+        /** How many lines of a kind go out at once. */
         const val FREE = 10
         private const val FIRST_DELAY_MS = 1_000L
         private const val MAX_DELAY_MS = 300_000L

@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicLong
  * Wakes an agent that sleeps or is about to.
  * Jason's wake-up is lost between an agent's decision to sleep and its sleep, which lasts up to a second. An agent that asks [maySleep]
  * does not fall asleep after an earlier wake-up. An agent that has decided to sleep but does not sleep yet is woken again at growing
- * intervals, until it has seen the reason. So is an agent that does not ask.
+ * intervals, until it has seen the reason. An agent that does not ask is woken in the same way.
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)

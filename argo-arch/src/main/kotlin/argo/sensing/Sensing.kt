@@ -21,7 +21,7 @@ internal interface SensingListener {
     /** Returns the time of the next request to a board that was asked at [startNanos], by the platform's clock. */
     fun nextStart(startNanos: Long): Long = startNanos + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong())
 
-    /** Returns the request to the board; called when it goes out. */
+    /** Returns the text of the request for the board. Called when the request goes out. */
     fun request(port: OpenPort): String
 
     /** Returns true if the board on [port] may report critical percepts between two messages. Any thread. */
@@ -161,7 +161,7 @@ internal class Sensing(
         unforeseen(unforeseen)
     }
 
-    /** Handles a missing answer. The far end of a network connection may vanish without closing it, and come back without knowing it. */
+    /** Handles a missing answer. A network's far end may vanish without a word, and come back without knowing the connection. */
     private fun unanswered(timeout: PortTimeoutException): Boolean {
         isTimedOut = true
         val isLong = lock.withLock {

@@ -2,10 +2,10 @@ package argo.sensing
 
 /** The policy by which snapshots of the sensors are handed to the agent: `argo_sensing` in the `.mas2j`. */
 internal enum class SensingPolicy(val word: String) {
-    /** The newest snapshot, when the agent has taken in the one before: see `argo.perception.HandOver`. */
+    /** The agent gets the newest snapshot when it has taken in the snapshot before: see `argo.perception.HandOver`. */
     FRESH("fresh"),
 
-    /** Each snapshot in order, even if the agent has not finished the work of earlier ones. */
+    /** The agent gets each snapshot in order, even if it has not finished the work of earlier snapshots. */
     EVERY("every"),
 
     /**

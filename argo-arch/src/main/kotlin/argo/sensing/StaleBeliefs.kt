@@ -7,7 +7,7 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port. These beliefs change
+ * The beliefs `stale(P)`, one for each name of the port in use, while no message has come from the port for too long. These beliefs change
  * only in [update], on the agent's thread; any thread may read.
  * @param nowMs a clock in ms that never goes back
  * @param listened returns the port whose messages the agent perceives now; null: none
@@ -54,7 +54,7 @@ internal class StaleBeliefs(
 
         /**
          * Returns the ms without a message after which `stale(Port)` is believed; null: never. The default lets two answers in a row fail.
-         * For a board that sends only news it is never.
+         * By default a board that sends only news is never stale.
          * @param intervalMs the sensing interval in ms
          */
         fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {

@@ -121,6 +121,48 @@ class BoardPerceptsSpec : FunSpec({
         }
     }
 
+    test("a smoothing rule counts each reading once, also one that a board reports or that is older than its message") {
+        perceiving {
+            board.switchTo(dropFilter("smooth") { smooth("dist") { argument(1) median 3 }; critical("near") })
+            hears("dist(f,40);dist(b,40);")
+            nowMs = 20
+            hears("dist(f,300);dist(b,41);")
+            repeat(5) { isTold("near", board.critical.first()) }
+            perceived() shouldBe listOf("dist(f,300)", "dist(b,41)", "near")
+            nowMs = 40
+            hears("dist(f,41);dist(b,300);", askedMs = 30, olderMs = mapOf("dist(b,300)" to 25))
+            perceived() shouldBe listOf("dist(f,41)", "dist(b,41)")
+            nowMs = 60
+            hears("dist(f,42);dist(b,300);", askedMs = 50, olderMs = mapOf("dist(b,300)" to 25))
+            perceived() shouldBe listOf("dist(f,42)", "dist(b,41)")
+        }
+    }
+
+    test("the beginning of smoothing is anew after the agent turned away from its sensors") {
+        perceiving {
+            board.switchTo(dropFilter("smooth") { smooth("dist") { argument(1) median 3 } })
+            repeat(3) { hears("dist(f,40);") }
+            board.forget()
+            hears("dist(f,9);")
+            perceived() shouldBe listOf("dist(f,9)")
+        }
+    }
+
+    test("a critical rule that is smoothed has its reflex when the percept that stands meets it") {
+        perceiving {
+            board.switchTo(
+                dropFilter("smooth") {
+                    smooth("dist") { argument(1) median 3 }
+                    critical("dist") { argument(1) lt 15; smoothed(); reflex("stop") }
+                },
+            )
+            listOf(40, 41, 5, 42).forEach { hears("dist(f,$it);") }
+            reflexes().shouldBeEmpty()
+            listOf(6, 7).forEach { hears("dist(f,$it);") }
+            reflexes() shouldBe listOf("stop")
+        }
+    }
+
     test("a snapshot that was made before the filter changed is made anew") {
         perceiving {
             hears("temp(1);dist(f,2);")

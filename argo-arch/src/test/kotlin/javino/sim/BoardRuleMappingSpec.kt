@@ -48,6 +48,13 @@ class BoardRuleMappingSpec : FunSpec({
         Rule(argo.filters.Predicate.of(Arb.element("dist", "dist", "~dist").bind()), Arb.list(conditions, 0..3).bind())
     }
 
+    test("a rule that is smoothed, or has a second limit, is mapped to none") {
+        val less = TermTest.Compare(Operator.LT, GroundTerm.of("15"))
+        (boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less)))) == null) shouldBe false
+        boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less, 20.0)))) shouldBe null
+        boardRuleOf(CriticalRule(Rule("dist", Condition.Argument(1, less)), smoothed = true)) shouldBe null
+    }
+
     test("a rule that is mapped to a board decides as the filter does") {
         var mapped = 0
         var met = 0

@@ -6,14 +6,21 @@ sealed interface Condition {
     /**
      * A condition on the argument at [index], counted from 0. A percept without that argument does not meet it.
      *
-     * @throws IllegalArgumentException if [index] is negative
+     * @property until the second limit of an ordering: once the number of a sensor has met [test], the condition holds while it meets the
+     * same comparison with this limit; null: while it meets [test]. A sensor is named by all that its percepts have beside this argument
+     * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
-    data class Argument(val index: Int, val test: TermTest) : Condition {
+    data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
         init {
             requireIndex(index)
+            until?.let { requireBeyond(test, it) }
         }
 
-        override fun toString(): String = "argument $index $test"
+        /** The comparison that must be met for the condition to go on to hold; null: [test]. */
+        internal fun untilTest(): TermTest.Compare? =
+            until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
+
+        override fun toString(): String = "argument $index $test" + until?.let { " until ${GroundTerm.Number(it)}" }.orEmpty()
     }
 
     /**
@@ -25,6 +32,19 @@ sealed interface Condition {
 
         override fun toString(): String =
             if (tests.isEmpty()) "there is an annotation $name" else tests.joinToString(" and ", "annotation $name ")
+    }
+}
+
+/** Requires that [until] is a limit that a number reaches only after it has left that of [test]. */
+private fun requireBeyond(test: TermTest, until: Double) {
+    require(until.isFinite()) { "the second limit $until is no finite number" }
+    require(test is TermTest.Compare && test.operator.ordering) {
+        "a condition that $test has no limit that ${GroundTerm.Number(until)} could be the second one of"
+    }
+    val limit = (test.value as GroundTerm.Number).value
+    val isBelow = test.operator == Operator.LT || test.operator == Operator.LE
+    require(if (isBelow) until > limit else until < limit) {
+        "the condition holds until ${GroundTerm.Number(until)} though it $test; expected a number ${if (isBelow) "above" else "below"} that"
     }
 }
 

@@ -9,9 +9,10 @@ package argo.filters
  * @property reflex the command that is sent for such a percept before the agent reasons; null: none. A reflex has 1 to [MAX_REFLEX_LENGTH]
  *   characters up to U+00FF. It has no control characters, no blanks at its ends, and no `fffe` before two hexadecimal digits. A reflex is
  *   not the request `getPercepts`, with or without arguments.
+ * @property smoothed whether the percept that a [SmoothingRule] has stand is to meet the rule; false: the percept as it came, without delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
-data class CriticalRule(val rule: Rule, val reflex: String? = null) {
+data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed: Boolean = false) {
     init {
         require(rule.rate == null) {
             "a critical percept is never held back, so its rule on ${rule.predicate} has neither everyMs nor a deadband"
@@ -20,7 +21,7 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
     }
 
     /** The rule in words: `dist where argument 1 is less than 15, with the reflex stop`. */
-    override fun toString(): String = "$rule" + reflex?.let { ", with the reflex $it" }.orEmpty()
+    override fun toString(): String = "$rule" + (if (smoothed) ", smoothed" else "") + reflex?.let { ", with the reflex $it" }.orEmpty()
 
     companion object {
         const val MAX_REFLEX_LENGTH: Int = 255

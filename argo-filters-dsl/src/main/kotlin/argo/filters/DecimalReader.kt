@@ -28,4 +28,17 @@ internal object DecimalReader {
         val value = digits / POWERS[decimals]
         return if (negative) -value else value
     }
+
+    /** Returns the value of the last digit of the [plain] number in the text from [start] to [end]; 0 for other text. */
+    fun unit(text: CharSequence, start: Int, end: Int): Double {
+        var point = -1
+        for (i in start until end) {
+            val c = text[i]
+            if (c == '.') point = i
+            else if (c !in '0'..'9' && i > start) return if (Syntax.skipBlanks(text, i, end) == end) unit(point, i) else 0.0
+        }
+        return unit(point, end)
+    }
+
+    private fun unit(point: Int, end: Int): Double = if (point < 0) 1.0 else 1 / POWERS[minOf(end - point - 1, MAX_DIGITS)]
 }

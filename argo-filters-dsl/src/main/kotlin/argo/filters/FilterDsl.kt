@@ -23,7 +23,7 @@ annotation class FilterDsl
  * @throws IllegalArgumentException if [name] cannot be a filter's name, or a predicate, a value or a pattern cannot be read
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
-    DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical) }
+    DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical, it.smoothing) }
 
 /**
  * Makes a filter that keeps the percepts that meet its rules and drops all others.
@@ -37,13 +37,14 @@ fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRu
  * Parameters and errors are those of [dropFilter].
  */
 fun keepFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: KeepRules.() -> Unit): PerceptionFilter =
-    KeepRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.KEEP, onSwitch, it.critical) }
+    KeepRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.KEEP, onSwitch, it.critical, it.smoothing) }
 
 /** The rules of a filter under construction. */
 @FilterDsl
 sealed class RuleList(private val mode: Mode) {
     internal val rules = ArrayList<Rule>()
     internal val critical = ArrayList<CriticalRule>()
+    internal val smoothing = ArrayList<SmoothingRule>()
 
     /**
      * Adds all rules of [other], as if they were written here.
@@ -60,6 +61,7 @@ sealed class RuleList(private val mode: Mode) {
         }
         rules += other.rules
         critical += other.critical
+        smoothing += other.smoothing
     }
 
     /**
@@ -87,6 +89,33 @@ sealed class RuleList(private val mode: Mode) {
         val rule = CriticalConditions()
         speakingOf(rule) { conditions(TypedCriticalRule(type, rule), type) }
         critical += rule.criticalRule(type.predicate)
+    }
+
+    /**
+     * Adds a smoothing rule: for percepts of [predicate] that meet all [conditions], one of the last percepts of the same sensor stands. It
+     * drops nothing.
+     *
+     * ```kotlin
+     * smooth("dist") { argument(1).outliers(3); argument(1) median 5 }
+     * ```
+     *
+     * @throws IllegalArgumentException if [predicate] is no predicate, or nothing is to be smoothed
+     */
+    fun smooth(predicate: String, conditions: SmoothingConditions.() -> Unit) {
+        smoothing += SmoothingConditions().apply(conditions).smoothingRule(Predicate.of(predicate))
+    }
+
+    /**
+     * Adds a smoothing rule on percepts of a declared type, whose arguments have names.
+     *
+     * ```kotlin
+     * smooth(Distance) { cm median 5 }
+     * ```
+     */
+    fun <T : PerceptType> smooth(type: T, conditions: context(TypedSmoothingRule) T.() -> Unit) {
+        val rule = SmoothingConditions()
+        speakingOf(rule) { conditions(TypedSmoothingRule(type, rule), type) }
+        smoothing += rule.smoothingRule(type.predicate)
     }
 
     protected fun add(predicate: Predicate, conditions: RuleConditions.() -> Unit) {

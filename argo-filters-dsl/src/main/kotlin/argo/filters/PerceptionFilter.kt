@@ -1,5 +1,7 @@
 package argo.filters
 
+import java.util.Objects
+
 /**
  * A perception filter. A filter's [rules] decide which percepts an agent perceives.
  *
@@ -9,6 +11,7 @@ package argo.filters
  * @property mode the fate of the percepts that meet a rule
  * @property onSwitch the fate of the beliefs that this filter hides when an agent changes to it
  * @param critical the rules for urgent percepts; they decide before all other rules
+ * @param smoothing the rules on percepts of sensors that err; the first one that a percept meets smooths it
  */
 class PerceptionFilter(
     val name: String,
@@ -16,6 +19,7 @@ class PerceptionFilter(
     val mode: Mode = Mode.DROP,
     val onSwitch: OnSwitch = OnSwitch.FORGET,
     critical: List<CriticalRule> = emptyList(),
+    smoothing: List<SmoothingRule> = emptyList(),
 ) {
     /** The fate of the percepts that meet one of the rules. */
     enum class Mode {
@@ -40,18 +44,23 @@ class PerceptionFilter(
     /** The rules for urgent percepts, in their order. */
     val critical: List<CriticalRule> = java.util.List.copyOf(critical)
 
+    /** The rules on percepts of sensors that err, in their order. */
+    val smoothing: List<SmoothingRule> = java.util.List.copyOf(smoothing)
+
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())
 
     override fun equals(other: Any?): Boolean =
-        other is PerceptionFilter && mode == other.mode && onSwitch == other.onSwitch && rules == other.rules && critical == other.critical
+        other is PerceptionFilter && mode == other.mode && onSwitch == other.onSwitch && rules == other.rules &&
+            critical == other.critical && smoothing == other.smoothing
 
-    override fun hashCode(): Int = 31 * (31 * (31 * mode.hashCode() + onSwitch.hashCode()) + rules.hashCode()) + critical.hashCode()
+    override fun hashCode(): Int = Objects.hash(mode, onSwitch, rules, critical, smoothing)
 
     /** The filter in words: `filter frontDistance drops temperature; light; distance where argument 0 is not front`. */
     override fun toString(): String {
         val verb = if (mode == Mode.DROP) "drops" else "keeps only"
         val what = if (rules.isEmpty()) "nothing" else rules.joinToString("; ")
         val lane = if (critical.isEmpty()) "" else critical.joinToString("; ", ", treats as critical ")
-        return "filter $name $verb $what$lane" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
+        val smooth = if (smoothing.isEmpty()) "" else smoothing.joinToString("; ", ", smooths ")
+        return "filter $name $verb $what$lane$smooth" + if (onSwitch == OnSwitch.FREEZE) ", and freezes what it hides" else ""
     }
 }

@@ -72,6 +72,11 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
+    /** Puts [new] in place of the condition [old]. */
+    internal fun replace(old: Condition, new: Condition) {
+        conditions[conditions.indexOfLast { it === old }] = new
+    }
+
     internal fun mention(term: Any) {
         unsaid += term
     }
@@ -99,6 +104,12 @@ open class RuleConditions internal constructor() {
  */
 class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
+    private var smoothed = false
+
+    /** The percept that a smoothing rule has stand must meet the rule, in place of the percept as it came; see [CriticalRule.smoothed]. */
+    fun smoothed() {
+        smoothed = true
+    }
 
     /**
      * Sends [command] for a percept that meets the rule, before the agent reasons: `reflex("speed(0)")`; see [CriticalRule.reflex].
@@ -111,16 +122,20 @@ class CriticalConditions internal constructor() : RuleConditions() {
         reflex = command
     }
 
-    internal fun criticalRule(predicate: Predicate) = CriticalRule(rule(predicate), reflex)
+    internal fun criticalRule(predicate: Predicate) = CriticalRule(rule(predicate), reflex, smoothed)
 }
 
 /**
  * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
- * atom, `argument(0) eq "\"front\""` with a string.
+ * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: of an argument a [Limit], which may get a
+ * second one.
  */
 @FilterDsl
-sealed class AnyTerm {
+sealed class AnyTerm<out L> {
     internal abstract fun must(vararg tests: TermTest)
+
+    /** The term must meet [test], which compares by order. */
+    internal abstract fun order(test: TermTest.Compare): L
 
     /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
@@ -141,16 +156,16 @@ sealed class AnyTerm {
     infix fun ne(value: GroundTerm): Unit = must(TermTest.Compare(Operator.NE, value))
 
     /** The term must be a number greater than [value]: `argument(1) gt 200`. */
-    infix fun gt(value: Number): Unit = must(TermTest.Compare(Operator.GT, value.asTerm()))
+    infix fun gt(value: Number): L = order(TermTest.Compare(Operator.GT, value.asTerm()))
 
     /** The term must be a number and at least [value]: `argument(1) ge 200`. */
-    infix fun ge(value: Number): Unit = must(TermTest.Compare(Operator.GE, value.asTerm()))
+    infix fun ge(value: Number): L = order(TermTest.Compare(Operator.GE, value.asTerm()))
 
     /** The term must be a number less than [value]: `annotation("q") lt 0.5`. */
-    infix fun lt(value: Number): Unit = must(TermTest.Compare(Operator.LT, value.asTerm()))
+    infix fun lt(value: Number): L = order(TermTest.Compare(Operator.LT, value.asTerm()))
 
     /** The term must be a number and at most [value]: `argument(1) le 15`. */
-    infix fun le(value: Number): Unit = must(TermTest.Compare(Operator.LE, value.asTerm()))
+    infix fun le(value: Number): L = order(TermTest.Compare(Operator.LE, value.asTerm()))
 
     /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
     infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
@@ -178,10 +193,15 @@ sealed class AnyTerm {
 }
 
 /** An argument of a rule under construction: the value of `argument(0)`. */
-class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
+class AnyArgument internal constructor(internal val index: Int, private val rule: RuleConditions) : AnyTerm<Limit>() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
         tests.forEach { rule.add(Condition.Argument(index, it)) }
+    }
+
+    override fun order(test: TermTest.Compare): Limit {
+        rule.specify(this)
+        return Limit(rule, Condition.Argument(index, test))
     }
 
     /** Holds back percepts in which this argument has moved by less than [width]: `argument(1) deadband 5`; see [Rate]. */
@@ -194,22 +214,41 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
 }
 
 /** An annotation of a rule under construction: the value of `annotation("q")`. */
-class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
+class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm<Unit>() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
         rule.add(Condition.Annotation(name, tests.toList()))
     }
 
+    override fun order(test: TermTest.Compare) = must(test)
+
     override fun toString(): String = "annotation(\"$name\")"
 }
 
 /** All tests of one annotation: `annotation("q") { gt(0.5); lt(0.9) }`. */
-class AnnotationTests internal constructor() : AnyTerm() {
+class AnnotationTests internal constructor() : AnyTerm<Unit>() {
     internal val tests = ArrayList<TermTest>()
 
     override fun must(vararg tests: TermTest) {
         this.tests += tests
     }
+
+    override fun order(test: TermTest.Compare) = must(test)
+}
+
+/** The limit of a condition on an argument, which may get a second one. */
+class Limit internal constructor(private val rule: RuleConditions, private val condition: Condition.Argument) {
+    init {
+        rule.add(condition)
+    }
+
+    /**
+     * Once a sensor's number has met the condition, it goes on to hold until the number has reached [limit]: `argument(1) lt 40 until 45`;
+     * see [Condition.Argument.until].
+     *
+     * @throws IllegalArgumentException if [limit] is not beyond the first one
+     */
+    infix fun until(limit: Number): Unit = rule.replace(condition, condition.copy(until = limit.toDouble()))
 }
 
 private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds.also {

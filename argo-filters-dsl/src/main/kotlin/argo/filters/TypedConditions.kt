@@ -9,6 +9,38 @@ open class TypedRule internal constructor(internal val type: PerceptType, intern
 /** A critical rule on a declared percept type under construction. */
 class TypedCriticalRule internal constructor(type: PerceptType, internal val critical: CriticalConditions) : TypedRule(type, critical)
 
+/** A smoothing rule on a declared percept type under construction. */
+class TypedSmoothingRule internal constructor(type: PerceptType, internal val smoothing: SmoothingConditions) : TypedRule(type, smoothing)
+
+/** The percept that a smoothing rule has stand must meet the rule: `smoothed()`; see [CriticalRule.smoothed]. */
+context(rule: TypedCriticalRule)
+fun PerceptType.smoothed(): Unit = rule.critical.smoothed()
+
+/** Of the last [count] credible percepts the one in the middle stands: `cm median 5`; see [SmoothingRule.median]. */
+context(rule: TypedSmoothingRule)
+infix fun NumberArgument.median(count: Int) {
+    specify()
+    rule.smoothing.median(index, count)
+}
+
+/** No percept is credible whose number has changed faster: `cm maxRate 200`, by a second; see [SmoothingRule.maxRate]. */
+context(rule: TypedSmoothingRule)
+infix fun NumberArgument.maxRate(perSecond: Number) {
+    specify()
+    rule.smoothing.maxRate(index, perSecond)
+}
+
+/** No percept is credible that is further from the median of the last [among]: `cm.outliers(3)`; see [Outliers]. */
+context(rule: TypedSmoothingRule)
+fun NumberArgument.outliers(deviations: Number, among: Int = Outliers.AMONG) {
+    specify()
+    rule.smoothing.outliers(index, deviations, among)
+}
+
+/** The percepts that stand have the annotation `smoothed`: `annotate()`. */
+context(rule: TypedSmoothingRule)
+fun PerceptType.annotate(): Unit = rule.smoothing.annotate()
+
 /** Sends [command] for a percept that meets the rule: `reflex("stop")`; see [CriticalConditions.reflex]. */
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
@@ -35,19 +67,19 @@ infix fun TypedArgument<String>.matches(pattern: String): Unit = must(TermTest.M
 
 /** The argument must be greater than [number]: `cm gt 200`. */
 context(rule: TypedRule)
-infix fun NumberArgument.gt(number: Number): Unit = compare(Operator.GT, number)
+infix fun NumberArgument.gt(number: Number): Limit = order(Operator.GT, number)
 
 /** The argument must be at least [number]: `cm ge 200`. */
 context(rule: TypedRule)
-infix fun NumberArgument.ge(number: Number): Unit = compare(Operator.GE, number)
+infix fun NumberArgument.ge(number: Number): Limit = order(Operator.GE, number)
 
 /** The argument must be less than [number]: `cm lt 15`. */
 context(rule: TypedRule)
-infix fun NumberArgument.lt(number: Number): Unit = compare(Operator.LT, number)
+infix fun NumberArgument.lt(number: Number): Limit = order(Operator.LT, number)
 
 /** The argument must be at most [number]: `cm le 15`. */
 context(rule: TypedRule)
-infix fun NumberArgument.le(number: Number): Unit = compare(Operator.LE, number)
+infix fun NumberArgument.le(number: Number): Limit = order(Operator.LE, number)
 
 /** Holds back percepts in which this argument has moved by less than [width]: `cm deadband 5`; see [Rate]. */
 context(rule: TypedRule)
@@ -86,6 +118,12 @@ fun PerceptType.annotation(name: String, tests: AnnotationTests.() -> Unit): Uni
 
 context(rule: TypedRule)
 private fun <V> TypedArgument<V>.compare(operator: Operator, value: V) = must(TermTest.Compare(operator, termOf(value)))
+
+context(rule: TypedRule)
+private fun NumberArgument.order(operator: Operator, number: Number): Limit {
+    specify()
+    return Limit(rule.conditions, Condition.Argument(index, TermTest.Compare(operator, termOf(number))))
+}
 
 context(rule: TypedRule)
 private fun TypedArgument<*>.must(vararg tests: TermTest) {

@@ -74,8 +74,16 @@ val tests: Arb<TermTest> = Arb.choice(
     Arb.element("front", "f.*|b.*", "-?\\d+", "\"[^\"]*\"", ".*[(\\[].*", "a\nb|<&>", "(?i)FRONT", "[ ]x").map { TermTest.Matches(it) },
 )
 
+/** Orderings, with limits beyond theirs. */
+private val limits: Arb<Pair<TermTest, Double>> =
+    Arb.bind(Arb.element(Operator.entries.filter { it.ordering }), Arb.int(-3..3), Arb.element(0.5, 2.0)) { operator, limit, width ->
+        val isBelow = operator == Operator.LT || operator == Operator.LE
+        TermTest.Compare(operator, GroundTerm.Number(limit.toDouble())) to if (isBelow) limit + width else limit - width
+    }
+
 val conditions: Arb<Condition> = Arb.choice(
-    Arb.bind(Arb.int(0..2), tests, Condition::Argument),
+    Arb.bind(Arb.int(0..2), tests) { index, test -> Condition.Argument(index, test) },
+    Arb.bind(Arb.int(0..2), limits) { index, (test, until) -> Condition.Argument(index, test, until) },
     Arb.bind(predicates, Arb.list(tests, 0..2)) { name, tests -> Condition.Annotation(name, tests) },
 )
 
@@ -94,12 +102,27 @@ val timelessRules: Arb<Rule> = Arb.bind(predicates, Arb.list(conditions, 0..2), 
 
 val rules: Arb<Rule> = Arb.bind(timelessRules, rates.orNull(0.7)) { rule, rate -> rule.copy(rate = rate) }
 
-val criticalRules: Arb<CriticalRule> =
-    Arb.bind(timelessRules, Arb.element("stop", "speed(120)", "say(\"hi; <&> 'you'\")", "é", "a  b").orNull(0.3), ::CriticalRule)
+val criticalRules: Arb<CriticalRule> = Arb.bind(
+    timelessRules, Arb.element("stop", "speed(120)", "say(\"hi; <&> 'you'\")", "é", "a  b").orNull(0.3), Arb.boolean(), ::CriticalRule,
+)
+
+private val windows = Arb.element(3, 5, 99)
+
+val smoothingRules: Arb<SmoothingRule> = Arb.bind(
+    timelessRules, Arb.int(0..2), Arb.element(0.5, 200.0, 1e6).orNull(), Arb.bind(Arb.element(1.0, 2.5), windows, ::Outliers).orNull(),
+    windows, Arb.boolean(),
+) { rule, argument, maxRate, outliers, median, annotates ->
+    val conditions = rule.conditions.filterNot { it is Condition.Argument && it.until != null }
+    SmoothingRule(
+        rule.copy(conditions = conditions), argument, maxRate, outliers,
+        median.takeIf { annotates || maxRate == null && outliers == null }, annotates,
+    )
+}
 
 val filters: Arb<PerceptionFilter> = Arb.bind(
     Arb.list(rules, 0..6), Arb.enum<PerceptionFilter.Mode>(), Arb.enum<PerceptionFilter.OnSwitch>(), Arb.list(criticalRules, 0..2),
-) { rules, mode, onSwitch, critical -> PerceptionFilter("generated", rules, mode, onSwitch, critical) }
+    Arb.list(smoothingRules, 0..2),
+) { rules, mode, onSwitch, critical, smoothing -> PerceptionFilter("generated", rules, mode, onSwitch, critical, smoothing) }
 
 /** The parts of a percept. Its annotations are structures, in their order. */
 data class Percept(val predicate: Predicate, val arguments: List<GroundTerm>, val annotations: List<GroundTerm>)

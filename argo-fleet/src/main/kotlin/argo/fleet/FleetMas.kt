@@ -148,6 +148,11 @@ internal class FleetMas :
         finish(0, true, FAILED)
     }
 
+    override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) {
+        if (::leases.isInitialized) leases.close()
+        super.finish(deadline, stopJVM, exitValue)
+    }
+
     /** Waits until the program ends. */
     override fun waitEnd() = ended.await()
 

@@ -157,6 +157,7 @@ class FleetAgentsSpec : FunSpec({
             computer("") {
                 shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "nobody", "x")) }
                 shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p(")) }
+                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "f(".repeat(100_000))) }
                 shouldThrow<Exception> { cluster.receives("scout1", byteArrayOf(7)) }
                 shouldLog("a message of scout1 is refused: it is of format 7")
                 shouldLog("a message of b cannot be read and is refused")
@@ -221,6 +222,28 @@ class FleetAgentsSpec : FunSpec({
             cluster.view("scout1" to "2", "scout2" to "1")
             told shouldContainExactlyInAnyOrder listOf("scout1" to whole("a"), "scout2" to whole("a"))
             fleet.directory.names shouldNotContain "b" // until scout1, which is new, has told
+        }
+    }
+
+    test("a computer that was out of touch and goes on is not asked again for what it has told; it may have missed nobody") {
+        computer("+!go <- .send(b, tell, x); +done.", also = {
+            cluster.view()
+            fleet.directory.names shouldNotContain "b"
+            cluster.view("scout1" to "1")
+        }) {
+            cluster.next().end.complete(null)
+            shouldBelieve("a", "done[source(self)]")
+        }
+    }
+
+    test("an agent of the project that has been killed is gone, and its name is free") {
+        computer("+!go <- .send(late, tell, x). -!go[error(E)] <- +failed(E); .create_agent(late).", also = {
+            cluster.view("scout1" to "1", "scout2" to "1")
+            cluster.receives("scout2", whole("late"))
+            cluster.receives("scout2", RosterNews(gone = setOf("late")))
+        }) {
+            shouldBelieve("a", "failed(no_agent)[source(self)]")
+            eventually(20.seconds) { fleet.directory.roster("base").agents shouldContain "late" }
         }
     }
 

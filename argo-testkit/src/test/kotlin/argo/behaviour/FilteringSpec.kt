@@ -111,6 +111,21 @@ class FilteringSpec : FunSpec({
         logger.level = null
     }
 
+    test("an agent can ask why another percept stands, and a log level tells it too") {
+        project.filter("steady", "<smooth annotate='true'><predicate>dist</predicate><parameter id='1' median='3'/></smooth>")
+        val logger = Logger.getLogger("${Arch::class.java.name}.bob").apply { level = Level.FINE }
+        project.agent("""
+            !start.
+            +!start <- argo.change_filter(steady); argo.port(ttyACM0); argo.limit(5); argo.percepts(open).
+            +dist(f,40)[smoothed] <- .wait(50); argo.explain(dist(f,300),A); .print("why ", A).
+        """).use { bob ->
+            bob.perceives("dist(f,40)").shouldPrint("why dist(f,300) is replaced by filter steady: by smoothing rule 1")
+            bob.perceives("dist(f,300)").shouldBelieve("dist(f,300)[smoothed]")
+            bob.log.filter { it.startsWith("FINE dist(f,300) is replaced by filter steady") }.shouldNotBeEmpty()
+        }
+        logger.level = null
+    }
+
     test("an agent with a board believes its environment's percepts beside the board's") {
         val hall = Environment()
         project.agent(start) { environment = hall }.use { bob ->

@@ -4,7 +4,10 @@ import argo.filters.format.XmlFilters
 import argo.recording.replay.Recording
 import argo.testkit.agent
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.time.Duration
 import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 import kotlin.time.Duration.Companion.milliseconds
@@ -40,5 +43,26 @@ class RecordedFiltersSpec : FunSpec({
             stored("filter/robot/night.xml") shouldBe XmlFilters.read(filter("light"), "night.xml")
             stored("filter/robot/night-2.xml") shouldBe XmlFilters.read(filter("temp"), "night.xml")
         }
+    }
+
+    test("a drive with smoothed percepts is replayed without a difference, as a whole and from a key frame on") {
+        val file = recorded(
+            """
+            !start.
+            +!start <- argo.change_filter(steady); argo.port(ttyACM0); argo.limit(500); argo.percepts(open).
+            +dist(front,Cm)[smoothed] <- .print(Cm); argo.act(seen(Cm)).
+            """.trimIndent(),
+        ) {
+            repeat(24) {
+                perceives("dist(front,${if (it % 6 == 5) 300 else 60 - 2 * it})", "light(back,140)")
+                after(500.milliseconds)
+            }
+        }
+        Recording(file).use { recording ->
+            val kept = recording.cycles("agent").flatMap { it.input.snapshots }.mapNotNull { it.kept }.toList()
+            kept.last().first() shouldContain "[smoothed]"
+        }
+        shouldReplay(file)
+        replayOf(ringOf(file, Duration.ofSeconds(10))).differences.shouldBeEmpty()
     }
 })

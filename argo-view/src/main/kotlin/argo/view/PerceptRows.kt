@@ -1,5 +1,6 @@
 package argo.view
 
+import argo.filters.matching.withoutSmoothed
 import argo.observing.PerceivedMessage
 import javino.PerceptKind
 import java.util.concurrent.TimeUnit
@@ -31,7 +32,7 @@ internal class PerceptRows {
         port = message.portName
         newestNanos = maxOf(newestNanos ?: message.receivedNanos, message.receivedNanos)
         newest[message.portName] = message.receivedNanos
-        val kept = message.kept.toHashSet()
+        val kept = message.kept.mapTo(HashSet(), ::withoutSmoothed)
         val standIns = (kept - message.texts.toSet()).mapTo(HashSet(), ::shape)
         val seen = HashMap<String, Int>()
         for (text in message.texts.take(MAX_ROWS)) {

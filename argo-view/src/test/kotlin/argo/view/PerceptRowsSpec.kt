@@ -25,6 +25,14 @@ class PerceptRowsSpec : FunSpec({
             listOf("dist(f,1)" to "kept", "light(b,2)" to "dropped", "temp(20)" to "held", "X" to "unreadable")
     }
 
+    test("a percept that another one stands for is held back, and the annotation of one that stands does not hide it") {
+        val rows = PerceptRows()
+        val kept = listOf("dist(f,40)", "dist(b,3)[q(1),smoothed]", "light(1)[smoothed]")
+        rows.add(frame(listOf("dist(f,300)", "dist(b,3)[q(1)]", "light(2)"), kept), isAlone = true)
+        rows.state(0) { false }.first.map { it.text to it.fate } shouldBe
+            listOf("dist(f,300)" to "held", "dist(b,3)[q(1)]" to "kept", "light(2)" to "held")
+    }
+
     test("a sensor keeps its place, and tells how long it has said the same") {
         val rows = PerceptRows()
         rows.add(frame(listOf("dist(f,1)", "light(5)"), atMs = 0), isAlone = true)

@@ -26,8 +26,8 @@ import javino.wire.WireFrame;
  * }</pre>
  *
  * <p>It is strict: {@link #verify} and {@link #close} fail if it missed an {@linkplain #expect expected} message, lost a message (see
- * {@link #queueSize}), or received a surprising one. A message is surprising if no rule covers it, the test did not expect it, and did not
- * take it with {@code awaitMessage}. {@link #lenient} turns this off.
+ * {@link #queueSize}), or received a surprising message. A message is surprising if no rule covers it, the test did not expect it, and did
+ * not take it with {@code awaitMessage}. {@link #lenient} turns this off.
  *
  * <p>By default it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
  * without sensors. The line has the rate with which the port is opened. All methods are safe on any thread; rules may be changed while the
@@ -125,7 +125,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary they check no command.
+     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary computers check no command.
      * @param actions {@code ledOn}; {@code speed/1}, with one argument; {@code say/*}, with any number of arguments
      */
     public FakeBoard knows(String... actions) {
@@ -310,8 +310,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function; while the
-         * board watches rules, every few milliseconds.
+         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function for each
+         * message, and every few milliseconds while the board watches rules.
          */
         public Rule answer(UnaryOperator<String> answer) {
             return answer(answer, () -> answer.apply(PerceptsRequest.ALL));

@@ -7,7 +7,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import javino.LineClock;
 
-/** The lock of a {@link FakeBoard}; waits for changes of the guarded state, by the clock of the line. Safe on any thread. */
+/** The lock of a {@link FakeBoard}; threads wait under it for changes of the board's state, by the line's clock. Safe on any thread. */
 final class FakeBoardMonitor {
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
@@ -33,10 +33,10 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. Calls it under the lock, about every millisecond, since it may depend on other state.
+     * Waits until {@code reached} is true. Calls it under the lock about every millisecond, since other state may change its result.
      *
      * @param what completes "interrupted while ..."
-     * @return false if it is still false after {@code timeoutMillis}
+     * @return false if {@code reached} is still false after {@code timeoutMillis}
      * @throws AssertionError if the thread is interrupted; it stays interrupted
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {
@@ -59,7 +59,7 @@ final class FakeBoardMonitor {
         }
     }
 
-    /** Waits while {@code held} is true; returns whether it was so at first. */
+    /** Waits while {@code held} is true; returns whether {@code held} was true at first. */
     boolean awaitWhile(BooleanSupplier held) throws InterruptedException {
         lock.lockInterruptibly();
         try {

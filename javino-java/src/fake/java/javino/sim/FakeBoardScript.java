@@ -49,7 +49,7 @@ final class FakeBoardScript {
             answers = List.copyOf(all);
             answers.stream()
                     .filter(text -> text.length() <= Frame.MAX_PAYLOAD)
-                    .forEach(Frame::of); // refuses an unfit text already here, in the test's call
+                    .forEach(Frame::of); // refuses an unfit text early, in the test's call
         }
 
         /** Returns the answer whose turn it is. */

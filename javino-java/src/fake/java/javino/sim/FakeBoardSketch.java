@@ -206,8 +206,8 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     /**
-     * Waits until the board has received all bytes sent to it; not if it is stalled or does not run.
-     * @param starting whether the board's thread lives: then this program runs, or is about to
+     * Waits until the board has received all bytes sent to it. Does not wait for a board that is stalled or does not run.
+     * @param starting whether the board's thread lives, so that this program runs or is about to run
      */
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);

@@ -9,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /**
- * Runs [block], which calls [concurrently], in many interleavings of its threads: the system property `argo.interleavings` is their number.
- * Fails at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
+ * Runs [block], which calls [concurrently], in many interleavings of its threads. The system property `argo.interleavings` is the number of
+ * interleavings. Fails at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
  *
  * The block first runs once unchecked: the first use of classes is not part of the check.
  *
@@ -20,7 +20,7 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
     block()
     checked = block
     val options = ModelCheckingOptions()
-        .iterations(0) // no scenarios but the one below
+        .iterations(0) // only the scenario below
         .invocationsPerIteration(maxOf(1, Integer.getInteger("argo.interleavings", 20) / divisor))
         .loopIterationsBeforeThreadSwitch(LONGEST_LOOP).loopBound(100 * LONGEST_LOOP)
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
@@ -49,9 +49,9 @@ internal fun concurrently(vararg work: () -> Unit) {
 }
 
 /**
- * The most rounds of a loop that waits for no other thread. After as many rounds Lincheck lets another thread run. With its default of ten
- * it takes the loops over a frame's bytes for waiting loops, and stops exploring. A blocked thread makes as many rounds before it gives
- * way, so a higher number costs time.
+ * The most rounds of a loop that waits for no other thread. After this number of rounds Lincheck lets another thread run. With its default
+ * of ten, Lincheck takes the loops over a frame's bytes for waiting loops, and stops exploring. A blocked thread makes this number of
+ * rounds before it gives way, so a higher number costs time.
  */
 private const val LONGEST_LOOP = 40
 

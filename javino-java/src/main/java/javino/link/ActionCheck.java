@@ -20,7 +20,7 @@ final class ActionCheck {
         int arguments = new Shape(command, functor.length()).arguments(command);
         BoardAction known = null;
         for (BoardAction action : actions) {
-            known = action.name().equals(name) ? action : known; // the newest counts
+            known = action.name().equals(name) ? action : known; // the newest action of a name counts
         }
         if (known == null) {
             return (name.isEmpty() ? "the command names no action" : "it has no action " + name) + "; it has "

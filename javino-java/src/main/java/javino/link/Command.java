@@ -115,7 +115,7 @@ final class Command implements SessionCommand {
         beganBehind = bytes;
     }
 
-    /** Bytes that were written to its line before it began to go out. */
+    /** Bytes that were written to the line before this command began to go out. */
     long beganBehind() {
         return beganBehind;
     }

@@ -87,7 +87,7 @@ final class CommandLoop {
         return command;
     }
 
-    /** Queues a command. If the line is free, begins the command under the same lock, so no thread wakes for it, and writes it here. */
+    /** Queues a command. If the line is free, begins the command under the same lock and writes it here, so no thread wakes for it. */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
         SessionLine.Outgoing frame = monitor.get(() -> {
@@ -112,7 +112,7 @@ final class CommandLoop {
         }
     }
 
-    /** Sends a board of version 1 a request if the next command may go out only behind one. */
+    /** Sends a request to a board of version 1, if the next command may go out only behind a request. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;
@@ -207,7 +207,7 @@ final class CommandLoop {
                         + "\" took its place, so it was not sent");
     }
 
-    /** Withdraws a command whose time is over, if it has not begun to go out. Returns the exception for it. */
+    /** Withdraws a command whose time is over, if it has not begun to go out. Returns the exception with which the command fails. */
     private PortException timeOver(Command command) {
         String subject = '"' + command.text() + '"';
         return writer.withdraw(command)

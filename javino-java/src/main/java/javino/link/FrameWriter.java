@@ -17,8 +17,8 @@ import javino.session.WaitingCommands;
 
 /**
  * Gives the commands and requests of a line their turns, when the {@link Pacer} lets them, and writes their frames. A {@link SessionLine}
- * takes the commands from it. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while bytes are
- * written.
+ * takes the commands from this writer. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while
+ * bytes are written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
     /** The kinds of frames that the pacer tells apart: actions and requests of version 1, and frames of version 2. */
@@ -47,7 +47,7 @@ final class FrameWriter implements WaitingCommands<Command> {
     private int turnsAwaited; // number of requests and HELLOs that wait for their turn
     private volatile long outcomeNanos;
     private long writtenBytes;
-    private long readBytes; // how many of the written bytes the far end has proved to have read
+    private long readBytes; // number of written bytes that the far end has certainly read
     private final AtomicBoolean isRefused = new AtomicBoolean(); // the driver has not taken the last frame in time
     private String endReason; // null while the line is there
 
@@ -174,7 +174,7 @@ final class FrameWriter implements WaitingCommands<Command> {
      * Waits for its turn, ahead of waiting commands, and writes a frame.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis milliseconds to wait at most for the turn, without the pacer's hold on a free line, and again for the driver
+     * @param timeoutMillis milliseconds to wait at most for the turn, besides the pacer's hold on a free line, and again for the driver
      * @return the time, by the clock, at which the frame's last byte leaves the line
      * @throws PortTimeoutException if the turn did not come in time, so nothing was written; or if the driver did not take the frame
      */

@@ -8,11 +8,11 @@ import java.util.concurrent.TimeUnit;
  * answer has two parts: the time until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the
  * answer, which is about constant. So the differences of delays show the loop.
  * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if few delays may miss a part
- * of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or below n (n-1)
- * x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate is at most
- * {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are known. From
- * {@value #MANY} delays on, the longest is left out; later, one in {@value #OUTLIER_AMONG} at each end. So one stall of this computer does
- * not slow commands down.
+ * of the loop. With a probability below n x^(n-1), the range of n random delays is less than the part x of the loop. If one delay is left
+ * out, this probability is below n (n-1) x^(n-2). The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
+ * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences. Until {@value #MIN_SAMPLES} delays are known, it is this
+ * maximum. From {@value #MANY} delays on, the longest is left out; later, at each end one delay in {@value #OUTLIER_AMONG}. So one stall of
+ * this computer does not slow commands down.
  * <p>If each request followed the last answer at the same distance, all would meet the same part of the loop. So some requests are sent
  * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
  * are nanoseconds. Guarded by its user's lock.
@@ -37,7 +37,7 @@ final class GapEstimate {
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     /** The multiples of this number have fractional parts that are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** A later answer belongs to an earlier request, so its delay is ignored. No probe delays a request by more. */
+    /** An answer that takes longer belongs to an earlier request, so its delay is ignored. No probe delays a request by more than this. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);

@@ -37,7 +37,7 @@ final class Inbox {
     private static final int BUFFER = 1024;
     /** The most messages that are kept; the newest stay. A board may send messages that nobody takes. */
     static final int MAX_MESSAGES = 64;
-    /** The most reads in a row: enough to empty any driver, but with an end on a line that never rests. */
+    /** The most reads in a row: enough to empty any driver, and not endless on a line that never rests. */
     private static final int READS = 64;
 
     private final Monitor monitor;

@@ -49,7 +49,7 @@ public class Javino implements AutoCloseable {
         this.timeoutMillis = timeoutMillis;
     }
 
-    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. True when its last byte has left, or a version 2 board has acted. */
+    /** Sends an action: {@code sendCommand("ttyACM0", "ledOn")}. Returns true when it has left; in version 2, when the board has acted. */
     public boolean sendCommand(String port, String msg) {
         return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
     }
@@ -59,7 +59,7 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
     }
 
-    /** Waits for a message that the board sends of its own accord. True when it is in {@link #getData()}. */
+    /** Waits for a message that the board sends of its own accord. Returns true when the message is in {@link #getData()}. */
     public boolean listenHardware(String port) {
         return succeeds(() -> data = link(port).listen(timeoutMillis).text());
     }

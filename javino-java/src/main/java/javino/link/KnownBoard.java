@@ -21,8 +21,8 @@ final class KnownBoard {
     private volatile boolean hasHeard; // in version 1
     private volatile boolean hasSaidHello;
     private volatile Protocol protocol;
-    private volatile boolean hasLapsed; // it fell silent in version 2, so another board may be there
-    private volatile int otherRevision = NONE; // the revision of version 2 that it speaks
+    private volatile boolean hasLapsed; // the board fell silent in version 2, so another may be there
+    private volatile int otherRevision = NONE; // the revision of version 2 that the board speaks
 
     /** @param settings their {@link LinkSettings#bootMillis()} count from now */
     KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {

@@ -37,10 +37,10 @@ import javino.wire.CommandItem;
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
  * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then a request is repeated every 250 ms, or after its own
  * time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
- * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link asks first in version 2. If no
- * answer comes within 0.4 s, it asks in version 1. A version 1 board does not understand the first question and forgets it in that time; no
- * frame of version 1 goes out before. Messages of a version 2 board come whole or not at all, and {@link #send} learns the outcome of an
- * action.
+ * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link first sends HELLO of version 2,
+ * twice, and waits 60 ms after each, or 20 byte times if that is longer. If no answer comes, the link asks in version 1. Version 1 boards
+ * drop HELLO, and get no frame of version 1 before the waits are over. Messages of a version 2 board come whole or not at all, and
+ * {@link #send} learns the outcome of an action.
  * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even one that waits, and the port is
  * free for another link. An interrupted call throws {@link PortInterruptedException}; the link stays usable.
  */
@@ -83,7 +83,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Opens a port. If its owner is {@linkplain #leave leaving} it, waits until the port is free.
+     * Opens a port. If the port's owner is {@linkplain #leave leaving} it, waits until the port is free.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
      * @param owner the port's owner, in words, for {@link PortBusyException}
@@ -151,7 +151,7 @@ public final class Link implements AutoCloseable {
      * Asks the board for the kinds of its percepts, in turn with requests. Kinds that cannot be read are left out, with a line of log.
      *
      * @param timeoutMillis milliseconds that the board has to answer, at least 1
-     * @return without kinds and problems: the board describes no percepts, or is not known to speak version 2
+     * @return a description without kinds and problems if the board describes no percepts, or is not known to speak version 2
      * @throws PortTimeoutException if the board speaks version 2 and gave no answer
      */
     public PerceptDescription perceptDescription(int timeoutMillis) throws PortException {
@@ -198,14 +198,14 @@ public final class Link implements AutoCloseable {
         return line.inbox().corrupt();
     }
 
-    /** Returns whether it can be used: it was not closed, and no call has found its device gone. */
+    /** Returns whether this link can be used: it was not closed, and no call has found its device gone. */
     public boolean isOpen() {
         return writer.hasLine();
     }
 
     /**
-     * Sends a request and returns its answer. Messages that came before the request are dropped: they answer earlier requests. After a
-     * request without an answer in time, the next request takes the last message before a silence of the line for its answer.
+     * Sends a request and returns its answer. Messages that came before the request are dropped: they answer earlier requests. If an answer
+     * does not come in time, the next request waits for a silence of the line, and returns the last message before it.
      *
      * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; then the board gets the same time to answer,
      *     counted from the request's last byte. After a missed answer the line gets that time once more to fall silent. While the board may
@@ -225,7 +225,7 @@ public final class Link implements AutoCloseable {
     /**
      * Like {@link #request(String, int)}, for a caller that asks again and again. A command that a request overtakes waits for a whole
      * exchange. So the commands submitted before this call go out first, and then those submitted meanwhile. Each of the two waits takes at
-     * most the longer of the last exchange and the interval, so commands cannot starve requests.
+     * most as long as the last exchange or the interval, whichever is longer, so commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -251,8 +251,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands so far are over. In version 2, which sends both ways at once, waits only until these
-     * commands have begun.
+     * Waits at most {@code nanos} until the commands submitted so far are over. In version 2, which sends both ways at once, waits only
+     * until these commands have begun.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -303,10 +303,10 @@ public final class Link implements AutoCloseable {
     /**
      * Queues a command and returns at once. A thread in {@link #writeCommandsUntilClosed} sends urgent commands before others.
      *
-     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 that is when the last byte has left by
-     * the line's rate; if the link is not paced, when the driver has it. In version 2 it is when the board has acted. The command is
-     * repeated until then, and the board takes the repetitions for one command. The command is given up after four repetitions and 2 s
-     * without any frame of the board.
+     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 the outcome is known when the last byte
+     * has left by the line's rate or, if the link is not paced, when the driver has that byte. In version 2 it is known when the board has
+     * acted. The command is repeated until then, and the board takes the repetitions for one command. The command is given up after four
+     * repetitions and 2 s without any frame of the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was
@@ -431,7 +431,7 @@ public final class Link implements AutoCloseable {
         end("port " + port() + " is gone: it was closed");
     }
 
-    /** Announces {@link #close}: an {@link #open} of this port now waits until the port is closed, for a while. Does not wait. */
+    /** Announces {@link #close}: an {@link #open} of this port now waits for a while until the port is closed. Does not wait. */
     public void leave() {
         claim.leave();
     }
@@ -456,7 +456,7 @@ public final class Link implements AutoCloseable {
         }
         try {
             if (!reading.tryLock(Math.max(board.nanosToStart(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
-                // another call waited for the start meanwhile, or listens too long for the action to wait
+                // another call reads the line: it waits for the start too, or listens for a long time
                 return;
             }
         } catch (InterruptedException e) {
@@ -502,7 +502,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work. If its time is over, looks at the line: a thread that waited for its turn has not read the line. */
+    /** Does work. If the work's time is over, looks at the line, since a thread that waited for its turn has not read the line. */
     private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();

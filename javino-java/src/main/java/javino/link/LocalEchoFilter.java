@@ -9,10 +9,10 @@ import javino.PerceptsRequest;
  * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, bring back all that is sent, so a
  * request would pass for its own answer.
  * <p>No board sends a request for percepts, so a request that comes back proves such a line. From then on actions that come back are no
- * messages either. Before that they may be: some boards repeat their commands. One thread at a time.
+ * messages either. Before that they count as messages, since some boards repeat their commands. One thread at a time.
  */
 final class LocalEchoFilter {
-    /** The most frames that are remembered, more than are ever on their way. Older frames were lost on the line. */
+    /** The most frames that are remembered; fewer are on their way at any time. Older frames were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first

@@ -28,7 +28,7 @@ final class Monitor {
     private final LineClock clock;
     private final String port;
     private final List<Waiter> waiters = new ArrayList<>();
-    private int depth; // how often its holder has taken the lock
+    private int depth; // how often the holder has taken the lock
 
     Monitor(LineClock clock, String port) {
         this.clock = clock;
@@ -64,7 +64,7 @@ final class Monitor {
         } finally {
             try {
                 if (depth == 1) {
-                    waiters.forEach(Waiter::wakeIfDue); // which may take the lock once more
+                    waiters.forEach(Waiter::wakeIfDue); // a waiter may take the lock once more
                 }
             } finally {
                 depth--;
@@ -74,8 +74,8 @@ final class Monitor {
     }
 
     /**
-     * Waits until {@code nanosLeft} is 0 or less. Any thread that gives the lock back calls this function, under the lock; so does this
-     * thread when that many nanoseconds have passed. So the function changes nothing, and depends only on time and on state that the lock
+     * Waits until {@code nanosLeft} is 0 or less. Any thread that gives the lock back calls {@code nanosLeft}, under the lock; so does this
+     * thread when the returned time has passed. So {@code nanosLeft} changes nothing, and depends only on time and on state that the lock
      * guards. The caller holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {

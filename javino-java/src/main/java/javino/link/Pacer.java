@@ -13,8 +13,8 @@ import java.util.concurrent.TimeUnit;
  *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
  *       far as {@link GapEstimate} knows it, and at least that of the settings. Exception: if only one request was open and no action was
  *       written after it, the board has handled all that it received, so the first action behind the answer starts at once;
- *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as the
- *       receive buffer of an AVR. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
+ *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as an AVR's
+ *       receive buffer holds. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
  *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
  * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
@@ -22,7 +22,7 @@ import java.util.concurrent.TimeUnit;
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
-    /** A board begins its answer by then: its loop may take 50 ms, and reading its sensors too. */
+    /** A board begins its answer within this time: its loop may take 50 ms, and so may reading its sensors. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
     /** Bytes that an AVR holds unread: its buffer has 64, less a few that are being received. */
     static final int RECEIVE_BUFFER = 60;

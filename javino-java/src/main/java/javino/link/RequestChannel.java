@@ -114,7 +114,7 @@ final class RequestChannel {
         if (answer == null && board.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
         }
-        return answer == null && board.speaks2() // a session that has not begun gets a request's time to begin
+        return answer == null && board.speaks2() // a session that is not open yet gets one more request's time
                 ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
                 : answer;
     }

@@ -143,8 +143,8 @@ final class SessionLine {
     }
 
     /**
-     * Nanoseconds for one read. Nothing can end a read. Meanwhile a follower may stop waiting, or a frame may fall due whose sender does
-     * not wait. So the reader looks again and again for due frames. A follower writes them; the reader leaves it the time for that.
+     * Nanoseconds for one read. Nothing can end a read. During a read a follower may stop waiting, or a frame may fall due whose sender
+     * does not wait. So the reader looks again and again for due frames. A follower writes them, and the read leaves time for that.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {

@@ -3,7 +3,7 @@ package javino.link;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes since the last message that form no message, for a person who looks for the reason of a silence.
+ * The bytes since the last message, which form no message, for a person who looks for the cause of a silence.
  *
  * @param count number of the bytes
  * @param first the first stray bytes, at most {@link #MAX_FIRST}, a character for each byte

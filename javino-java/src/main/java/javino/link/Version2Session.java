@@ -144,7 +144,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
     }
 
-    /** The frame to write now; null: none. It is of the current session, even if another session begins before the frame is written. */
+    /** The frame to write now, of the current session even if another session begins before the write; null: none. */
     SessionLine.Outgoing next(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {

@@ -21,7 +21,7 @@ final class SerialTransport extends DriverTransport {
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final int READ_END_MILLIS = 2_000;
     private static final int CLOSE_MILLIS = 2_000;
-    /** The interval of the questions for bytes in the last slice of a wait, on a line that was used just now. */
+    /** The interval at which the driver is asked for bytes in the last slice of a wait, on a line that was used just now. */
     private static final long POLL_NANOS = 250_000L;
     /** The longest interval, on a line that has long been still: unasked messages are rare, and each question takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
@@ -35,7 +35,7 @@ final class SerialTransport extends DriverTransport {
 
     /**
      * Bytes that any driver certainly takes. This size is used for drivers that do not tell how many bytes wait, such as pseudo-terminals.
-     * A pseudo-terminal holds four times as many in Linux, and more than these in macOS at 9600 baud.
+     * A pseudo-terminal of Linux holds four times this number. One of macOS holds more than this number at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
@@ -87,7 +87,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
-        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // a bit less: a wait of one slice counts as a slice
+        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // 1 ms less, so nearly a slice counts as one
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();

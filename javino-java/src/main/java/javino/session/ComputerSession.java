@@ -31,7 +31,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final long BUSY_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
     private static final long SILENCE_NANOS = TimeUnit.SECONDS.toNanos(2);
     private static final int SILENT_REPETITIONS = 4;
-    /** The most bytes of payload of a frame with several commands. */
+    /** The longest payload, in bytes, of a frame with several commands. */
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
@@ -60,7 +60,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
-    private long heardAt; // time of the last valid frame, or at which the wait for one began
+    private long heardAt; // time of the last valid frame, or of the beginning of the wait for one
     private int silentRepetitions;
     private int impossibleNumbers; // number of frames in a row with an impossible number
     private FrameKind writing; // the frame that next() returned last

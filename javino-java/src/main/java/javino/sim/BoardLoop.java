@@ -44,7 +44,7 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // version of the message handled last
-    // the sum of all silences, as the receiver's clock: bytes that waited in a buffer or for this thread are not late
+    // the receiver's clock is the sum of all silences, so bytes that waited in a buffer or for this thread are not late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;

@@ -52,7 +52,7 @@ public final class BoardSession {
         }
     }
 
-    /** The bytes of an answer in one frame while there are rules: urgent frames then do not wait for a long one. */
+    /** The most bytes of an answer in one frame while there are rules, so that no urgent frame waits for a long frame. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;

@@ -17,7 +17,7 @@ final class BoardSocket {
     private final ReentrantLock opening = new ReentrantLock();
     private final String port;
     private final SimulatedBoard board;
-    private volatile Run current; // the latest, over or not
+    private volatile Run current; // the latest run, over or not
     private volatile boolean unplugged;
 
     BoardSocket(String port, SimulatedBoard board) {
@@ -70,7 +70,7 @@ final class BoardSocket {
         try {
             board.run(line.board());
         } catch (PortGoneException | InterruptedException e) {
-            end = "the board's program ended with its line"; // the usual way
+            end = "the board's program ended with its line"; // programs usually end in this way
         } catch (PortException | RuntimeException | Error e) {
             LOG.log(System.Logger.Level.ERROR, "the program of " + port + " failed", e);
             end = "the board's program failed with " + e;
@@ -83,7 +83,7 @@ final class BoardSocket {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");
         }
-        run.thread.interrupt(); // its time to read the last bytes is over
+        run.thread.interrupt(); // the run's time to read the last bytes is over
         try {
             run.thread.join(LAST_RUN_MILLIS);
         } catch (InterruptedException e) {

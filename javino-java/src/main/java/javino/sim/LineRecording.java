@@ -76,7 +76,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** The messages that came from the board: answers, and unasked messages with all its percepts. */
+    /** The messages that came from the board: answers, and unasked messages with all percepts of the board. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)

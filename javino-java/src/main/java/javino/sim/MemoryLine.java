@@ -203,7 +203,7 @@ public final class MemoryLine {
             }
         }
 
-        /** Returns whether {@code count} bytes have been read from this end, and no other is on its way to it. */
+        /** Returns whether {@code count} bytes have been read from this end, and no further byte is on its way to this end. */
         boolean isRead(long count) {
             lock.lock();
             try {

@@ -11,9 +11,9 @@ import javino.Transport;
  * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, this board answers requests: with the recorded board's newest message by that time,
- * counted from the first request; after the end of the recording, with the last message. Else this board sends each message unasked at its
- * time, counted from the opening of the port, and then falls silent. The board speaks both versions of the protocol, and takes any command.
+ * <p>If the recorded board was asked for its percepts, this board answers requests. The recording runs from the first request on. Each
+ * request gets the newest message so far, and after the end the last one. Else this board sends each message unasked at its time, counted
+ * from the opening of the port, and then falls silent. The board speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -58,8 +58,8 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * Returns a copy of this board that answers request number n with message number n, at any time. A repeated request is another request;
-     * version 2 repeats one after a late answer.
+     * Returns a copy of this board that answers request number n with message number n, at any time. A repeated request counts as another
+     * request; version 2 repeats a request whose answer is late.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
@@ -80,7 +80,7 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** The length of a round in ms. The last message takes as long as the others on average. */
+    /** The length of a round in ms. The last message gets the average time of the others. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));

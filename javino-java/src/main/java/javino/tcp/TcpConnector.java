@@ -26,7 +26,7 @@ final class TcpConnector {
     private static final int SEND_BUFFER = 4_096;
     /** Room for unread bytes: small, so outdated messages of a talkative board do not pile up. */
     private static final int RECEIVE_BUFFER = 32_768;
-    // on a resting line these reveal after seven seconds or so that the far end has vanished
+    // with these times a resting line shows after some seven seconds that the far end has vanished
     private static final int KEEPALIVE_IDLE_SECONDS = 2;
     private static final int KEEPALIVE_INTERVAL_SECONDS = 1;
     private static final int KEEPALIVE_PROBES = 5;
@@ -60,7 +60,7 @@ final class TcpConnector {
         }
     }
 
-    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which does. */
+    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which ends it. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
         try {

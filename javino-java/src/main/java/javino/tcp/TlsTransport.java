@@ -57,7 +57,7 @@ final class TlsTransport extends TcpTransport {
         }
     }
 
-    /** Ends TLS. This needs a lock of the TLS socket that a waiting write may hold; closing the TCP socket beneath ends that write. */
+    /** Ends TLS. A waiting write may hold the TLS socket's lock, which this needs; closing the TCP socket beneath ends the write. */
     private void sayFarewell() {
         try {
             BlockingCall.start("close " + name(), () -> {

@@ -10,7 +10,7 @@ public enum FrameKind {
     ASK(0x20),
     /** Requests a page of the vocabulary. */
     DESCRIBE(0x28),
-    /** Commands. The first has the frame's number, each further one the next number. */
+    /** Commands. The first command has the frame's number, and each further command the next number. */
     COMMANDS(0x30),
     /** Like {@link #COMMANDS}; the computer has also seen that the last command was refused. */
     COMMANDS_WITH_RESUME(0x31),

@@ -20,7 +20,7 @@ internal enum class Bounded(val words: String) {
  * A line, a board and the work on them.
  *
  * @property intervalMs the sensing interval
- * @property percepts number of percepts that the board has besides the measured ones, each with a number of this many [digits]
+ * @property percepts number of the board's percepts besides the measured ones, each with a number of [digits] digits
  */
 internal data class BoundsCase(
     val baud: Int, val times: BoardTimes, val intervalMs: Int, val percepts: Int, val digits: Int, val hasRules: Boolean,

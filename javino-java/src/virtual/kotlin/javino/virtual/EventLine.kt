@@ -69,7 +69,7 @@ internal class EventLine(
 
     override fun close() = link.close()
 
-    /** Ends the waiting read, so its thread writes the queued commands; no other thread would. */
+    /** Ends the waiting read, so its thread writes the queued commands; no other thread writes them. */
     fun wake() {
         isWoken = true
     }

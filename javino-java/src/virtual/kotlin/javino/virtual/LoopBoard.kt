@@ -44,8 +44,8 @@ internal class LoopBoard(
     private val parts = ArrayDeque<ByteArray>()
     private val outgoing = ArrayDeque<Pair<Long, ByteArray>>()
     private val buffer = ByteArray(1024)
-    private var now = 0L // the program's time, ahead of the line's while the program works
-    private var spent = 0L // time that the program has spent since now
+    private var now = 0L // the program's time; while the program works, it is ahead of the line's time
+    private var spent = 0L // time that the program has spent since the time `now`
     private var lineFreeAt = 0L
     private var lookedAt = -LOOK_NANOS
     private var messages = 0 // number of messages handled in this call
@@ -71,7 +71,7 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Draws a time, often the longest, which decides about bounds. */
+    /** Draws a time, often the longest, since the longest decides about bounds. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
     /** Reads the sensors of the rules, handles a message, or ends the call if there is none. */

@@ -15,17 +15,21 @@ import kotlin.io.path.writeText
 internal class Fleet private constructor(
     private val project: Path,
     val ports: Map<String, Int>,
+    private val java: String,
+    private val classPath: String,
     private val printed: (String) -> Unit,
 ) : AutoCloseable {
-    private val computers = ports.keys.associateWithTo(LinkedHashMap()) { FleetComputer.start(project, it, printed) }
+    private val computers = ports.keys.associateWithTo(LinkedHashMap(), ::started)
 
     /** Ends the process of [computer] as a power failure does. */
     fun kill(computer: String) = computers.getValue(computer).kill()
 
     /** Starts the process of [computer] again. */
     fun start(computer: String) {
-        computers[computer] = FleetComputer.start(project, computer, printed)
+        computers[computer] = started(computer)
     }
+
+    private fun started(computer: String) = FleetComputer.start(project, computer, java, classPath, printed)
 
     fun isAlive(computer: String) = computers.getValue(computer).isAlive
 
@@ -41,16 +45,22 @@ internal class Fleet private constructor(
         /**
          * Starts them from a copy of the project, in which they listen at free ports.
          *
+         * @param java the path of Java's program; that of this program by default
+         * @param classPath the places of classes; those of this program by default
          * @param printed receives each line that they print, from threads of their own
          */
-        fun start(printed: (String) -> Unit): Fleet {
+        fun start(
+            java: String = Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            classPath: String = System.getProperty("java.class.path"),
+            printed: (String) -> Unit,
+        ): Fleet {
             val directory = createTempDirectory("fleet")
             FILES.forEach { directory.resolve(it).writeText(source(it)) }
             val project = directory.resolve(FILES.first())
             val names = ADDRESS.findAll(project.readText()).map { it.groupValues[1] }.toList()
             val ports = names.zip(freePorts(names.size)).toMap()
             project.writeText(ADDRESS.replace(project.readText()) { "${it.groupValues[1]}(\"127.0.0.1:${ports[it.groupValues[1]]}\")" })
-            return Fleet(project, ports, printed)
+            return Fleet(project, ports, java, classPath, printed)
         }
 
         private fun source(file: String): String =

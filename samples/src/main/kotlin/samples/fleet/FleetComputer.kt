@@ -40,11 +40,10 @@ internal class FleetComputer private constructor(
     companion object {
         private const val PATIENCE_S = 5L
 
-        /** Starts the computer [name] of [project], a `.mas2j` file. */
-        fun start(project: Path, name: String, printed: (String) -> Unit): FleetComputer {
-            val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
-            val program = listOf("-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), "argo.fleet.MainKt")
-            val process = ProcessBuilder(listOf(java) + program + listOf("${project.fileName}", "--at", name))
+        /** Starts the computer [name] of [project], a `.mas2j` file, by [java] on [classPath]. */
+        fun start(project: Path, name: String, java: String, classPath: String, printed: (String) -> Unit): FleetComputer {
+            val program = listOf("-XX:TieredStopAtLevel=1", "-cp", classPath, "argo.fleet.MainKt", "${project.fileName}", "--at", name)
+            val process = ProcessBuilder(listOf(java) + program)
                 .directory(project.parent.toFile()).redirectErrorStream(true).start()
             return FleetComputer(name, process, printed)
         }

@@ -2,10 +2,13 @@ package samples.fleet
 
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.core.test.Enabled
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldNotContain
 import samples.Program
+import samples.bare.newestJava
+import java.io.File
 import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -18,36 +21,23 @@ private const val LIMIT_S = 300L
 private const val CONNECT_LIMIT_MS = 2_000
 
 class FleetSpec : FunSpec({
+    val newest = newestJava()
+    val runsNewest = if (newest.feature >= 21) Enabled.enabled
+    else Enabled.disabled("the newest Jason needs Java 21, and the newest here is ${newest.feature}")
+    val newestJason = System.getProperty("java.class.path").split(File.pathSeparator).filterNot { "jason-interpreter" in it }
+        .plus(System.getProperty("newest.jason.jar")).joinToString(File.pathSeparator)
+
     test("when the process of a robot is killed, the other one gets its places; when the coordinator's is, it goes on elsewhere").config(
         tags = thorough,
-    ) {
-        val lines = Lines()
-        Fleet.start(lines::add).use { fleet ->
-            lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
-            for (scout in listOf("scout1", "scout2")) lines.await { "$scout has visited" in it } // again and again, in any order
-            val orphaned = lines.watched("scout2")
+    ) { shouldGoOn { Fleet.start(printed = it) } }
 
-            fleet.kill("scout2")
-            lines.await { it.endsWith("scout2 is lost") }
-            lines.await { watched("scout1").size == 4 }
-            for (place in orphaned) lines.await { it.endsWith("scout1 has visited $place") }
-
-            fleet.start("scout2")
-            lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
-
-            fleet.kill("base")
-            lines.await { it.endsWith("coordinator runs on scout1 now, with what it believed") }
-            lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
-
-            fleet.start("base")
-            lines.await { "scout1 has visited" in it }
-            listOf("base", "scout1", "scout2").all(fleet::isAlive) shouldBe true
-        }
+    test("the same with the newest Jason").config(tags = thorough, enabledOrReasonIf = { runsNewest }) {
+        shouldGoOn { Fleet.start(newest.program, newestJason, it) }
     }
 
     test("nothing of it listens beyond this computer, and nothing is left of it") {
         val lines = Lines()
-        val fleet = Fleet.start(lines::add)
+        val fleet = Fleet.start(printed = lines::add)
         fleet.use {
             lines.await { it.endsWith("scout1 is there") }
             fleet.ports.values.filterNot { isOpen(InetAddress.getByName("127.0.0.1"), it) }.shouldBeEmpty()
@@ -68,6 +58,32 @@ class FleetSpec : FunSpec({
         }
     }
 })
+
+/** Kills processes of the fleet that [start] starts, and waits until the others have taken over. */
+private fun shouldGoOn(start: ((String) -> Unit) -> Fleet) {
+    val lines = Lines()
+    start(lines::add).use { fleet ->
+        lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
+        for (scout in listOf("scout1", "scout2")) lines.await { "$scout has visited" in it } // again and again, in any order
+        val orphaned = lines.watched("scout2")
+
+        fleet.kill("scout2")
+        lines.await { it.endsWith("scout2 is lost") }
+        lines.await { watched("scout1").size == 4 }
+        for (place in orphaned) lines.await { it.endsWith("scout1 has visited $place") }
+
+        fleet.start("scout2")
+        lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
+
+        fleet.kill("base")
+        lines.await { it.endsWith("coordinator runs on scout1 now, with what it believed") }
+        lines.await { watched("scout1").size == 2 && watched("scout2").size == 2 }
+
+        fleet.start("base")
+        lines.await { "scout1 has visited" in it }
+        listOf("base", "scout1", "scout2").all(fleet::isAlive) shouldBe true
+    }
+}
 
 /**
  * Returns the addresses of this computer beside 127.0.0.1. On Linux all of 127 reaches a program that listens everywhere, but not one that

@@ -103,7 +103,8 @@ internal object FilterRules : Rule {
     private fun drops(filter: PerceptionFilter, literal: Literal): Boolean {
         val values = literal.arguments.map(RobotRules::valueOf)
         val percept = literal.functor + if (values.isEmpty()) "" else values.joinToString(",", "(", ")") { it ?: "0" }
-        fun isSure(condition: Condition) = condition is Condition.Argument && values.getOrNull(condition.index) != null
+        fun isSure(condition: Condition) =
+            condition is Condition.Argument && condition.until == null && values.getOrNull(condition.index) != null
         fun mayMeet(rule: FilterRule) =
             PerceptionFilter("one", FilterRule(rule.predicate, rule.conditions.filter(::isSure), rule.arity)).matcher().drops(percept)
         if (filter.critical.any { mayMeet(it.rule) }) return false

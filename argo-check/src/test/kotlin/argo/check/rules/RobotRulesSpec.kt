@@ -106,6 +106,14 @@ class RobotRulesSpec : FunSpec({
         found("$agent\n-ready <- argo.change_filter(none).", front).shouldBeEmpty()
     }
 
+    test("a filter may let a percept through that is behind its first limit and not at the second one") {
+        fun filter(until: String) = "filters/near.xml" to "<PerceptionFilter keep='true'><filter><predicate>dist</predicate>" +
+            "<parameter id='1' operator='LT' $until>40</parameter></filter><filter><predicate>ready</predicate></filter></PerceptionFilter>"
+        val agent = "+ready <- argo.change_filter(near).\n+dist(front,43) <- .print(a)."
+        found(agent, filter("")).single() shouldContain "filter-drops"
+        found(agent, filter("until='45'")).shouldBeEmpty()
+    }
+
     test("a line of a file of percepts that cannot be read is told of") {
         findingsIn(root, mas, "robot.asl" to "",
             "percepts" to "# a comment\ndist(cm 0..400)\nlight[1]\n").map { "${it.place.begin} ${it.rule}" } shouldContainExactly

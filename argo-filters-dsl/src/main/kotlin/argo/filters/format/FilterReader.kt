@@ -6,12 +6,14 @@ import argo.filters.Deadband
 import argo.filters.FilterException
 import argo.filters.GroundTerm
 import argo.filters.Operator
+import argo.filters.Outliers
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
@@ -30,42 +32,83 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
 
 /** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
+    /** The members [names] of an argument that say something beside a condition; [read] takes them, with the argument's index if known. */
+    private class Besides(val names: List<String>, val read: (members: Map<String, Member>, index: Int?) -> Unit)
 
     fun filter(node: FilterNode): PerceptionFilter? {
-        val members = members(node, "a filter", RULES, CRITICAL, KEEP, ON_SWITCH) ?: return null
+        val members = members(node, "a filter", RULES, CRITICAL, SMOOTH, KEEP, ON_SWITCH) ?: return null
         if (RULES !in members) report(node.position, "the filter has no \"$RULES\"; expected an array of rules, which may be empty")
-        val keep = scalar(members[KEEP], Scalar::isBare, "true or false") { it.trim().toBooleanStrictOrNull() } ?: false
+        val keep = truth(members[KEEP])
         val onSwitch = scalar(members[ON_SWITCH], Scalar::isText, "forget or freeze") { written ->
             OnSwitch.entries.find { it.name.lowercase() == written.trim() }
         }
         val rules = items(members[RULES]).mapNotNull(::rule)
         val critical = items(members[CRITICAL]).mapNotNull(::criticalRule)
-        return PerceptionFilter(name, rules, if (keep) Mode.KEEP else Mode.DROP, onSwitch ?: OnSwitch.FORGET, critical)
+        val smoothing = items(members[SMOOTH]).mapNotNull(::smoothingRule)
+        return PerceptionFilter(name, rules, if (keep) Mode.KEEP else Mode.DROP, onSwitch ?: OnSwitch.FORGET, critical, smoothing)
     }
 
     private fun rule(node: FilterNode): Rule? {
         val members = members(node, "a rule", PREDICATE, CONDITIONS, ARITY, EVERY_MS, DEADBAND) ?: return null
         val deadbands = LinkedHashMap<Int?, Deadband>()
         members[DEADBAND]?.let { deadband(it, null, deadbands) }
-        val rule = rule(node, members, deadbands)
+        val rule = rule(node, members, Besides(listOf(DEADBAND)) { said, index ->
+            if (index != null) deadband(said.getValue(DEADBAND), index, deadbands)
+        })
         val everyMs = wholeNumber(members[EVERY_MS], 1..Long.MAX_VALUE)
         val rate = if (everyMs == null && deadbands.isEmpty()) null else Rate(everyMs, deadbands.values.toSet())
         return rule?.copy(rate = rate)
     }
 
     private fun criticalRule(node: FilterNode): CriticalRule? {
-        val members = members(node, "a critical rule", PREDICATE, CONDITIONS, ARITY, REFLEX) ?: return null
-        val rule = rule(node, members, null)
+        val members = members(node, "a critical rule", PREDICATE, CONDITIONS, ARITY, REFLEX, SMOOTHED) ?: return null
+        val rule = rule(node, members, Besides(listOf(DEADBAND)) { said, _ ->
+            report(said.getValue(DEADBAND).position, "a deadband in a critical rule; a critical percept is never held back")
+        })
         val reflex = members[REFLEX]?.let { member ->
             text(member)?.let { text -> problems.reporting(member.value.position) { text.also(CriticalRule::requireSendable) } }
         }
-        return rule?.let { CriticalRule(it, reflex) }
+        val smoothed = truth(members[SMOOTHED])
+        return rule?.let { CriticalRule(it, reflex, smoothed) }
     }
 
-    /** Returns the rule without its rate. Deadbands of its arguments go to [deadbands]; if that is null, they are refused. */
-    private fun rule(node: FilterNode, members: Map<String, Member>, deadbands: MutableMap<Int?, Deadband>?): Rule? {
+    private fun smoothingRule(node: FilterNode): SmoothingRule? {
+        val members = members(node, "a smoothing rule", PREDICATE, CONDITIONS, ARITY, ANNOTATE) ?: return null
+        val smoothed = ArrayList<Pair<Int?, Map<String, Member>>>()
+        val rule = rule(node, members, Besides(SMOOTHING) { said, index -> smoothed += index to said })
+        val annotates = truth(members[ANNOTATE])
+        smoothed.drop(1).forEach { (_, said) ->
+            report(said.getValue(ARGUMENT).position, "a second argument that is smoothed; expected one, and another rule for the other")
+        }
+        val (index, said) = smoothed.firstOrNull() ?: run {
+            report(node.position, "the rule smooths no argument; expected ${SMOOTHING.joinToString(" or ")} of one")
+            return null
+        }
+        val outliers = outliers(said)
+        val maxRate = positive(said[MAX_RATE], "by which the argument can change in a second")
+        val median = window(said[MEDIAN])
+        if (rule == null || index == null || maxRate == null && outliers == null && median == null) return null
+        return problems.reporting(node.position) { SmoothingRule(rule, index, maxRate, outliers, median, annotates) }
+    }
+
+    private fun outliers(said: Map<String, Member>): Outliers? {
+        if (OUTLIERS !in said) said[AMONG]?.let { report(it.position, "\"$AMONG\" without \"$OUTLIERS\", whose number of percepts it is") }
+        val deviations = scalar(said[OUTLIERS], Scalar::isBare, "a number of deviations from 1, as in 3") { written ->
+            number(written)?.takeIf { it >= 1 && it.isFinite() }
+        }
+        val among = window(said[AMONG]) ?: Outliers.AMONG
+        return deviations?.let { Outliers(it, among) }
+    }
+
+    private fun window(member: Member?): Int? =
+        scalar(member, Scalar::isBare, "an odd number of percepts from 3 to ${SmoothingRule.MAX_WINDOW}") { written ->
+            written.trim().toIntOrNull()?.takeIf { it in 3..SmoothingRule.MAX_WINDOW && it % 2 == 1 }
+        }
+
+    /** The rule without its rate. What it says of its arguments beside conditions goes to [besides]. */
+    private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
-        val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, deadbands) }
+        val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, besides) }
         val arity = index(members[ARITY])
         return predicate(members[PREDICATE], "predicate")?.let { Rule(it, conditions, arity) }
     }
@@ -76,38 +119,39 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    private fun condition(node: FilterNode, deadbands: MutableMap<Int?, Deadband>?): Condition? {
-        val members = members(node, "a condition", ARGUMENT, ANNOTATION, OPERATOR, VALUE, LIMITS, DEADBAND) ?: return null
+    /** The condition of [node]; null if [node] says only something beside conditions, or the condition is refused. */
+    private fun condition(node: FilterNode, besides: Besides): Condition? {
+        val known = listOf(ARGUMENT, ANNOTATION, OPERATOR, VALUE, UNTIL, LIMITS) + besides.names
+        val members = members(node, "a condition", *known.toTypedArray()) ?: return null
         if ((ARGUMENT in members) == (ANNOTATION in members)) {
             report(node.position, "the condition has both or neither of \"$ARGUMENT\" and \"$ANNOTATION\"; expected one of them")
             return null
         }
-        return if (ARGUMENT in members) argument(node, members, deadbands) else annotation(node, members)
+        return if (ARGUMENT in members) argument(node, members, besides) else annotation(node, members, besides)
     }
 
-    private fun argument(node: FilterNode, members: Map<String, Member>, deadbands: MutableMap<Int?, Deadband>?): Condition? {
+    private fun argument(node: FilterNode, members: Map<String, Member>, besides: Besides): Condition? {
         refuse(members, LIMITS, "an argument")
         val index = index(members[ARGUMENT])
-        val deadband = members[DEADBAND]
-        if (deadband != null) {
-            if (deadbands == null) report(deadband.position, "a deadband in a critical rule; a critical percept is never held back")
-            else if (index != null) deadband(deadband, index, deadbands)
-            if (OPERATOR !in members && VALUE !in members) return null
+        if (besides.names.any(members::containsKey)) {
+            besides.read(members, index)
+            if (OPERATOR !in members && VALUE !in members && UNTIL !in members) return null
         }
         val test = test(node, members)
-        return if (index == null || test == null) null else Condition.Argument(index, test)
+        val until = scalar(members[UNTIL], Scalar::isBare, "a number, the second limit", ::number)
+        if (index == null || test == null) return null
+        val at = members[UNTIL]?.value?.position ?: node.position
+        return problems.reporting(at) { Condition.Argument(index, test, until) }
     }
 
     private fun deadband(member: Member, index: Int?, deadbands: MutableMap<Int?, Deadband>) {
-        val width = scalar(member, Scalar::isBare, "a number above 0, by which the argument must move") { written ->
-            (GroundTerm.ofOrNull(written) as? GroundTerm.Number)?.value?.takeIf { it > 0 && it.isFinite() }
-        } ?: return
+        val width = positive(member, "by which the argument must move") ?: return
         val earlier = deadbands.put(index, Deadband(index, width))
         if (earlier != null) report(member.position, "a second deadband for the argument $index; expected one")
     }
 
-    private fun annotation(node: FilterNode, members: Map<String, Member>): Condition? {
-        refuse(members, DEADBAND, "an annotation")
+    private fun annotation(node: FilterNode, members: Map<String, Member>, besides: Besides): Condition? {
+        (besides.names + UNTIL).forEach { refuse(members, it, "an annotation") }
         val tests = when {
             LIMITS in members -> limits(members)
             OPERATOR in members || VALUE in members -> listOfNotNull(test(node, members))
@@ -152,6 +196,14 @@ internal class FilterReader(private val problems: Problems, private val name: St
         scalar(member, Scalar::isBare, "a whole number from ${range.first}") { written ->
             written.trim().takeIf { number -> number.all { it in '0'..'9' } }?.toLongOrNull()?.takeIf { it in range }
         }
+
+    private fun truth(member: Member?): Boolean =
+        scalar(member, Scalar::isBare, "true or false") { it.trim().toBooleanStrictOrNull() } ?: false
+
+    private fun positive(member: Member?, meaning: String): Double? =
+        scalar(member, Scalar::isBare, "a number above 0, $meaning") { written -> number(written)?.takeIf { it > 0 && it.isFinite() } }
+
+    private fun number(written: String): Double? = (GroundTerm.ofOrNull(written) as? GroundTerm.Number)?.value
 
     private fun text(member: Member?): String? = scalar(member, Scalar::isText, "text") { it }
 
@@ -206,6 +258,17 @@ internal class FilterReader(private val problems: Problems, private val name: St
         const val OPERATOR = "operator"
         const val VALUE = "value"
         const val LIMITS = "limits"
+        const val UNTIL = "until"
+        const val SMOOTH = "smooth"
+        const val SMOOTHED = "smoothed"
+        const val ANNOTATE = "annotate"
+        const val MAX_RATE = "maxRate"
+        const val OUTLIERS = "outliers"
+        const val AMONG = "among"
+        const val MEDIAN = "median"
+
+        /** The members of an argument that a smoothing rule smooths. */
+        val SMOOTHING = listOf(MAX_RATE, OUTLIERS, AMONG, MEDIAN)
         private val NUMBER = Regex("-?\\d.*")
     }
 }

@@ -1,11 +1,13 @@
 package argo.filters.format
 
 import argo.filters.Condition
+import argo.filters.CriticalRule
 import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import com.fasterxml.jackson.core.JsonFactory
 import com.fasterxml.jackson.core.JsonGenerator
@@ -27,25 +29,44 @@ internal class JsonFilterWriter {
     private fun filter(filter: PerceptionFilter) = mapOf(
         "keep" to true.takeIf { filter.mode == Mode.KEEP },
         "onSwitch" to "freeze".takeIf { filter.onSwitch == OnSwitch.FREEZE },
-        "critical" to filter.critical.map { rule(it.rule, it.reflex) }.ifEmpty { null },
+        "smooth" to filter.smoothing.map(::smoothing).ifEmpty { null },
+        "critical" to filter.critical.map { rule(it.rule, it) }.ifEmpty { null },
         "rules" to filter.rules.map { rule(it) },
     )
 
-    private fun rule(rule: Rule, reflex: String? = null): Map<String, Any?> {
+    private fun rule(rule: Rule, critical: CriticalRule? = null): Map<String, Any?> {
         val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
         val deadbands = some.map { mapOf("argument" to it.argument, "deadband" to GroundTerm.Number(it.width)) }
         return mapOf(
             "predicate" to rule.predicate,
             "arity" to rule.arity,
-            "reflex" to reflex,
+            "smoothed" to critical?.smoothed?.takeIf { it },
+            "reflex" to critical?.reflex,
             "everyMs" to rule.rate?.everyMs,
             "deadband" to all.firstOrNull()?.let { GroundTerm.Number(it.width) },
             "conditions" to (rule.conditions.map(::condition) + deadbands).ifEmpty { null },
         )
     }
 
+    private fun smoothing(smoothing: SmoothingRule): Map<String, Any?> {
+        val smoothed = mapOf(
+            "argument" to smoothing.argument,
+            "maxRate" to smoothing.maxRate?.let(GroundTerm::Number),
+            "outliers" to smoothing.outliers?.let { GroundTerm.Number(it.deviations) },
+            "among" to smoothing.outliers?.among,
+            "median" to smoothing.median,
+        )
+        return mapOf(
+            "predicate" to smoothing.rule.predicate,
+            "arity" to smoothing.rule.arity,
+            "annotate" to smoothing.annotates.takeIf { it },
+            "conditions" to smoothing.rule.conditions.map(::condition) + smoothed,
+        )
+    }
+
     private fun condition(condition: Condition): Map<String, Any?> = when (condition) {
-        is Condition.Argument -> mapOf("argument" to condition.index) + test(condition.test)
+        is Condition.Argument ->
+            mapOf("argument" to condition.index) + test(condition.test) + mapOf("until" to condition.until?.let(GroundTerm::Number))
         is Condition.Annotation -> mapOf("annotation" to condition.name) + when (condition.tests.size) {
             0 -> emptyMap()
             1 -> test(condition.tests.single())

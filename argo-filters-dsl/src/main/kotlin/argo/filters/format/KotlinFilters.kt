@@ -1,10 +1,12 @@
 package argo.filters.format
 
 import argo.filters.Condition
+import argo.filters.CriticalRule
 import argo.filters.Deadband
 import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.usableName
 
@@ -32,18 +34,31 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
         val verb = filter.mode.name.lowercase()
         val onSwitch = if (freezes) ", OnSwitch.FREEZE" else ""
         line(0, "val ${kotlinName(filter.name)} = ${verb}Filter(${kotlinString(usableName(filter.name))}$onSwitch) {")
-        filter.critical.forEach { rule("critical", it.rule, it.reflex) }
+        filter.smoothing.forEach { rule("smooth", it.rule, smoothing(it)) }
+        filter.critical.forEach { rule("critical", it.rule, critical(it)) }
         filter.rules.forEach { rule(verb, it) }
         line(0, "}")
         return text.toString()
     }
 
-    private fun rule(verb: String, rule: Rule, reflex: String? = null) {
+    private fun smoothing(rule: SmoothingRule): List<String> {
+        val argument = "argument(${rule.argument})"
+        return listOfNotNull(
+            rule.maxRate?.let { "$argument maxRate ${number(it)}" },
+            rule.outliers?.let { "$argument.outliers(${number(it.deviations)}, among = ${it.among})" },
+            rule.median?.let { "$argument median $it" },
+            "annotate()".takeIf { rule.annotates },
+        )
+    }
+
+    private fun critical(rule: CriticalRule) =
+        listOfNotNull("smoothed()".takeIf { rule.smoothed }, rule.reflex?.let { "reflex(${kotlinString(it)})" })
+
+    private fun rule(verb: String, rule: Rule, own: List<String> = emptyList()) {
         val head = "$verb(${kotlinString("${rule.predicate}")})"
         val rate = rule.rate
         val statements = listOfNotNull(rule.arity?.let { "arity($it)" }, rate?.everyMs?.let { "everyMs($it)" }) +
-            rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition) +
-            listOfNotNull(reflex?.let { "reflex(${kotlinString(it)})" })
+            rate?.deadbands.orEmpty().map(::deadband) + rule.conditions.map(::condition) + own
         when (statements.size) {
             0 -> line(1, head)
             1 -> line(1, "$head { ${statements.single()} }")
@@ -61,7 +76,8 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     }
 
     private fun condition(condition: Condition): String = when (condition) {
-        is Condition.Argument -> "argument(${condition.index}) ${infix(condition.test)}"
+        is Condition.Argument ->
+            "argument(${condition.index}) ${infix(condition.test)}" + condition.until?.let { " until ${number(it)}" }.orEmpty()
         is Condition.Annotation -> annotation(kotlinString("${condition.name}"), condition.tests)
     }
 

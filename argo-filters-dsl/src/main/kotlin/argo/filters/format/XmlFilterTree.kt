@@ -15,17 +15,14 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         }
         noText(root)
         val attributes = attributes(root, FilterReader.KEEP, FilterReader.ON_SWITCH).values
-        val (rules, critical) = children(root, FILTER, FilterReader.CRITICAL).partition { it.name == FILTER }
-        val arrays = listOf(
-            array(root, FilterReader.RULES, rules) { rule(it, FilterReader.ARITY, FilterReader.EVERY_MS, FilterReader.DEADBAND) },
-            array(root, FilterReader.CRITICAL, critical) { rule(it, FilterReader.ARITY, FilterReader.REFLEX) },
-        )
+        val rules = children(root, FILTER, FilterReader.CRITICAL, FilterReader.SMOOTH).groupBy { it.name }
+        val arrays = RULES.map { (name, kind) -> array(root, kind.member, rules[name].orEmpty()) { rule(it, kind) } }
         return FilterNode.Object(root.position, attributes + arrays)
     }
 
-    private fun rule(element: XmlElement, vararg known: String): FilterNode {
+    private fun rule(element: XmlElement, kind: RuleKind): FilterNode {
         noText(element)
-        val attributes = attributes(element, *known).values
+        val attributes = attributes(element, *kind.attributes).values
         val (predicates, conditions) =
             children(element, FilterReader.PREDICATE, PARAMETER, *ANNOTATION).partition { it.name == FilterReader.PREDICATE }
         predicates.drop(1).forEach {
@@ -36,7 +33,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
             predicates.map(::predicate).firstOrNull()
                 ?: missing(element, "the rule has no predicate; expected one, as in <predicate>dist</predicate>"),
         )
-        val array = array(element, FilterReader.CONDITIONS, conditions) { if (it.name == PARAMETER) argument(it) else annotation(it) }
+        val array = array(element, FilterReader.CONDITIONS, conditions) { if (it.name == PARAMETER) argument(it, kind) else annotation(it) }
         return FilterNode.Object(element.position, attributes + predicate + array)
     }
 
@@ -46,12 +43,13 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return text(element, "the predicate is empty; expected a functor, as in dist or ~open")
     }
 
-    private fun argument(element: XmlElement): FilterNode {
-        val attributes = attributes(element, ID, FilterReader.OPERATOR, FilterReader.DEADBAND)
+    private fun argument(element: XmlElement, kind: RuleKind): FilterNode {
+        val attributes = attributes(element, ID, FilterReader.OPERATOR, FilterReader.UNTIL, *kind.ofArguments)
         children(element)
         val id = required(element, ID, attributes, "expected id=\"0\" for the first argument, id=\"1\" for the second")
-        val isDeadband = FilterReader.DEADBAND in attributes && FilterReader.OPERATOR !in attributes && element.text.isEmpty()
-        val value = if (isDeadband) null else value(element)
+        val isCondition = kind.ofArguments.none(attributes::containsKey) || element.text.isNotEmpty() ||
+            FilterReader.OPERATOR in attributes || FilterReader.UNTIL in attributes
+        val value = if (isCondition) value(element) else null
         return FilterNode.Object(element.position, attributes.minus(ID).values + listOfNotNull(id, value))
     }
 
@@ -115,7 +113,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
 
     private fun member(attribute: XmlAttribute): Member {
         val (name, text) = attribute.name to attribute.value
-        val words = if (name == ID || name == FilterReader.DEADBAND) "the $name '$text'" else "$name=\"$text\""
+        val words = if (name == ID || name in NUMBERS) "the $name '$text'" else "$name=\"$text\""
         return Member(MEMBER_OF[name] ?: name, attribute.position, Scalar(attribute.position, text, isText = true, isBare = true), words)
     }
 
@@ -134,6 +132,15 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
 
     private fun report(at: Position, message: String) = problems.report(at, message)
 
+    /**
+     * A kind of rules.
+     *
+     * @param member the member of the filter that holds them
+     * @param attributes what a rule may have
+     * @param ofArguments what its parameters may have beside a condition
+     */
+    private class RuleKind(val member: String, val attributes: Array<String>, val ofArguments: Array<String>)
+
     private companion object {
         const val ROOT = "PerceptionFilter"
         const val FILTER = "filter"
@@ -142,7 +149,25 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         const val ID = "id"
         const val NAME = "name"
 
-        /** The names of members whose attributes have other names. */
+        /** The kinds of rules by the names of their elements. */
+        val RULES = mapOf(
+            FILTER to RuleKind(
+                FilterReader.RULES, arrayOf(FilterReader.ARITY, FilterReader.EVERY_MS, FilterReader.DEADBAND),
+                arrayOf(FilterReader.DEADBAND),
+            ),
+            FilterReader.CRITICAL to RuleKind(
+                FilterReader.CRITICAL, arrayOf(FilterReader.ARITY, FilterReader.REFLEX, FilterReader.SMOOTHED),
+                arrayOf(FilterReader.DEADBAND),
+            ),
+            FilterReader.SMOOTH to RuleKind(
+                FilterReader.SMOOTH, arrayOf(FilterReader.ARITY, FilterReader.ANNOTATE), FilterReader.SMOOTHING.toTypedArray(),
+            ),
+        )
+
+        /** Attributes that hold numbers. */
+        val NUMBERS = FilterReader.SMOOTHING + FilterReader.DEADBAND + FilterReader.UNTIL
+
+        /** The members that attributes of other names become. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
         /** Files of earlier versions contain the second spelling. [XmlTree] knows their other spellings. */

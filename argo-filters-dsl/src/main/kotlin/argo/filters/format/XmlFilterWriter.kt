@@ -1,10 +1,10 @@
 package argo.filters.format
 
 import argo.filters.Condition
-import argo.filters.Deadband
 import argo.filters.GroundTerm
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 
 /** Writes filters in the canonical XML form: with every operator, and the parts of a rule in the order of the model. */
@@ -15,28 +15,40 @@ internal class XmlFilterWriter {
     fun write(filter: PerceptionFilter): String {
         val keep = if (filter.mode == PerceptionFilter.Mode.KEEP) "true" else null
         val onSwitch = if (filter.onSwitch == PerceptionFilter.OnSwitch.FREEZE) "freeze" else null
-        element("PerceptionFilter", "keep" to keep, "onSwitch" to onSwitch, isEmpty = filter.critical.isEmpty() && filter.rules.isEmpty()) {
-            filter.critical.forEach { rule("critical", it.rule, "reflex" to it.reflex) }
+        val isEmpty = filter.smoothing.isEmpty() && filter.critical.isEmpty() && filter.rules.isEmpty()
+        element("PerceptionFilter", "keep" to keep, "onSwitch" to onSwitch, isEmpty = isEmpty) {
+            filter.smoothing.forEach(::smoothing)
+            filter.critical.forEach { rule("critical", it.rule, "smoothed" to it.smoothed.orNull(), "reflex" to it.reflex) }
             filter.rules.forEach { rule("filter", it) }
         }
         return text.toString()
     }
 
-    private fun rule(name: String, rule: Rule, reflex: Pair<String, String?>? = null) {
+    private fun rule(name: String, rule: Rule, vararg own: Pair<String, Any?>, more: () -> Unit = {}) {
         val (all, some) = rule.rate?.deadbands.orEmpty().partition { it.argument == null }
-        val deadband = all.firstOrNull()?.let(::width)
-        val attributes = listOfNotNull("arity" to rule.arity, reflex, "everyMs" to rule.rate?.everyMs, "deadband" to deadband)
-        element(name, *attributes.toTypedArray()) {
+        val deadband = all.firstOrNull()?.let { number(it.width) }
+        element(name, "arity" to rule.arity, *own, "everyMs" to rule.rate?.everyMs, "deadband" to deadband) {
             leaf("predicate", rule.predicate.toString())
             rule.conditions.forEach(::condition)
-            some.forEach { leaf("parameter", "", "id" to it.argument, "deadband" to width(it)) }
+            some.forEach { leaf("parameter", "", "id" to it.argument, "deadband" to number(it.width)) }
+            more()
         }
     }
 
-    private fun width(deadband: Deadband) = GroundTerm.Number(deadband.width).toString()
+    private fun smoothing(smoothing: SmoothingRule) = rule("smooth", smoothing.rule, "annotate" to smoothing.annotates.orNull()) {
+        leaf(
+            "parameter", "", "id" to smoothing.argument, "maxRate" to smoothing.maxRate?.let(::number),
+            "outliers" to smoothing.outliers?.let { number(it.deviations) }, "among" to smoothing.outliers?.among,
+            "median" to smoothing.median,
+        )
+    }
+
+    private fun Boolean.orNull() = takeIf { it }
+
+    private fun number(number: Double) = GroundTerm.Number(number).toString()
 
     private fun condition(condition: Condition) = when (condition) {
-        is Condition.Argument -> test("parameter", condition.test, "id" to condition.index)
+        is Condition.Argument -> test("parameter", condition.test, "until" to condition.until?.let(::number), "id" to condition.index)
         is Condition.Annotation -> annotation(condition)
     }
 

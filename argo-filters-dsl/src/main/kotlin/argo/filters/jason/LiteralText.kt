@@ -3,6 +3,7 @@ package argo.filters.jason
 import argo.filters.GroundTerm
 import argo.filters.GroundTermReader
 import argo.filters.matching.FilterSession
+import jason.asSyntax.ASSyntax
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.BinaryStructure
@@ -19,7 +20,10 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
 /** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. The session begins without a filter. */
-fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
+fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText) { percept ->
+    val annotation = ASSyntax.createAtom("smoothed")
+    if (percept.hasAnnot(annotation)) percept else percept.copy().apply { addAnnot(annotation) }
+}
 
 /**
  * Returns the text of [percept] as a board would send it, for filters. Never throws.

@@ -33,8 +33,16 @@ class MessageSession(
     /** Returns what the agent perceives of [message] at [nowMs]. */
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
-    /** Returns what the agent perceives of a message that has been split into the [texts] of its percepts. */
-    fun perceive(texts: List<String>, nowMs: Long): MessagePerception = literals(session.perceive(texts, nowMs))
+    /**
+     * Returns what the agent perceives of a message that has been split into the [texts] of its percepts.
+     *
+     * @param old the texts of percepts whose sensors have not been read since the last message, as for [FilterSession.perceive]
+     */
+    fun perceive(texts: List<String>, nowMs: Long, old: Set<String> = emptySet()): MessagePerception =
+        literals(session.perceive(texts, nowMs, old))
+
+    /** Forgets what was before, as [FilterSession.forget]. */
+    fun forget(): Unit = session.forget()
 
     /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */
     fun due(nowMs: Long): MessagePerception? = session.due(nowMs)?.let(::literals)

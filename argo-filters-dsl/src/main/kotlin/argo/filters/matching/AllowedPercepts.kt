@@ -6,8 +6,8 @@ import argo.filters.Operator
 import argo.filters.TermTest
 
 internal class AllowedPercepts(private val conditions: List<Condition>) {
-    private val arguments =
-        conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
+    private val arguments = conditions.filterIsInstance<Condition.Argument>()
+        .groupBy({ it.index }, { it.untilTest() ?: it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
     /** Returns, in words, conditions on one term that no term can meet together; null if none are found. */
@@ -19,7 +19,7 @@ internal class AllowedPercepts(private val conditions: List<Condition>) {
 
     /** Returns true if every percept of this set is known to meet [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
-        is Condition.Argument -> arguments[condition.index]?.imply(condition.test) == true
+        is Condition.Argument -> condition in conditions || arguments[condition.index]?.imply(condition.test) == true
         is Condition.Annotation -> annotations.any { (name, terms) -> name == condition.name && condition.tests.all(terms::imply) }
     }
 }

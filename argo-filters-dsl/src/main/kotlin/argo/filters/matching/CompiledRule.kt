@@ -10,18 +10,27 @@ import argo.filters.Operator
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.Syntax
 import argo.filters.TermTest
 
-/** A rule in a form that is fast to apply. [critical] is the critical rule with this rule; null: the rule is an ordinary one. */
-internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
+/**
+ * A rule in the form in which it is applied.
+ *
+ * @property critical the critical rule that it belongs to; null: it belongs to none
+ * @property smoothing the smoothing rule that it belongs to; null: it belongs to none
+ */
+internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, val smoothing: SmoothingRule? = null) {
     private val predicate = rule.predicate
     private val isPlain = !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
     private val arity = rule.arity ?: ANY
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]. Null as [head]: no namespace, no negation. */
+    /** True if a condition has two limits. */
+    val hasLatches: Boolean = compiled.any { it.isLatch }
+
+    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: neither namespace nor negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
@@ -29,15 +38,19 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     }
 
     /**
-     * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] describes the
-     * rest.
+     * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions, those with
+     * two limits by their [latches]; null: all are off.
      */
-    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
-        compiled.all { it.isMet(text, functorEnd, end, tail) }
+    fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
+        compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
 
     /** Returns the first condition that the percept does not meet. The parameters are those of [areMet]. */
-    fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Condition =
-        rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail) }]
+    fun failing(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Condition =
+        rule.conditions[compiled.indexOfFirst { !it.isMet(text, functorEnd, end, tail, latches) }]
+
+    /** Notes in [latches] which conditions with two limits hold for the percept from now on. The parameters are those of [areMet]. */
+    fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) =
+        compiled.forEach { if (it.isLatch) it.note(text, functorEnd, end, tail, latches) }
 
     private companion object {
         const val ANY = -1
@@ -47,17 +60,33 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
 /** A condition on an argument or on annotations, in a form that is fast to apply. */
 private class CompiledCondition(condition: Condition) {
     private val argument = (condition as? Condition.Argument)?.index ?: -1
+    private val until = (condition as? Condition.Argument)?.untilTest()?.let(::CompiledTest)
+
+    /** True if the condition has two limits. */
+    val isLatch: Boolean get() = until != null
     private val annotation = (condition as? Condition.Annotation)?.name
     private val tests = when (condition) {
         is Condition.Argument -> listOf(condition.test)
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
+    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets it. */
+    fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
         val start = TermBounds.argument(text, functorEnd, end, argument)
-        return tests[0].isMetBy(text, start, TermBounds.partEnd(text, start, end, ')'))
+        val argumentEnd = TermBounds.partEnd(text, start, end, ')')
+        return tests[0].isMetBy(text, start, argumentEnd) || until != null && latches != null && until.isMetBy(text, start, argumentEnd) &&
+            latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
+    }
+
+    /** Notes in [latches] whether it holds for the sensor of the percept from now on. */
+    fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) {
+        if (argument >= TermBounds.arity(tail)) return
+        val isOn = isMet(text, functorEnd, end, tail, latches)
+        val start = TermBounds.argument(text, functorEnd, end, argument)
+        val argumentEnd = TermBounds.partEnd(text, start, end, ')')
+        latches.set(latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail)), isOn)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {

@@ -23,6 +23,9 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
 
         /** The percept waits for a while. Until then the agent perceives the last percept of its kind that was let through. */
         HELD_BACK("is held back"),
+
+        /** Another percept of the same sensor stands for it, by a smoothing rule, and has its own fate. */
+        REPLACED("is replaced"),
     }
 
     /** `distance(right,30) is dropped by filter frontDistance: it matches rule 3: distance where argument 0 is not front`. */
@@ -37,17 +40,34 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
-        fun of(matcher: PerceptMatcher, percept: PerceptText): Explanation {
-            val critical = matcher.criticalRules(percept).firstOrNull()
+        /** Explains the fate of [percept]. It may stand for [received], which then decides over critical rules that are not smoothed. */
+        fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
+            val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
             if (critical != null) {
                 val number = matcher.filter.critical.indexOfFirst { it === critical } + 1
                 return kept("$percept", critical.rule, matcher.filter, "it matches critical rule $number: $critical")
             }
-            val met = matcher.rulesMetBy(percept)
+            val met = matcher.rulesMetBy(percept, latches)
             val rule = met.firstOrNull { matcher.filter.mode == Mode.KEEP || it.rate == null }
             val outcome = if (matcher.drops(met)) Outcome.DROPPED else Outcome.KEPT
-            val reason = if (rule == null) notMet(matcher, percept, met) else met(matcher, rule)
+            val reason = if (rule == null) notMet(matcher, percept, met, latches) else met(matcher, rule)
             return Explanation("$percept", outcome, rule?.rule, " by filter ${matcher.filter.name}: $reason")
+        }
+
+        /** Explains the fate of [percept] if it is the first of its sensor. */
+        fun ofFirst(matcher: PerceptMatcher, percept: PerceptText): Explanation {
+            val fate = of(matcher, percept, percept, null)
+            val smoothing = matcher.smoothingRule(percept) ?: return fate
+            val number = matcher.filter.smoothing.indexOfFirst { it === smoothing } + 1
+            val reason = "${fate.reason}; by smoothing rule $number ($smoothing) another percept of its sensor may stand for it"
+            return Explanation(fate.percept, fate.outcome, fate.rule, reason)
+        }
+
+        /** Explains that a percept that has the fate [of] stands for [received] by [rule], for this [reason]. */
+        fun replaced(matcher: PerceptMatcher, received: PerceptText, rule: CompiledRule, reason: String, of: Explanation): Explanation {
+            val number = matcher.filter.smoothing.indexOfFirst { it === rule.smoothing } + 1
+            val why = " by filter ${matcher.filter.name}: by smoothing rule $number (${rule.smoothing}) $reason; $of"
+            return Explanation("$received", Outcome.REPLACED, rule.rule, why)
         }
 
         fun heldBack(matcher: PerceptMatcher, percept: PerceptText, hold: Hold<*>, nowMs: Long): Explanation {
@@ -58,14 +78,14 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
 
         private fun met(matcher: PerceptMatcher, rule: CompiledRule) = "it matches ${numbered(matcher, rule)}: ${rule.rule}"
 
-        private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>): String {
+        private fun notMet(matcher: PerceptMatcher, percept: PerceptText, met: List<CompiledRule>, latches: Latches?): String {
             val rules = matcher.rulesOn(percept)
             val arguments = if (percept.arity == 1) "1 argument" else "${percept.arity} arguments"
             if (rules.isEmpty()) return "it has no rule on ${percept.predicate()} with $arguments"
             return rules.joinToString("; ") { rule ->
                 val number = numbered(matcher, rule)
                 if (rule in met) "$number holds nothing back now"
-                else "it does not match $number: ${found(percept, percept.failing(rule))}"
+                else "it does not match $number: ${found(percept, percept.failing(rule, latches))}"
             }
         }
 

@@ -4,23 +4,35 @@ import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
+import argo.filters.Predicate
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 
 /**
  * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
- * rules and conditions, and deadbands on missing arguments. A filter without rules has no effect either. Rules count from 1. Each sentence
- * is true for all percepts, but some parts without effect are not found.
+ * rules and conditions, deadbands and smoothing on missing arguments, and critical rules that are smoothed by no rule. A filter without
+ * rules has no effect either. Rules count from 1. Each sentence is true for all percepts, but some parts without effect are not found.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
     val first = critical.mapIndexed { number, rule -> ReviewedRule("critical rule ${number + 1}", rule.rule, rule) }
-    return listOfNotNull(emptiness()) + reviewed(first, emptyList()) + reviewed(ordinary, first)
+    val smooth = smoothing.mapIndexed { number, rule -> ReviewedRule("smoothing rule ${number + 1}", rule.rule, smoothing = rule) }
+    val smoothed = smoothing.map { it.rule.predicate }.toSet()
+    return listOfNotNull(emptiness()) + reviewedSmoothing(smooth) + first.mapNotNull { it.unsmoothed(smoothed) } +
+        reviewed(first, emptyList()) + reviewed(ordinary, first.filter { it.seesWhatRulesSee(smoothed) })
 }
 
 private fun PerceptionFilter.emptiness(): String? = when {
-    rules.isNotEmpty() || critical.isNotEmpty() -> null
+    rules.isNotEmpty() || critical.isNotEmpty() || smoothing.isNotEmpty() && mode == Mode.DROP -> null
     mode == Mode.KEEP -> "the filter has no rules, so it drops every percept"
     else -> "the filter has no rules, so it keeps every percept"
+}
+
+/** Returns the warnings on smoothing [rules]. The first one that a percept meets smooths it. */
+private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
+    rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
+    val other = rules.take(number).find { it.covers(rule) }
+    if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
 /** Returns the warnings on [rules]. The rules in [first] decide before [rules]. */
@@ -32,7 +44,13 @@ private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List
     if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
-private class ReviewedRule(private val name: String, private val rule: Rule, private val critical: CriticalRule? = null) {
+/** A rule of a filter called [name], with the percepts that its conditions allow. */
+private class ReviewedRule(
+    private val name: String,
+    private val rule: Rule,
+    private val critical: CriticalRule? = null,
+    private val smoothing: SmoothingRule? = null,
+) {
     private val allowed = AllowedPercepts(rule.conditions)
 
     private fun sentence(finding: String) = "$name ($rule) $finding"
@@ -43,6 +61,14 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
         return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
     }
 
+    /** Warns if the critical rule is smoothed, and no smoothing rule is on its predicate; those are on [smoothed]. */
+    fun unsmoothed(smoothed: Set<Predicate>): String? =
+        if (critical?.smoothed != true || rule.predicate in smoothed) null
+        else sentence("is smoothed, and there is no smoothing rule on ${rule.predicate}")
+
+    /** Returns true if the critical rule decides over the same percepts as ordinary rules do, if smoothing rules are on [smoothed]. */
+    fun seesWhatRulesSee(smoothed: Set<Predicate>): Boolean = critical?.smoothed == true || rule.predicate !in smoothed
+
     /** Returns true if every percept that matches [other] matches this rule. */
     fun covers(other: ReviewedRule): Boolean =
         rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
@@ -51,7 +77,8 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     /** Returns true if [other], a rule of the same list, has no effect beside this rule. */
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
-            critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
+            critical != null ->
+                critical.smoothed == other.critical?.smoothed && other.critical.reflex.let { it == null || it == critical.reflex }
             // a rule with a rate remembers percepts, so only a rule for exactly the same percepts can replace it
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
@@ -59,7 +86,11 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     }
 
     fun superfluousBeside(other: ReviewedRule): String {
-        val words = if (other.critical != null && critical == null) "keeps all percepts that match it" else "matches the same percepts"
+        val words = when {
+            other.smoothing != null -> "smooths all percepts that match it"
+            other.critical != null && critical == null -> "keeps all percepts that match it"
+            else -> "matches the same percepts"
+        }
         return sentence("has no effect: ${other.name} (${other.rule}) $words")
     }
 
@@ -74,7 +105,8 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
     }
 
     fun missingArguments(): List<String> = rule.rate?.deadbands.orEmpty().mapNotNull { it.argument }.filter(::isMissing)
-        .map { sentence("has a deadband on argument $it, and there is no such argument") }
+        .map { sentence("has a deadband on argument $it, and there is no such argument") } +
+        listOfNotNull(smoothing?.argument).filter(::isMissing).map { sentence("smooths argument $it, and there is no such argument") }
 
     private fun isMissing(index: Int) = rule.arity?.let { index >= it } == true
 }

@@ -1,15 +1,17 @@
 package argo.filters.matching
 
+import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.HeadScanner
 import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
+import argo.filters.SmoothingRule
 
 /**
  * Decides over percepts by a filter's rules. Immutable; any thread may use it.
  *
- * Rules with a [rate][argo.filters.Rate] depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats each
- * percept as the first of its kind, which no rate holds back.
+ * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
+ * each percept as the first of its sensor, which no rate holds back and which stands for itself.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
@@ -17,7 +19,13 @@ class PerceptMatcher internal constructor(
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
     private val criticalIndex = if (filter.critical.isEmpty()) null else RuleIndex(filter.critical.map { CompiledRule(it.rule, it) })
+    private val smoothingIndex =
+        if (filter.smoothing.isEmpty()) null else RuleIndex(filter.smoothing.map { CompiledRule(it.rule, smoothing = it) })
     private val drops = filter.mode == Mode.DROP
+
+    /** True if a condition has two limits, so that [Latches] decide. */
+    internal val hasLatches: Boolean = (filter.rules + filter.critical.map { it.rule })
+        .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
      * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
@@ -26,33 +34,71 @@ class PerceptMatcher internal constructor(
      * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
-    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
+    fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean = drops(percept, start, end, false, null)
+
+    /** As the other function; [isStandIn]: the percept stands for another one, so only critical rules that are smoothed count. */
+    internal fun drops(percept: CharSequence, start: Int, end: Int, isStandIn: Boolean, latches: Latches?): Boolean =
         scan(percept, start, end, false) { functor, functorEnd, tail, head ->
-            isMet(index, drops, percept, functor, functorEnd, end, tail, head) == drops &&
-                (criticalIndex == null || !isMet(criticalIndex, false, percept, functor, functorEnd, end, tail, head))
+            isMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } == drops &&
+                (criticalIndex == null || !isMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
+                    !isStandIn || it.critical?.smoothed == true
+                })
         }
 
-    /** Returns true if the percept meets a rule of [index]. If [timeless], only rules without a rate count. */
-    private fun isMet(
-        index: RuleIndex, timeless: Boolean, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
+    /** Returns true if the [percept] meets a critical rule that is not smoothed. */
+    internal fun isCritical(percept: String, latches: Latches?): Boolean =
+        criticalIndex != null && scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
+            isMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) { it.critical?.smoothed == false }
+        }
+
+    /** Returns true if the percept meets a rule of [index] that [counts]. */
+    private inline fun isMet(
+        index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
+        counts: (CompiledRule) -> Boolean,
     ): Boolean {
         for (rule in index.find(text, functor, functorEnd)) {
-            if (timeless && rule.rate != null) continue
-            if (rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail)) return true
+            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return true
         }
         return false
     }
 
+    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
+    internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? {
+        val index = smoothingIndex ?: return null
+        for (rule in index.find(text, functor, functorEnd)) {
+            if (rule.isFor(tail, head) && rule.areMet(text, functorEnd, text.length, tail, null)) return rule
+        }
+        return null
+    }
+
+    /** Notes in [latches] which conditions with two limits hold from now on, after [received] has come and [standing] stands for it. */
+    internal fun note(received: String, standing: String, latches: Latches) {
+        note(index, standing, latches) { true }
+        if (criticalIndex == null) return
+        note(criticalIndex, received, latches) { it.critical?.smoothed == false }
+        note(criticalIndex, standing, latches) { it.critical?.smoothed == true }
+    }
+
+    private inline fun note(index: RuleIndex, text: String, latches: Latches, concerns: (CompiledRule) -> Boolean) =
+        scan(text, 0, text.length, Unit) { functor, functorEnd, tail, head ->
+            for (rule in index.find(text, functor, functorEnd)) {
+                if (rule.hasLatches && concerns(rule) && rule.isFor(tail, head)) rule.note(text, functorEnd, text.length, tail, latches)
+            }
+        }
+
     /** Returns the critical rules that the text [percept] meets, in the order of the filter. Never throws. */
-    fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let(::criticalRules).orEmpty()
+    fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let { criticalRules(it, it, null) }.orEmpty()
 
     /** Explains why the filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation =
-        PerceptText.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
+        PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 
-    internal fun criticalRules(percept: PerceptText): List<CriticalRule> {
+    /** Returns the critical rules that [received] meets, or [standing], which stands for it and is of its functor and arity. */
+    internal fun criticalRules(received: PerceptText, standing: PerceptText, latches: Latches?): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
-        return percept.rulesIn(index).filter(percept::meets).mapNotNull { it.critical }
+        return received.rulesIn(index).mapNotNull { rule ->
+            rule.critical?.takeIf { (if (it.smoothed) standing else received).meets(rule, latches) }
+        }
     }
 
     /** Returns true if a percept that [met] exactly these rules, none of them critical, is dropped for good. */
@@ -60,7 +106,12 @@ class PerceptMatcher internal constructor(
 
     internal fun rulesOn(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index)
 
-    internal fun rulesMetBy(percept: PerceptText): List<CompiledRule> = percept.rulesIn(index).filter(percept::meets)
+    internal fun rulesMetBy(percept: PerceptText, latches: Latches?): List<CompiledRule> =
+        percept.rulesIn(index).filter { percept.meets(it, latches) }
+
+    /** Returns the first smoothing rule that [percept] meets; null: it meets none. */
+    internal fun smoothingRule(percept: PerceptText): SmoothingRule? =
+        smoothingIndex?.let { index -> percept.rulesIn(index).find { percept.meets(it, null) }?.smoothing }
 }
 
 /** Compiles the filter. Make the matcher once and use it for every percept. */

@@ -31,10 +31,11 @@ internal class PerceptText private constructor(
     /** Returns the rules of [index] for percepts of this name and arity, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], which is one of [rulesIn]. */
-    fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
+    /** Returns true if the percept meets the conditions of [rule], one of the rules that are for it. */
+    fun meets(rule: CompiledRule, latches: Latches?): Boolean = rule.areMet(text, functorEnd, end, tail, latches)
 
-    fun failing(rule: CompiledRule): Condition = rule.failing(text, functorEnd, end, tail)
+    /** The first condition of [rule] that the percept does not meet. */
+    fun failing(rule: CompiledRule, latches: Latches?): Condition = rule.failing(text, functorEnd, end, tail, latches)
 
     /** Returns the number at argument [index]; null if the argument is missing or no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null

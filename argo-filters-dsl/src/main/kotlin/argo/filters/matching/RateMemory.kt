@@ -15,21 +15,14 @@ internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThr
 
 /**
  * The memory of a filter's rates: the percept last let through, for each rule and each kind of percept. Percepts that differ only in
- * numbers are of one kind.
- *
- * The memory is bounded. Above [CAPACITY] kinds it forgets the kind that came longest ago, so the next percept of that kind is let through.
- * Percepts longer than [MAX_LENGTH] characters are not remembered, and so never held back.
+ * numbers are of one kind. Percepts that a [SensorMemory] has forgotten, or has no room for, are let through.
  */
-internal class RateMemory<P>(filter: PerceptionFilter?) {
-    private data class Key(val rule: CompiledRule, val percept: String)
-
+internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
     private val mode = filter?.mode
 
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
-    private val memory = object : LinkedHashMap<Key, LetThrough<P>>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
-        override fun removeEldestEntry(eldest: Map.Entry<Key, LetThrough<P>>) = size > CAPACITY
-    }
+    private val memory = SensorMemory<LetThrough<P>>()
 
     /**
      * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive one first; empty if the percept is let through or
@@ -47,16 +40,15 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
 
     fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
-            if (rule.rate == null || isLong(text)) continue
-            val key = Key(rule, text.key(ANY_NUMBER))
-            val last = memory[key]
-            if (last?.percept == percept) last.heldSinceMs = null else memory[key] = LetThrough(percept, nowMs, numbers(text))
+            if (rule.rate == null || !SensorMemory.isRoomFor(text.length)) continue
+            val last = memory[rule, text.key(ANY_NUMBER)]
+            if (last?.percept == percept) last.heldSinceMs = null else memory.put(LetThrough(percept, nowMs, numbers(text)))
         }
     }
 
     private fun hold(rule: CompiledRule, text: PerceptText, percept: P, nowMs: Long): Hold<P>? {
-        val rate = rule.rate?.takeUnless { isLong(text) } ?: return null
-        val last = memory[Key(rule, text.key(ANY_NUMBER))]?.takeIf { it.percept != percept } ?: return null
+        val rate = rule.rate?.takeIf { SensorMemory.isRoomFor(text.length) } ?: return null
+        val last = memory[rule, text.key(ANY_NUMBER)]?.takeIf { it.percept != percept } ?: return null
         if (hasMoved(rate, last, text)) return null
         val dueMs = if (rate.everyMs != null) after(last.atMs, rate.everyMs) else after(last.heldSinceMs ?: nowMs, Rate.SETTLING_MS)
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
@@ -64,8 +56,6 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
 
     /** Returns the time [ms] after [startMs], limited to [Long.MAX_VALUE]. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
-
-    private fun isLong(text: PerceptText) = text.length > MAX_LENGTH
 
     private fun hasMoved(rate: Rate, last: LetThrough<P>, text: PerceptText): Boolean = rate.deadbands.any { deadband ->
         val arguments = deadband.argument?.let(::listOf) ?: last.numbers.keys
@@ -81,10 +71,5 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     companion object {
         /** Replaces every number in a key. No term has this text. */
         const val ANY_NUMBER = "#"
-
-        private const val CAPACITY = 4_096
-        private const val MAX_LENGTH = 1_024
-        private const val INITIAL_CAPACITY = 16
-        private const val LOAD_FACTOR = 0.75f
     }
 }

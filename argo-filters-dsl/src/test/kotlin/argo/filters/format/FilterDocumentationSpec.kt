@@ -2,6 +2,7 @@ package argo.filters.format
 
 import argo.filters.Compilation
 import argo.filters.dropFilter
+import argo.filters.matching.FilterSession
 import argo.filters.matching.matcher
 import argo.filters.xml
 import io.kotest.assertions.withClue
@@ -46,12 +47,13 @@ class FilterDocumentationSpec : StringSpec({
     "its table of rules says the same in all columns" {
         val row = Regex("""\| `(<parameter.*?>|<annotation.*?>)` \| `(\{.*?})` \| `(.*?)` \|""")
         val rows = row.findAll(page).toList()
-        rows.size shouldBe 5
+        rows.size shouldBe 6
         val kotlin = listOf(
             dropFilter("f") { drop("d") { argument(0) ne "front" } },
             dropFilter("f") { drop("d") { annotation("q") lt 0.5 } },
             dropFilter("f") { drop("d") { hasAnnotation("urgent") } },
             dropFilter("f") { drop("d") { annotation("q") { gt(0); lt(1) } } },
+            dropFilter("f") { drop("d") { argument(1) lt 40 until 45 } },
             dropFilter("f") { drop("d") { argument(1) deadband 5 } },
         )
         rows.zip(kotlin).forEach { (row, expected) ->
@@ -65,6 +67,18 @@ class FilterDocumentationSpec : StringSpec({
         for (percept in listOf("distance(right,30)", "distance(front,227)")) {
             page shouldContain frontDistance.matcher().explain(percept).toString()
         }
+    }
+
+    "its example of smoothing is one filter in all forms, and is explained as it is given" {
+        val steady = dropFilter("steady") {
+            smooth("dist") { argument(1).outliers(3); argument(1) median 3 }
+            drop("dist") { argument(1) gt 200 until 180 }
+        }
+        XmlFilters.read(blocks("xml").single { "<smooth>" in it }, "page.xml") shouldBe steady
+        JsonFilters.read(blocks("json").single { "smooth" in it }, "page.json") shouldBe steady
+        val session = FilterSession.ofTexts().also { it.switchTo(steady) }
+        repeat(5) { session.perceive(listOf("dist(f,40)"), it.toLong()) }
+        page shouldContain session.explain("dist(f,300)", 5).toString()
     }
 })
 

@@ -1,14 +1,17 @@
 package argo.filters.format
 
+import argo.filters.AnyArgument
 import argo.filters.AnyTerm
 import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.GroundTerm
+import argo.filters.Limit
 import argo.filters.Operator
 import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.RuleConditions
 import argo.filters.RuleList
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
@@ -58,7 +61,7 @@ private fun parity(form: Form) = stringSpec {
 
 /** A filter rewritten in Kotlin's words, as a person would write it. */
 private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
-    fun AnyTerm.say(test: TermTest) = when (test) {
+    fun AnyTerm<*>.say(test: TermTest) = when (test) {
         is TermTest.Compare -> compare(test)
         is TermTest.OneOf -> isIn(test.values)
         is TermTest.Matches -> matches(test.pattern)
@@ -71,7 +74,9 @@ private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
         }
         rule.conditions.forEach { condition ->
             when (condition) {
-                is Condition.Argument -> argument(condition.index).say(condition.test)
+                is Condition.Argument -> argument(condition.index).let { argument ->
+                    condition.until?.let { argument.limit(condition.test as TermTest.Compare) until it } ?: argument.say(condition.test)
+                }
                 is Condition.Annotation -> annotation("${condition.name}") { condition.tests.forEach { say(it) } }
             }
         }
@@ -80,21 +85,43 @@ private fun inKotlin(filter: PerceptionFilter): PerceptionFilter {
         critical("${critical.rule.predicate}") {
             say(critical.rule)
             critical.reflex?.let(::reflex)
+            if (critical.smoothed) smoothed()
+        }
+    }
+    fun RuleList.saySmoothing() = filter.smoothing.forEach { smoothing ->
+        smooth("${smoothing.rule.predicate}") {
+            say(smoothing.rule)
+            smoothing.maxRate?.let { argument(smoothing.argument) maxRate it }
+            smoothing.outliers?.let { argument(smoothing.argument).outliers(it.deviations, it.among) }
+            smoothing.median?.let { argument(smoothing.argument) median it }
+            if (smoothing.annotates) annotate()
         }
     }
     return when (filter.mode) {
         PerceptionFilter.Mode.DROP -> dropFilter(filter.name, filter.onSwitch) {
             filter.rules.forEach { rule -> drop("${rule.predicate}") { say(rule) } }
             sayCritical()
+            saySmoothing()
         }
         PerceptionFilter.Mode.KEEP -> keepFilter(filter.name, filter.onSwitch) {
             filter.rules.forEach { rule -> keep("${rule.predicate}") { say(rule) } }
             sayCritical()
+            saySmoothing()
         }
     }
 }
 
-private fun AnyTerm.compare(test: TermTest.Compare) {
+private fun AnyArgument.limit(test: TermTest.Compare): Limit {
+    val number = (test.value as GroundTerm.Number).value
+    return when (test.operator) {
+        Operator.GT -> gt(number)
+        Operator.GE -> ge(number)
+        Operator.LT -> lt(number)
+        else -> le(number)
+    }
+}
+
+private fun AnyTerm<*>.compare(test: TermTest.Compare) {
     val number = (test.value as? GroundTerm.Number)?.value
     when (test.operator) {
         Operator.EQ -> if (number != null) eq(number) else eq("${test.value}")
@@ -124,6 +151,7 @@ class FilterParitySpec : StringSpec({
             PerceptionFilter("a", rules, PerceptionFilter.Mode.KEEP),
             PerceptionFilter("a", rules, onSwitch = PerceptionFilter.OnSwitch.FREEZE),
             PerceptionFilter("a", rules, critical = listOf(CriticalRule(Rule("dist")))),
+            PerceptionFilter("a", rules, smoothing = listOf(SmoothingRule(Rule("dist"), 1, median = 3))),
         )) other shouldNotBe filter
     }
 

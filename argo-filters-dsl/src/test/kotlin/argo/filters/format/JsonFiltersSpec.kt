@@ -85,6 +85,7 @@ class JsonFiltersSpec : FreeSpec({
 
     "one problem, with its position" - {
         fun rule(members: String) = """{"rules": [{"predicate": "d", $members}]}"""
+        fun smooth(members: String) = """{"rules": [], "smooth": [{"predicate": "d", "conditions": [{$members}]}]}"""
         fun condition(members: String) = rule(""""conditions": [{$members}]""")
         listOf(
             "¦[]" to "an array where a filter is expected",
@@ -92,7 +93,7 @@ class JsonFiltersSpec : FreeSpec({
             "¦{}" to "has no \"rules\"",
             "{\"rules\": ¦{}}" to "\"rules\" is an object; expected an array",
             "{\"rules\": [¦1]}" to "1 where a rule is expected",
-            "{\"rules\": [],\n ¦\"rule\": []}" to "\"rule\" in a filter; expected rules or critical or keep or onSwitch",
+            "{\"rules\": [],\n ¦\"rule\": []}" to "\"rule\" in a filter; expected rules or critical or smooth or keep or onSwitch",
             "{\"rules\": [], ¦\"rules\": []}" to "a second \"rules\"",
             "{\"rules\": [], \"keep\": ¦1}" to "\"keep\" is 1; expected true or false",
             "{\"rules\": [], \"keep\": ¦\"true\"}" to "\"keep\" is 'true'",
@@ -125,6 +126,14 @@ class JsonFiltersSpec : FreeSpec({
             condition("\"annotation\": \"q\", ¦\"deadband\": 1") to "\"deadband\" on an annotation",
             condition("\"annotation\": \"q\", ¦\"value\": 1, \"limits\": []") to "\"value\" on an annotation",
             condition("\"annotation\": \"q\", \"limits\": [¦{}]") to "there is no \"value\"",
+            condition("\"argument\": 0, \"operator\": \"GT\", \"value\": 4, \"until\": ¦5") to "expected a number below that",
+            condition("\"annotation\": \"q\", ¦\"until\": 1, \"value\": 1") to "\"until\" on an annotation",
+            condition("\"argument\": 0, ¦\"median\": 3, \"value\": 1") to "\"median\" in a condition",
+            smooth("\"argument\": 0, \"median\": ¦4") to "\"median\" is 4; expected an odd number of percepts from 3 to 99",
+            smooth("\"argument\": 0, \"median\": 3, \"maxRate\": ¦-1") to "\"maxRate\" is -1; expected a number above 0",
+            smooth("\"argument\": 0, \"outliers\": 3, \"among\": ¦\"5\"") to "\"among\" is '5'; expected an odd number",
+            smooth("\"annotation\": \"q\", ¦\"median\": 3").replace("[{\"a", "[{\"argument\": 1, \"median\": 3}, {\"a") to
+                "\"median\" on an annotation",
             rule("\"conditions\": [{\"argument\": 1, \"deadband\": 1}, {\"argument\": 1, ¦\"deadband\": 2}]") to "a second deadband",
         ).forEach { (marked, words) ->
             (marked.replace("\n", "⏎")) {

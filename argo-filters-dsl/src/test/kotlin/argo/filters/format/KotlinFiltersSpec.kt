@@ -4,9 +4,11 @@ import argo.filters.Condition
 import argo.filters.CriticalRule
 import argo.filters.GroundTerm
 import argo.filters.Operator
+import argo.filters.Outliers
 import argo.filters.PerceptionFilter
 import argo.filters.Rate
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.dropFilter
 import argo.filters.filters
@@ -73,8 +75,13 @@ class KotlinFiltersSpec : FunSpec({
         fun partsOf(type: Class<*>) = type.declaredFields.map { it.name }.filter { it != "Companion" && it.any(Char::isLowerCase) }
         partsOf(Rule::class.java) shouldContainExactlyInAnyOrder listOf("predicate", "conditions", "arity", "rate")
         partsOf(Rate::class.java) shouldContainExactlyInAnyOrder listOf("everyMs", "deadbands")
-        partsOf(PerceptionFilter::class.java) shouldContainExactlyInAnyOrder listOf("name", "mode", "onSwitch", "rules", "critical")
-        partsOf(CriticalRule::class.java) shouldContainExactlyInAnyOrder listOf("rule", "reflex")
+        partsOf(PerceptionFilter::class.java) shouldContainExactlyInAnyOrder
+            listOf("name", "mode", "onSwitch", "rules", "critical", "smoothing")
+        partsOf(CriticalRule::class.java) shouldContainExactlyInAnyOrder listOf("rule", "reflex", "smoothed")
+        partsOf(Condition.Argument::class.java) shouldContainExactlyInAnyOrder listOf("index", "test", "until")
+        partsOf(SmoothingRule::class.java) shouldContainExactlyInAnyOrder
+            listOf("rule", "argument", "maxRate", "outliers", "median", "annotates")
+        partsOf(Outliers::class.java) shouldContainExactlyInAnyOrder listOf("deviations", "among")
     }
 })
 

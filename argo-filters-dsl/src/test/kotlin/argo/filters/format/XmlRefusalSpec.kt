@@ -16,6 +16,9 @@ private data class Refusal(val text: String, val words: String)
 /** A refusal of the [elements] that follow the predicate in a rule. */
 private fun inRule(elements: String, words: String) = Refusal("<filter><predicate>d</predicate>$elements</filter>", words)
 
+/** A refusal of the [elements] that follow the predicate in a smoothing rule. */
+private fun inSmoothing(elements: String, words: String) = Refusal("<smooth><predicate>d</predicate>$elements</smooth>", words)
+
 class XmlRefusalSpec : FreeSpec({
     "one problem, with its position" - {
         listOf(
@@ -53,6 +56,21 @@ class XmlRefusalSpec : FreeSpec({
             Refusal("<filter xmlns:x='u'><predicate>d</predicate></filter>".replace("xmlns", "¦xmlns"), "the attribute 'xmlns:x'"),
             Refusal("¦stray<filter><predicate>d</predicate></filter>", "the text 'stray' in <PerceptionFilter>"),
             inRule("<!-- c -->\r\n ¦stray", "the text 'stray' in <filter>"),
+            inRule(
+                "<parameter id='0' operator='LT' ¦until='3'>4</parameter>",
+                "the condition holds until 3 though it is less than 4; expected a number above that",
+            ),
+            inRule("<parameter id='0' operator='EQ' ¦until='5'>4</parameter>", "has no limit that 5 could be the second one of"),
+            inRule("<parameter id='0' operator='LT' ¦until='x'>4</parameter>", "the until 'x'; expected a number, the second limit"),
+            inRule("<parameter id='0' ¦median='3'>4</parameter>", "the attribute 'median' on <parameter>"),
+            Refusal("¦<smooth><predicate>d</predicate></smooth>", "the rule smooths no argument; expected maxRate or outliers"),
+            Refusal("<smooth ¦everyMs='5'><predicate>d</predicate><parameter id='1' median='3'/></smooth>", "the attribute 'everyMs'"),
+            inSmoothing("<parameter id='1' ¦median='4'/>", "the median '4'; expected an odd number of percepts from 3 to 99"),
+            inSmoothing("<parameter id='1' ¦maxRate='0'/>", "expected a number above 0, by which the argument can change in a second"),
+            inSmoothing("<parameter id='1' ¦outliers='0'/>", "expected a number of deviations from 1"),
+            inSmoothing("<parameter id='1' median='3' ¦among='5'/>", "\"among\" without \"outliers\""),
+            inSmoothing("<parameter id='1' median='3'/><parameter ¦id='2' median='3'/>", "a second argument that is smoothed"),
+            inSmoothing("<parameter id='0' ¦deadband='3'>4</parameter><parameter id='1' median='3'/>", "the attribute 'deadband'"),
             inRule("¦<annotation>1</annotation>", "has no name"),
             inRule("<anotation><name> ¦Acc</name>1</anotation>", "'Acc' is no functor"),
             inRule("<anotation>¦<name/>1</anotation>", "the annotation's name is empty"),

@@ -157,7 +157,7 @@ class CriticalRuleSpec : FreeSpec({
             "<critical ¦reflex='getPercepts'><predicate>d</predicate></critical>" to
                 "a board takes getPercepts for the request for percepts, which argo.percepts(open) sends, and not for a command",
             "<critical ¦everyMs='5'><predicate>d</predicate></critical>" to
-                "the attribute 'everyMs' on <critical>; expected arity or reflex",
+                "the attribute 'everyMs' on <critical>; expected arity or reflex or smoothed",
             "<critical ¦deadband='5'><predicate>d</predicate></critical>" to "the attribute 'deadband' on <critical>",
             "<critical><predicate>d</predicate><parameter id='1' ¦deadband='5'/></critical>" to "never held back",
             "<filter ¦reflex='stop'><predicate>d</predicate></filter>" to "the attribute 'reflex' on <filter>",

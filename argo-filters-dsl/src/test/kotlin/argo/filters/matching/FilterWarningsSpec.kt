@@ -78,6 +78,21 @@ private val WITHOUT_EFFECT: Map<PerceptionFilter, List<String>> = mapOf(
         "rule 1 (d where there is 1 argument and argument 2 has not moved by 5) has a deadband on argument 2, " +
             "and there is no such argument",
     ),
+    drop { smooth("d") { argument(1) median 3 }; smooth("d") { argument(0) eq "a"; argument(1) median 5 } } to listOf(
+        "smoothing rule 2 (d where argument 0 is a) has no effect: smoothing rule 1 (d) smooths all percepts that match it",
+    ),
+    drop { smooth("d") { arity(1); argument(1) median 3 } } to
+        listOf("smoothing rule 1 (d where there is 1 argument) smooths argument 1, and there is no such argument"),
+    keep { smooth("d") { argument(1) median 3 } } to listOf("the filter has no rules, so it drops every percept"),
+    drop { critical("d") { smoothed() } } to listOf("critical rule 1 (d) is smoothed, and there is no smoothing rule on d"),
+    drop { drop("d") { argument(0) lt 40 until 45 }; drop("d") { argument(0) lt 40 } } to listOf(
+        "rule 2 (d where argument 0 is less than 40) has no effect: " +
+            "rule 1 (d where argument 0 is less than 40 until 45) matches the same percepts",
+    ),
+    drop { drop("d") { argument(0) lt 40 until 45; argument(0) lt 50 } } to listOf(
+        "rule 1 (d where argument 0 is less than 40 until 45 and argument 0 is less than 50) does not need its condition " +
+            "'argument 0 is less than 50': the other conditions imply it",
+    ),
 )
 
 /** Filters of which each part has an effect, though it may seem otherwise. */
@@ -94,6 +109,12 @@ private val WITH_EFFECT = listOf(
     drop { critical("d") { reflex("stop") }; critical("d") { argument(0) gt 3; reflex("back") } },
     drop { critical("d") { argument(0) gt 3 }; drop("d") },
     keep { critical("d") },
+    drop { smooth("d") { argument(0) median 3 } },
+    drop { smooth("d") { argument(0) eq "a"; argument(1) median 3 }; smooth("d") { argument(1) median 5 } },
+    drop { smooth("d") { argument(0) median 3 }; critical("d") { argument(0) lt 5 }; drop("d") { argument(0) lt 5 } },
+    drop { smooth("d") { argument(0) median 3 }; critical("d") { argument(0) lt 5; smoothed() }; critical("d") { argument(0) lt 5 } },
+    drop { drop("d") { argument(0) lt 40 until 45 }; drop("d") { argument(0) lt 43 } },
+    drop { drop("d") { argument(0) lt 40 until 60; argument(0) lt 50 } },
 )
 
 private val USELESS_RULE = Regex("^rule (\\d+) .*(matches no percept|has no effect)", RegexOption.DOT_MATCHES_ALL)

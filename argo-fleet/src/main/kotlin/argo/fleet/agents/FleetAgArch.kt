@@ -59,10 +59,11 @@ internal class FleetAgArch(
     override fun sendMsg(message: Message) {
         if (message.sender == null) message.sender = agName
         if (!mayRun()) throw held()
-        when (val place = fleet.directory.find(message.receiver)) {
+        val directory = fleet.directory
+        when (val place = directory.find(message.receiver)) {
             Place.Here -> super.sendMsg(message)
             is Place.There -> send(message, place.computer)
-            is Place.Off -> throw errorOf(unreachable(message.receiver, place.computers))
+            is Place.Off -> throw errorOf(unreachable(message.receiver, place, directory.inTouch))
             Place.Unknown -> if (isRunning) throw noAgent("there is no agent ${message.receiver} in the fleet; the message is $message")
         }
     }
@@ -96,13 +97,19 @@ internal class FleetAgArch(
         val content = try {
             MessageContent.read(message.content, ts.ag)
         } catch (unreadable: IllegalArgumentException) {
-            logger.warning("a message of ${message.from} cannot be read and is refused: ${unreadable.message}")
-            throw Refused("${message.to} cannot read the message: ${unreadable.message}")
+            refuse(message, "${unreadable.message}")
+        } catch (_: StackOverflowError) {
+            refuse(message, "it is nested too deep")
         }
         if (content is Literal && !content.isGround) content.makeVarsAnnon() // names of variables are those of the sender
         receiveMsg(
             Message(message.force, message.from, message.to, content, message.id).apply { inReplyTo = message.inReplyTo },
         )
+    }
+
+    private fun refuse(message: Say, reason: String): Nothing {
+        logger.warning("a message of ${message.from} cannot be read and is refused: $reason")
+        throw Refused("${message.to} cannot read the message: $reason")
     }
 
     override fun receiveMsg(message: Message) {

@@ -57,11 +57,21 @@ internal data class Directory(
         val owner = owners[agent]
         if (owner != null) return if (owner == here) Place.Here else Place.There(owner)
         val lost = rosters.filter { (_, roster) -> agent in roster.agents }.keys
-        val computers = (planned[agent].orEmpty() + lost).distinct()
+        val computers = (expected(agent) + lost).distinct()
         return if (computers.isEmpty()) Place.Unknown else Place.Off(computers)
     }
 
+    /** Returns the computers of the project's [agent], unless its only one says that it does not run it any more. */
+    private fun expected(agent: String): List<String> {
+        val computers = planned[agent].orEmpty()
+        val hasEnded = computers.size == 1 && computers.single().let { it in inTouch && it in rosters }
+        return if (hasEnded) emptyList() else computers
+    }
+
     fun with(computer: String, news: RosterNews): Directory = copy(rosters = rosters + (computer to roster(computer).with(news)))
+
+    /** Forgets what [computers] have told, whose programs have begun anew. */
+    fun without(computers: List<String>): Directory = copy(rosters = rosters - computers.toSet())
 
     fun with(inTouch: Set<String>): Directory = copy(inTouch = inTouch)
 }

@@ -3,6 +3,7 @@ package argo.fleet.node
 import argo.fleet.cluster.Cluster
 import argo.fleet.cluster.ClusterListener
 import argo.fleet.cluster.ClusterView
+import argo.fleet.cluster.Computer
 import argo.fleet.cluster.Refused
 import argo.fleet.cluster.Unreachable
 import java.util.concurrent.CompletableFuture
@@ -43,7 +44,7 @@ internal class Fleet(
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
-    private val sessions = HashMap<String, String>() // of the computers in touch; the cluster's thread
+    private val sessions = HashMap<String, String>() // the last ones of all computers; the cluster's thread
     private val told = ConcurrentHashMap.newKeySet<String>() // what the log has said once
 
     /** Who is where now. */
@@ -152,11 +153,12 @@ internal class Fleet(
 
         override fun changed(view: ClusterView) {
             synchronized(this@Fleet) {
-                val new = view.computers.values.filter { it.name != here && sessions[it.name] != it.session }
-                sessions.clear()
-                view.computers.values.forEach { sessions[it.name] = it.session }
-                change { known -> new.fold(known) { now, it -> now.with(it.name, RosterNews(isWhole = true)) }.with(view.computers.keys) }
-                new.forEach { tellAll(it.name) }
+                val others = view.computers.values.filter { it.name != here }
+                val begun = others.filter { sessions.put(it.name, it.session) != it.session }
+                val come = others.filter { it in begun || it.name !in directory.inTouch }
+                // a computer that goes on may not have missed this one: what it has told stays true, and it tells all changes
+                change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
+                come.forEach { tellAll(it.name) }
             }
             leases.changed(view)
         }
@@ -174,6 +176,13 @@ internal class Fleet(
 /** The reason for which a stage failed; stages may wrap it. */
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
-/** Returns the failure of a message to [agent], of whose [computers] none is in touch. */
-internal fun unreachable(agent: String, computers: List<String>) =
-    Unreachable("$agent cannot be reached: ${computers.joinToString(" and ")} ${if (computers.size == 1) "is" else "are"} off")
+/** Returns the failure of a message to [agent], which no computer in touch runs. */
+internal fun unreachable(agent: String, place: Place.Off, inTouch: Set<String>): Unreachable {
+    val off = place.computers - inTouch
+    val reason = when (off.size) {
+        0 -> "none of ${place.computers.joinToString(" and ")} runs it now"
+        1 -> "${off.single()} is off"
+        else -> "${off.joinToString(" and ")} are off"
+    }
+    return Unreachable("$agent cannot be reached: $reason")
+}

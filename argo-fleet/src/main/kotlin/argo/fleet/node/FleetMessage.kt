@@ -81,10 +81,21 @@ internal data class Kill(val agent: String, val by: String, val deadlineMs: Int)
 @SerialName("stop")
 internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitStatus: Int) : FleetMessage
 
-/** The sender asks to run [agent], which outlives its computer, from now on, or on. Each request has a greater [number]. */
+/**
+ * The sender asks to run [agent], which outlives its computer, from now on, or on. Each request has a greater [number].
+ *
+ * @property mindTerm the [MindNews.term] of the mind that the sender knows of the agent; 0: it knows none
+ * @property mindNumber its [MindNews.number]
+ */
 @Serializable
 @SerialName("claim")
-internal data class Claim(val agent: String, val number: Long, val term: Long) : FleetMessage
+internal data class Claim(
+    val agent: String,
+    val number: Long,
+    val term: Long,
+    val mindTerm: Long = 0,
+    val mindNumber: Long = 0,
+) : FleetMessage
 
 /**
  * The answer to [Claim]. A computer that grants a claim grants no other computer's until its promise is over.
@@ -98,4 +109,7 @@ internal data class Grant(val agent: String, val number: Long, val term: Long, v
 /** The beliefs and goals of [agent], which outlives its computer, as AgentSpeak. */
 @Serializable
 @SerialName("mind")
-internal data class MindNews(val agent: String, val term: Long, val number: Long, val program: String) : FleetMessage
+internal data class MindNews(val agent: String, val term: Long, val number: Long, val program: String) : FleetMessage {
+    /** Whether it is newer than the mind of a [term] with a [number]. */
+    fun isNewerThan(term: Long, number: Long) = if (this.term == term) this.number > number else this.term > term
+}

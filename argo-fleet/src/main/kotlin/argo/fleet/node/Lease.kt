@@ -12,13 +12,22 @@ package argo.fleet.node
  * @param computers the number of computers of the fleet
  * @param startNs when this program began: it does not know what the one before has promised, and grants nothing for one duration
  * @param claims a random number, from which claims are counted: an answer to the program before is none to this one
- * @param nanos a clock in ns that never goes back
+ * @param nanos a clock in ns that never goes back; it may stand still while the computer is suspended
+ * @param wallMs a clock in ms that goes on then, by which a right ends, too; it may be set, which ends a right early at most
  */
-internal class Lease(private val computers: Int, startNs: Long, private var claims: Long, private val nanos: () -> Long) {
+internal class Lease(
+    private val computers: Int,
+    startNs: Long,
+    private var claims: Long,
+    private val nanos: () -> Long,
+    private val wallMs: () -> Long,
+) {
+    private class Moment(val ns: Long, val wallMs: Long)
+
     private var promisedTo: String? = null
     private var promisedUntil = startNs + DURATION_NS
-    private val asked = HashMap<Long, Long>() // the numbers of claims, with the times of their sending
-    private val granted = HashMap<String, Long>() // the ends of the rights that computers have granted
+    private val asked = HashMap<Long, Moment>() // the numbers of claims, with the times of their sending
+    private val granted = HashMap<String, Moment>() // when the rights were asked for that computers have granted
 
     /** The greatest term that this computer knows. A new reign over the agent has a greater one than all before. */
     var term = 0L
@@ -29,19 +38,23 @@ internal class Lease(private val computers: Int, startNs: Long, private var clai
     var ownTerm = 0L
         private set
 
+    /** When the right that most computers have granted was asked for; null: they have granted none. */
     @Volatile
-    private var endsNs = startNs
+    private var right: Moment? = null
 
     /** Whether this computer may run the agent now. Any thread. */
-    fun mayRun(): Boolean = endsNs - nanos() > 0
+    fun mayRun(): Boolean {
+        val since = right ?: return false
+        return nanos() - since.ns < RIGHT_NS && wallMs() - since.wallMs < RIGHT_NS / NANOS_PER_MS
+    }
 
     /** Makes the next claim, to be sent to all computers in touch, this one among them. */
     fun claim(agent: String): Claim {
         if (ownTerm == 0L) ownTerm = term + 1
         val now = nanos()
-        asked.values.removeIf { now - it > DURATION_NS }
+        asked.values.removeIf { now - it.ns > DURATION_NS }
         claims++
-        asked[claims] = now
+        asked[claims] = Moment(now, wallMs())
         return Claim(agent, claims, ownTerm)
     }
 
@@ -64,11 +77,10 @@ internal class Lease(private val computers: Int, startNs: Long, private var clai
 
     /** Takes the answer of [computer] to a claim. */
     fun take(computer: String, grant: Grant) {
-        val askedNs = asked[grant.number] ?: return
+        val moment = asked[grant.number] ?: return
         if (grant.isGranted && grant.term == ownTerm) {
-            granted[computer] = maxOf(granted[computer] ?: Long.MIN_VALUE, askedNs + DURATION_NS - MARGIN_NS)
-            val majority = computers / 2 + 1
-            if (granted.size >= majority) endsNs = granted.values.sortedDescending()[majority - 1]
+            granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
+            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the latest one that most have granted
         } else if (grant.term > term) {
             term = grant.term
             ownTerm = 0
@@ -79,7 +91,8 @@ internal class Lease(private val computers: Int, startNs: Long, private var clai
         /** For how long a computer grants the right: it bounds how long an agent is missing, and how much a clock may jump. */
         const val DURATION_NS = 1_500_000_000L
 
-        /** What the clocks of two computers may differ by in that time. */
-        private const val MARGIN_NS = 100_000_000L
+        /** For how long the claimant uses it: clocks of two computers may differ a little in that time. */
+        private const val RIGHT_NS = 1_400_000_000L
+        private const val NANOS_PER_MS = 1_000_000L
     }
 }

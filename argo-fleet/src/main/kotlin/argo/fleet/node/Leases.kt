@@ -40,7 +40,9 @@ internal class Leases(
 ) : AutoCloseable {
     private val nanos = System::nanoTime
     private val start = nanos()
-    private val held = planned.mapValues { (agent, computers) -> Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos)) }
+    private val held = planned.mapValues { (agent, computers) ->
+        Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos, System::currentTimeMillis))
+    }
     private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
         Thread(work, "argo-fleet-leases").apply { isDaemon = true }
     }
@@ -56,7 +58,7 @@ internal class Leases(
 
     fun take(from: String, message: FleetMessage) = synchronized(this) {
         when (message) {
-            is Claim -> held(message.agent).let { fleet.send(from, it.lease.answer(from, message)) }
+            is Claim -> held(message.agent).answer(from, message)
             is Grant -> held(message.agent).lease.take(from, message)
             is MindNews -> held(message.agent).take(message)
             else -> throw Refused("$message is not about an agent that outlives its computer")
@@ -75,10 +77,13 @@ internal class Leases(
     fun isOutdated(message: Say): Boolean =
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
-    /** Notes the mind of an agent that this computer runs, and tells it to the other computers that may run it. Any thread. */
+    /**
+     * Notes the mind of an agent that this computer runs, and tells it to all others in touch: of those that grant the agent to its next
+     * computer, at least one has it. Any thread.
+     */
     fun keep(mind: MindNews) {
         synchronized(this) { held(mind.agent).take(mind) }
-        (held(mind.agent).computers - fleet.here).filter { it in fleet.directory.inTouch }.forEach { computer ->
+        (fleet.directory.inTouch - fleet.here).forEach { computer ->
             fleet.send(computer, mind).exceptionally { failed ->
                 log.log(Level.FINE, failed) { "$computer has not got what ${mind.agent} believes" }
                 null
@@ -104,7 +109,15 @@ internal class Leases(
 
         fun take(news: MindNews) {
             val known = mind
-            if (known == null || compareValuesBy(news, known, { it.term }, { it.number }) > 0) mind = news
+            if (known == null || news.isNewerThan(known.term, known.number)) mind = news
+        }
+
+        /** Answers a claim; a computer that begins anew gets to know the agent's mind first. */
+        fun answer(computer: String, claim: Claim) {
+            val grant = lease.answer(computer, claim)
+            val known = mind
+            if (grant.isGranted && known != null && known.isNewerThan(claim.mindTerm, claim.mindNumber)) fleet.send(computer, known)
+            fleet.send(computer, grant)
         }
 
         fun tick() {
@@ -138,7 +151,7 @@ internal class Leases(
         }
 
         private fun claim() {
-            val claim = lease.claim(agent)
+            val claim = lease.claim(agent).copy(mindTerm = mind?.term ?: 0, mindNumber = mind?.number ?: 0)
             lease.take(fleet.here, lease.answer(fleet.here, claim))
             (fleet.directory.inTouch - fleet.here).forEach { fleet.send(it, claim) }
         }

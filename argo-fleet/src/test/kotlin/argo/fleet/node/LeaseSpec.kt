@@ -22,6 +22,14 @@ class LeaseSpec : FunSpec({
         world.running() shouldBe emptyList()
     }
 
+    test("a computer that was suspended may not run it when it goes on, though its clock stood still meanwhile") {
+        val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
+        world.claim(0)
+        world.advance(10 * MS)
+        world.suspendedMs = 60_000
+        world.running() shouldBe emptyList()
+    }
+
     test("while one has it, others ask in vain; when it is silent, the next one gets it under a greater term") {
         val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
         world.claim(0)
@@ -73,7 +81,10 @@ private class World(private val computers: Int, private val random: Random) {
     private val isCut = BooleanArray(computers)
     val leases = MutableList(computers) { begun() }
 
-    private fun begun() = Lease(computers, nowNs, random.nextLong()) { nowNs }
+    /** The time that the computers were suspended, in ms: their other clock stood still. */
+    var suspendedMs = 0L
+
+    private fun begun() = Lease(computers, nowNs, random.nextLong(), { nowNs }) { nowNs / MS + suspendedMs }
 
     fun running(): List<Int> = leases.indices.filter { leases[it].mayRun() }
 

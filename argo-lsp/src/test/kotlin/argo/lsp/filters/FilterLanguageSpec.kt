@@ -61,12 +61,14 @@ class FilterLanguageSpec : FunSpec({
 
     test("elements, attributes and values are those of the schema at this place") {
         words(XML, "<§") shouldContainExactly listOf("PerceptionFilter")
-        words(XML, "<PerceptionFilter><fil§") shouldContainExactly listOf("filter", "critical")
+        words(XML, "<PerceptionFilter><fil§") shouldContainExactly listOf("filter", "critical", "smooth")
         words(XML, "<PerceptionFilter><filter><!-- <a> --><predicate>a</predicate><§") shouldContainExactly
             listOf("parameter", "annotation", "predicate")
         words(XML, "<PerceptionFilter><filter ar§") shouldContainExactly listOf("arity", "everyMs", "deadband")
         words(XML, "<PerceptionFilter><filter><parameter id='0' operator=\"§\">3</parameter>") shouldContainExactly
             listOf("EQ", "NE", "GT", "GE", "LT", "LE", "IN", "MATCHES")
+        words(XML, "<PerceptionFilter><smooth><parameter id='1' me§/>") shouldContainAll listOf("maxRate", "outliers", "among", "median")
+        words(XML, "<PerceptionFilter><filter><parameter id='1' un§/>") shouldContainAll listOf("until", "deadband")
         words(XML, "<PerceptionFilter keep='§'") shouldContainExactly listOf("true", "false")
         words(XML, "<PerceptionFilter><filter></§") shouldContainExactly listOf("filter")
         words(XML, "<PerceptionFilter><filter/> § ").shouldBeEmpty()
@@ -77,6 +79,8 @@ class FilterLanguageSpec : FunSpec({
         words(JSON, """{§""") shouldContainAll listOf("\"rules\"", "\"keep\"")
         words(JSON, """{"rules": [{"predicate": "a", "conditions": [{"argument": 0, "op§""") shouldContainAll listOf("operator", "value")
         words(JSON, """{"rules": [{"conditions": [{"operator": "§"}]}]}""") shouldContainAll listOf("EQ", "MATCHES")
+        words(JSON, """{"smooth": [{"predicate": "a", "conditions": [{"argument": 0, "me§""") shouldContainAll
+            listOf("maxRate", "outliers", "among", "median")
         words(JSON, """{"onSwitch": §}""") shouldContainExactly listOf("\"forget\"", "\"freeze\"")
         words(JSON, """{"keep": t§""") shouldContainExactly listOf("true", "false")
         words(JSON, """{"no": [{"§""").shouldBeEmpty()

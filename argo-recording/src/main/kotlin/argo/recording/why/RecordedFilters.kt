@@ -25,15 +25,19 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
         }
     }
 
-    /** Returns the percepts of [texts] that meet critical rules of the filter of the board on [port], each with its rule. */
-    fun critical(port: String, texts: List<String>): List<CriticalPercept<String>> {
+    /**
+     * Returns the percepts of a message that meet critical rules of the filter of the board on [port], each with its rule: those of [kept]
+     * for rules that are smoothed, else those of [texts].
+     */
+    fun critical(port: String, texts: List<String>, kept: List<String>): List<CriticalPercept<String>> {
         val filter = of(port)?.filter?.takeIf { it.critical.isNotEmpty() } ?: return emptyList()
-        return FilterSession.ofTexts().apply { switchTo(filter) }.perceive(texts, 0).critical
+        fun met(percepts: List<String>) = FilterSession.ofTexts().apply { switchTo(filter) }.perceive(percepts, 0).critical
+        return met(texts).filterNot { it.rule.smoothed } + met(kept).filter { it.rule.smoothed }
     }
 
     /**
-     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. Percepts that rates hold back are not
-     * known here.
+     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. The percepts
+     * before, by which rates hold back and smoothing rules choose, are not known here.
      */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 

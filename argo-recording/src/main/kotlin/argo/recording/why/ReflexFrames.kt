@@ -24,7 +24,7 @@ internal class ReflexFrames(private val cycles: List<Cycle>, private val filters
             val found = cycle.input.snapshots.mapNotNull { snapshot ->
                 val frame = frames.of(snapshot, cycle.number)
                 if (command.port != null && command.port != snapshot.port) return@mapNotNull null
-                val met = filters.critical(snapshot.port, snapshot.texts)
+                val met = filters.critical(snapshot.port, snapshot.texts, snapshot.kept ?: snapshot.texts)
                     .find { it.rule.reflex == reflex.command && "${it.rule.rule}" == reflex.rule } ?: return@mapNotNull null
                 val belief = believed(met.percept, snapshot.namespace)?.let(::keyOf) ?: met.percept
                 val why = filters.explain(snapshot.port, met.percept)?.toString()

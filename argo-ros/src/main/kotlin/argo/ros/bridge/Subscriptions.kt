@@ -42,7 +42,8 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
  * form are not held back.
  */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
-    if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
+    val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // those look at each percept
+    if (filter.mode != PerceptionFilter.Mode.DROP || others.any { isFor(it, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }
         .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())
 }

@@ -9,6 +9,7 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.Predicate
 import argo.filters.Rate
 import argo.filters.Rule
+import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.links.Wish
 import argo.ros.mapping.mappingOf
@@ -27,8 +28,10 @@ class SubscriptionsSpec : FunSpec({
         "t",
     ).percepts
 
+    fun subscribed(filter: PerceptionFilter) = Wish(true, 50, filter).subscriptions(rules).map { it.topic to it.throttleMs }
+
     fun subscribed(vararg of: Rule, mode: Mode = Mode.DROP, critical: List<CriticalRule> = emptyList()) =
-        Wish(true, 50, PerceptionFilter("f", of.asList(), mode, critical = critical)).subscriptions(rules).map { it.topic to it.throttleMs }
+        subscribed(PerceptionFilter("f", of.asList(), mode, critical = critical))
 
     fun argument(index: Int, operator: Operator, value: String) =
         Condition.Argument(index, TermTest.Compare(operator, GroundTerm.of(value)))
@@ -60,6 +63,8 @@ class SubscriptionsSpec : FunSpec({
     test("a rate that holds all percepts of a topic back makes its throttle") {
         subscribed(Rule(Predicate("dist"), rate = Rate(everyMs = 400))) shouldBe listOf("/front" to 400, "/back" to 400, "/bump" to 50)
         subscribed(Rule(Predicate("dist"), rate = Rate(everyMs = 10))) shouldBe all
+        val slow = listOf(Rule(Predicate("dist"), rate = Rate(everyMs = 400)))
+        subscribed(PerceptionFilter("f", slow, smoothing = listOf(SmoothingRule(Rule("dist"), 1, median = 3)))) shouldBe all
         subscribed(Rule(Predicate("bump"), rate = Rate(everyMs = 400))) shouldBe all
     }
 })

@@ -28,11 +28,13 @@ class WhyReflexSpec : FunSpec({
     """.trimIndent()
 
     /**
-     * Records an agent with a filter of both critical rules while [drive] runs, and returns the answer to a question about the recording.
+     * Records an agent with a filter of these [rules] while [drive] runs, and returns the answer to a question about the recording.
      */
-    fun <T> whyOf(program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit, ask: Why.() -> T): T {
+    fun <T> whyOf(
+        program: String, setUp: AgentSetUp.() -> Unit = {}, drive: TestAgent.() -> Unit, rules: String = near + dark, ask: Why.() -> T,
+    ): T {
         val file = recordingFile()
-        file.parent.resolve("careful.xml").writeText("<PerceptionFilter>$near$dark</PerceptionFilter>")
+        file.parent.resolve("careful.xml").writeText("<PerceptionFilter>$rules</PerceptionFilter>")
         val source = file.parent.resolve("robot.asl").apply { writeText(program) }
         agent(source) {
             setUp()
@@ -66,6 +68,16 @@ class WhyReflexSpec : FunSpec({
             answer.frames shouldBe listOf(answer.frame)
             answer.had shouldBe emptyList()
             answer("stop#2").frame.shouldNotBeNull().texts.first() shouldBe "dist(front,9)"
+        }
+    }
+
+    test("the reflex of a rule that is smoothed: the percept that stood") {
+        val smooth = "<smooth annotate='true'><predicate>dist</predicate><parameter id='1' median='3'/></smooth>"
+        whyOf(start(), drive = { approach() }, rules = smooth + near.replace("<critical", "<critical smoothed='true'")) {
+            answer("stop#1").run {
+                reflex.shouldNotBeNull().percept.shouldNotBeNull().belief shouldBe "dist(front,12)"
+                frame.shouldNotBeNull().kept.shouldNotBeNull().first() shouldBe "dist(front,12)[smoothed]"
+            }
         }
     }
 

@@ -15,7 +15,10 @@ import java.nio.file.Path
 
 @Command(
     name = "explain",
-    description = ["Explains for each percept whether the filter drops it, and by which rule. Rates are ignored: they depend on time."],
+    description = [
+        "Explains for each percept whether the filter drops it, and by which rule, as if it were the first of its sensor: " +
+            "rates, smoothing and second limits depend on those before.",
+    ],
 )
 internal class FilterExplainCommand : DataCommand() {
     @Parameters(index = "0", paramLabel = "FILE", description = ["XML or JSON"])

@@ -1,5 +1,6 @@
 package argo.view.timeline
 
+import argo.filters.matching.withoutSmoothed
 import argo.recording.Call
 import argo.recording.CommandEnd
 import argo.recording.Cycle
@@ -54,7 +55,7 @@ internal class AgentItems(
     }
 
     private fun frameDetail(it: PerceivedSnapshot): List<String> {
-        val dropped = it.kept?.let { kept -> it.texts - kept.toSet() }.orEmpty()
+        val dropped = it.kept?.let { kept -> it.texts - kept.map(::withoutSmoothed).toSet() }.orEmpty()
         return listOf("from ${it.port}: ${it.texts.joinToString("; ")}") +
             (if (dropped.isEmpty()) emptyList() else listOf("held back by the filter: ${dropped.joinToString("; ")}"))
     }

@@ -1,0 +1,91 @@
+package argo.filters
+
+/**
+ * A rule on percepts of sensors that err: for each percept that meets it, one of the last percepts of the same sensor stands, the newest
+ * that is credible or the one in the middle. It drops nothing. The filter's other rules decide over the percept that stands; so do critical
+ * rules that [say so][CriticalRule.smoothed].
+ *
+ * A sensor is named by all that its percepts have beside [argument]: `dist(f,30)` and `dist(f,31)` are of one sensor if argument 1 is
+ * smoothed, `dist(b,30)` is of another. A percept without a number there stands for itself. Percepts pass [maxRate] first, then [outliers],
+ * then [median].
+ *
+ * Only an [argo.filters.matching.FilterSession], which has the time and the percepts before, smooths.
+ *
+ * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
+ * @property argument the position of the number that is smoothed, counted from 0
+ * @property maxRate the most by which the number can change in a second; null: any. A percept is not credible if it differs by more from
+ * the last credible one. The third in a row that can follow the one before it is credible again
+ * @property outliers the percepts that are not credible since they are far from most others; null: none are
+ * @property median the odd number of last credible percepts of which the one in the middle stands; null: the newest stands. Until there are
+ * as many, it is that of those that there are, of two in the middle the newer one
+ * @property annotates whether the percepts that stand have the annotation `smoothed`, as in `dist(f,30)[smoothed]`
+ * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
+ */
+data class SmoothingRule(
+    val rule: Rule,
+    val argument: Int,
+    val maxRate: Double? = null,
+    val outliers: Outliers? = null,
+    val median: Int? = null,
+    val annotates: Boolean = false,
+) {
+    init {
+        requireIndex(argument)
+        require(maxRate != null || outliers != null || median != null) {
+            "a smoothing rule needs a greatest rate, outliers or a median for its argument"
+        }
+        require(maxRate == null || maxRate > 0 && maxRate.isFinite()) {
+            "a greatest rate of $maxRate a second lets nothing change; expected a number above 0"
+        }
+        median?.let { requireWindow(it) }
+        require(rule.rate == null) { "a smoothing rule delays no percepts, so it has neither everyMs nor a deadband" }
+        require(rule.conditions.none { it is Condition.Argument && it.until != null }) {
+            "the condition of a smoothing rule has one limit; write the second one into a rule behind it"
+        }
+    }
+
+    /** The rule in words: `dist where argument 0 is f, by the median of the last 5 of argument 1`. */
+    override fun toString(): String {
+        val words = listOfNotNull(
+            maxRate?.let { "a change of at most ${GroundTerm.Number(it)} a second" },
+            outliers?.let { "leaving out $it" },
+            median?.let { "the median of the last $it" },
+        )
+        return "$rule, by ${words.joinToString(", ")} of argument $argument" + if (annotates) ", annotated" else ""
+    }
+
+    companion object {
+        /** The most percepts of a sensor of which a median is taken. */
+        const val MAX_WINDOW: Int = 99
+
+        internal fun requireWindow(size: Int) = require(size in 3..MAX_WINDOW && size % 2 == 1) {
+            "a median of $size; expected an odd number of percepts from 3 to $MAX_WINDOW"
+        }
+    }
+}
+
+/**
+ * The percepts whose number is further than some deviations from the median of the last numbers of their sensor, themselves included. A
+ * deviation is 1.4826 times the median of the distances to that median, which is the standard deviation of normal noise; it is at least one
+ * unit of the last digit that the percept shows. Of the first two percepts of a sensor neither is an outlier.
+ *
+ * @property deviations the greatest distance from the median, in deviations
+ * @property among the odd number of last percepts whose median it is
+ * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
+ * [SmoothingRule.MAX_WINDOW]
+ */
+data class Outliers(val deviations: Double, val among: Int = AMONG) {
+    init {
+        require(deviations >= 1 && deviations.isFinite()) {
+            "outliers of $deviations deviations are ordinary percepts; expected a number from 1, as in 3"
+        }
+        SmoothingRule.requireWindow(among)
+    }
+
+    override fun toString(): String = "outliers of ${GroundTerm.Number(deviations)} deviations among the last $among"
+
+    companion object {
+        /** The number of percepts whose median is taken if none is said. */
+        const val AMONG: Int = 5
+    }
+}

@@ -1,0 +1,104 @@
+package argo.filters.matching
+
+import argo.filters.GroundTerm
+import argo.filters.SmoothingRule
+import kotlin.math.abs
+
+/**
+ * The last percepts of one sensor, of which a smoothing [rule] has one stand.
+ *
+ * @param annotated returns a percept with the annotation `smoothed`
+ */
+internal class Readings<P : Any>(private val rule: SmoothingRule, private val annotated: (P) -> P) {
+    private var judged = rule.outliers?.let { SortedWindow(it.among) }
+    private var credible = rule.median?.let(::SortedWindow)
+    private val percepts = ArrayList<P>(rule.median ?: 1) // those of the numbers in credible, at their places
+    private val last = Reading(Double.NaN, 0)
+    private val doubted = Reading(Double.NaN, 0)
+    private var doubts = 0
+
+    /** The reason why the newest percept is not credible, so that an older one stands for it; null: it is. */
+    var doubt: Doubt? = null
+        private set
+
+    enum class Doubt { TOO_FAST, OUTLIER }
+
+    private class Reading(var number: Double, var ms: Long) {
+        fun set(number: Double, ms: Long) {
+            this.number = number
+            this.ms = ms
+        }
+
+        /** Returns true if a sensor can show [number] at [nowMs] after this, at a [rate] of at most so much a second. */
+        fun canBecome(number: Double, nowMs: Long, rate: Double) = abs(number - this.number) * MS_PER_SECOND <= rate * (nowMs - ms)
+    }
+
+    /**
+     * Takes the newest [percept] at [nowMs], and returns the one that stands for it.
+     *
+     * @param number the number in it, which is finite
+     * @param unit the value of its last digit
+     */
+    fun take(percept: P, number: Double, unit: Double, nowMs: Long): P {
+        doubt = if (isTooFast(number, nowMs)) Doubt.TOO_FAST else if (isOutlier(number, unit)) Doubt.OUTLIER else null
+        if (doubt == null) accept(if (rule.annotates) annotated(percept) else percept, number, nowMs)
+        return percepts[credible?.median() ?: 0]
+    }
+
+    private fun isTooFast(number: Double, nowMs: Long): Boolean {
+        val rate = rule.maxRate ?: return false
+        if (last.number.isNaN() || last.canBecome(number, nowMs, rate)) return false
+        doubts = if (doubts > 0 && doubted.canBecome(number, nowMs, rate)) doubts + 1 else 1
+        doubted.set(number, nowMs)
+        return doubts < CONFIRMING
+    }
+
+    private fun isOutlier(number: Double, unit: Double): Boolean {
+        val window = judged ?: return false
+        window.add(number)
+        return window.count > 2 && abs(number - window.middle()) > limit(window, unit)
+    }
+
+    /** Returns the distance from the middle of [window] beyond which a number is an outlier. */
+    private fun limit(window: SortedWindow, unit: Double): Double {
+        val deviations = rule.outliers?.deviations ?: Double.POSITIVE_INFINITY
+        return deviations * maxOf(OF_NORMAL_NOISE * window.medianDistance(), unit)
+    }
+
+    private fun accept(percept: P, number: Double, nowMs: Long) {
+        doubts = 0
+        last.set(number, nowMs)
+        val place = credible?.add(number) ?: 0
+        if (place < percepts.size) percepts[place] = percept else percepts += percept
+    }
+
+    /** Says why the percept with [number], the newest, is replaced by another one. */
+    fun reason(number: Double): String = when (doubt) {
+        null -> "the median of the last ${credible?.count} is ${credible?.let { shown(it[it.median()]) }}"
+        Doubt.TOO_FAST -> "${shown(last.number)} cannot have become ${shown(number)} so fast"
+        Doubt.OUTLIER ->
+            "${shown(number)} is an outlier, since the median of the last ${judged?.count} is ${judged?.let { shown(it.middle()) }}"
+    }
+
+    private fun shown(number: Double) = GroundTerm.Number(number)
+
+    /** Returns readings in the same state. */
+    fun copy() = Readings(rule, annotated).also {
+        it.judged = judged?.copy()
+        it.credible = credible?.copy()
+        it.percepts += percepts
+        it.last.set(last.number, last.ms)
+        it.doubted.set(doubted.number, doubted.ms)
+        it.doubts = doubts
+    }
+
+    private companion object {
+        const val MS_PER_SECOND = 1_000
+
+        /** The number of percepts in a row that can follow each other and confirm each other so. */
+        const val CONFIRMING = 3
+
+        /** The standard deviation of normal noise, in median absolute deviations. */
+        const val OF_NORMAL_NOISE = 1.4826
+    }
+}

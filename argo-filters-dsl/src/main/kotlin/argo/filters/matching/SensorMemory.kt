@@ -1,0 +1,78 @@
+package argo.filters.matching
+
+/**
+ * The memory of a filter about sensors: a value for each sensor and each owner, a rule or a condition, that tells sensors apart in its way.
+ *
+ * It is bounded: if a board has more sensors than [CAPACITY], it forgets those that came longest ago. Percepts longer than [MAX_LENGTH]
+ * characters have no place in it ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
+ */
+internal class SensorMemory<V : Any> {
+    private val probe = SensorKey()
+    private val values = object : LinkedHashMap<SensorKey, V>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
+        override fun removeEldestEntry(eldest: Map.Entry<SensorKey, V>) = size > CAPACITY
+    }
+
+    /** Returns the value of the sensor that [owner] knows by [name]; null: there is none. */
+    operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]
+
+    /** Returns the value of the sensor that [owner] knows by [text] without its part from [from] to [to]; null: there is none. */
+    fun get(owner: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): V? =
+        values[probe.of(owner, text, from, to, start, end)]
+
+    /** Remembers [value] for the sensor that was looked up last. */
+    fun put(value: V) {
+        values[probe.copy()] = value
+    }
+
+    /** Forgets the value of the sensor that was looked up last. */
+    fun remove() {
+        values.remove(probe)
+    }
+
+    companion object {
+        const val CAPACITY = 4_096
+        const val MAX_LENGTH = 1_024
+        private const val INITIAL_CAPACITY = 16
+        private const val LOAD_FACTOR = 0.75f
+
+        fun isRoomFor(length: Int) = length <= MAX_LENGTH
+    }
+}
+
+/** The name of a sensor to its owner: the text of its percepts without the part that changes. */
+private class SensorKey(
+    private var owner: Any? = null, private var name: CharArray = CharArray(INITIAL_LENGTH), private var length: Int = 0,
+) {
+    private var hash = 0
+
+    /** Makes this the name that [text] from [start] to [end] has without its part from [from] to [to]. */
+    fun of(owner: Any, text: CharSequence, from: Int, to: Int, start: Int = 0, end: Int = text.length): SensorKey {
+        val room = from - start + end - to
+        if (name.size < room) name = CharArray(2 * room)
+        this.owner = owner
+        length = 0
+        hash = owner.hashCode()
+        add(text, start, from)
+        add(text, to, end)
+        return this
+    }
+
+    private fun add(text: CharSequence, from: Int, to: Int) {
+        for (i in from until to) {
+            val character = text[i]
+            name[length++] = character
+            hash = 31 * hash + character.code
+        }
+    }
+
+    fun copy() = SensorKey(owner, name.copyOf(length), length).also { it.hash = hash }
+
+    override fun hashCode(): Int = hash
+
+    override fun equals(other: Any?): Boolean =
+        other is SensorKey && owner === other.owner && java.util.Arrays.equals(name, 0, length, other.name, 0, other.length)
+
+    private companion object {
+        const val INITIAL_LENGTH = 64
+    }
+}

@@ -1,0 +1,78 @@
+package argo.filters.matching
+
+/** The last [size] numbers of a series, in their order by value. An addition takes time linear in [size] and allocates nothing. */
+internal class SortedWindow(private val size: Int) {
+    private val numbers = DoubleArray(size)
+
+    /** The places in [numbers], by their numbers. */
+    private val order = IntArray(size)
+    private var next = 0
+
+    /** The number of numbers that it holds. */
+    var count = 0
+        private set
+
+    /** Adds [number] in place of the oldest one if there are [size], and returns its place, from 0 to [size] - 1. */
+    fun add(number: Double): Int {
+        val place = next
+        next = if (place + 1 == size) 0 else place + 1
+        if (count == size) remove(place) else count++
+        numbers[place] = number
+        insert(place, number)
+        return place
+    }
+
+    private fun remove(place: Int) {
+        var i = 0
+        while (order[i] != place) i++
+        System.arraycopy(order, i + 1, order, i, count - i - 1)
+    }
+
+    private fun insert(place: Int, number: Double) {
+        var i = count - 1
+        while (i > 0 && numbers[order[i - 1]] > number) {
+            order[i] = order[i - 1]
+            i--
+        }
+        order[i] = place
+    }
+
+    /** Returns the place of the number in the middle, of two the newer one. */
+    fun median(): Int {
+        val upper = order[count / 2]
+        if (count % 2 == 1) return upper
+        val lower = order[count / 2 - 1]
+        return if (age(lower) < age(upper)) lower else upper
+    }
+
+    private fun age(place: Int) = (next - 1 - place + size) % size
+
+    /** Returns the number at [place]. */
+    operator fun get(place: Int): Double = numbers[place]
+
+    /** Returns the number in the middle, of two the greater one. */
+    fun middle(): Double = numbers[order[count / 2]]
+
+    /** Returns the median of the distances to [middle], of two the greater one: goes from there to the nearest number on both sides. */
+    fun medianDistance(): Double {
+        var low = count / 2
+        var high = low
+        val middle = numbers[order[low]]
+        var distance = 0.0
+        repeat(count / 2) {
+            val below = if (low > 0) middle - numbers[order[low - 1]] else Double.POSITIVE_INFINITY
+            val above = if (high < count - 1) numbers[order[high + 1]] - middle else Double.POSITIVE_INFINITY
+            distance = minOf(below, above)
+            if (below <= above) low-- else high++
+        }
+        return distance
+    }
+
+    /** Returns a window with the same numbers. */
+    fun copy() = SortedWindow(size).also {
+        numbers.copyInto(it.numbers)
+        order.copyInto(it.order)
+        it.next = next
+        it.count = count
+    }
+}

@@ -1,0 +1,91 @@
+package benchmarks
+
+import argo.filters.PerceptionFilter
+import argo.filters.RuleList
+import argo.filters.dropFilter
+import argo.filters.matching.FilterSession
+import java.util.Random
+
+/** The numbers that a range finder shows in place of the true one. */
+internal enum class Stray(val words: String, val cm: (Random) -> Int) {
+    LOST("lost echoes, 0 cm", { 0 }),
+    ANY("stray echoes, 2 to 400 cm", { 2 + it.nextInt(399) }),
+    NEAR("stray echoes below the limit, 0 to 39 cm", { it.nextInt(LIMIT_CM) }),
+}
+
+/** The ways in which the filters of [noise] smooth. */
+internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
+    "median 5" to { smooth("dist") { argument(1) median 5 } },
+    "outliers 3 among 5" to { smooth("dist") { argument(1).outliers(3) } },
+    "maxRate 200" to { smooth("dist") { argument(1) maxRate 200 } },
+    "outliers 3 among 5, median 3" to { smooth("dist") { argument(1).outliers(3); argument(1) median 3 } },
+)
+
+/**
+ * Simulates a range finder, read 20 times a second, with outliers in 5 % of its percepts, and an agent whose critical rule stops it below
+ * 40 cm. Prints the share of the false stops that smoothing leaves while the robot stands at 45 cm, and the percepts by which it delays the
+ * stop of a robot that drives at a wall, and of one before which something appears, with a sensor that is exact.
+ */
+internal fun noise() {
+    println("stops with outliers in 5 % of the percepts, 45 cm before the sensor with noise of 1 cm, limit 40 cm, simulated:")
+    for (stray in Stray.entries) {
+        val raw = falseStops({}, stray)
+        for ((words, rules) in SMOOTHING) {
+            println(figures("%-42s %-30s %8.3f %% of %d false stops left", stray.words, words, 100.0 * falseStops(rules, stray) / raw, raw))
+        }
+    }
+    for ((words, rules) in SMOOTHING) {
+        println(figures("%-30s delay of a stop: %d percepts driving at 50 cm/s, %d before a wall that appears",
+            words, delay(rules, DRIVING), delay(rules, APPEARING)))
+    }
+}
+
+/** Returns the number of times that a robot that stands stops in [percepts] percepts. */
+internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: Int = 1_000_000): Int {
+    val random = Random(42)
+    val stops = Stops(careful(smoothing))
+    return (1..percepts).count {
+        stops.begin(if (random.nextInt(100) < OUTLIERS_PERCENT) stray.cm(random) else (STANDING_CM + random.nextGaussian()).toInt())
+    }
+}
+
+/** The distances that the sensor of a robot shows that drives at a wall, from several places. */
+internal val DRIVING: List<List<Int>> = (60..69).map { begin -> List(40) { (begin - it * 2.5).toInt() } }
+
+/** The distances that it shows if a wall appears before the robot. */
+internal val APPEARING: List<List<Int>> = listOf(List(40) { if (it < 8) 60 else 20 })
+
+/** Returns by how many percepts smoothing delays the stop of a robot, at most, whose sensor shows one of these [courses]. */
+internal fun delay(smoothing: RuleList.() -> Unit, courses: List<List<Int>>): Int = courses.maxOf { course ->
+    fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> course.indexOfFirst(stops::begin) }
+    begin(smoothing) - begin {}
+}
+
+private fun careful(smoothing: RuleList.() -> Unit): PerceptionFilter = dropFilter("careful") {
+    smoothing()
+    critical("dist") {
+        argument(1) lt LIMIT_CM
+        smoothed()
+        reflex("stop")
+    }
+}
+
+/** The reflexes of an agent that perceives through [filter]. */
+private class Stops(filter: PerceptionFilter) {
+    private val session = FilterSession.ofTexts().also { it.switchTo(filter) }
+    private var nowMs = 0L
+    private var isMet = false
+
+    /** Returns true if the percept with this distance begins to meet the critical rule. */
+    fun begin(cm: Int): Boolean {
+        val wasMet = isMet
+        isMet = session.perceive(listOf("dist(f,$cm)"), nowMs).critical.isNotEmpty()
+        nowMs += INTERVAL_MS
+        return isMet && !wasMet
+    }
+}
+
+private const val LIMIT_CM = 40
+private const val STANDING_CM = 45
+private const val OUTLIERS_PERCENT = 5
+private const val INTERVAL_MS = 50L

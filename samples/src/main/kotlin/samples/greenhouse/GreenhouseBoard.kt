@@ -1,0 +1,20 @@
+package samples.greenhouse
+
+import javino.LineClock
+import kotlin.random.Random
+
+private const val NANOS_A_MINUTE = 10_000_000.0
+
+/** `sim:greenhouse`, the board of the sample `greenhouse`: a minute of it takes 10 ms. It logs its commands. */
+class GreenhouseBoard : Greenhouse(Random(2016), lapsed(LineClock.system())) {
+    override fun act(command: String): Boolean {
+        System.getLogger("samples.greenhouse").log(System.Logger.Level.INFO, command)
+        return super.act(command)
+    }
+}
+
+/** Returns the minutes since the first call. */
+private fun lapsed(clock: LineClock): () -> Double {
+    val begin by lazy { clock.nanos() }
+    return { (clock.nanos() - begin) / NANOS_A_MINUTE }
+}

@@ -1,0 +1,111 @@
+package samples.greenhouse
+
+import argo.testkit.Board
+import argo.testkit.TestAgent
+import argo.testkit.agent
+import io.kotest.core.NamedTag
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import io.kotest.matchers.comparables.shouldBeGreaterThanOrEqualTo
+import io.kotest.matchers.doubles.shouldBeLessThan
+import kotlin.io.path.Path
+import kotlin.random.Random
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.hours
+import kotlin.time.Duration.Companion.minutes
+
+class GreenhouseSpec : FunSpec({
+    fun gardener(setUp: Board.() -> Unit = { version2().knows("set/2") }) = agent(Path("greenhouse/gardener.asl")) {
+        options("beliefs" to "board(ttyACM0), minute(60000)")
+        board("ttyACM0").apply(setUp).shows("temp(20)", "soil(40)", "light(500)", "state(pump,off)", "state(vent,closed)")
+    }
+
+    fun TestAgent.senses(vararg percepts: String) = perceives(*percepts, within = 3.minutes)
+
+    test("it waters while the soil is dry, and neither more nor less between the two edges") {
+        gardener().use { gardener ->
+            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
+            gardener.senses("soil(44)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = 20.minutes)
+            gardener.senses("soil(46)", "light(500)", "state(pump,on)").shouldSend("set(pump,off)", within = 3.minutes)
+            gardener.senses("soil(31)", "light(500)", "state(pump,off)").shouldNotSend("set(pump,on)", during = 20.minutes)
+        }
+    }
+
+    test("a device that was switched rests, and is looked at again when the rest is over") {
+        gardener().use { gardener ->
+            gardener.senses("soil(29)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
+            gardener.senses("soil(60)", "light(500)", "state(pump,on)").shouldNotSend("set(pump,off)", during = 2.minutes)
+            gardener.shouldSend("set(pump,off)", within = 3.minutes)
+        }
+    }
+
+    test("it does not water at night") {
+        gardener().use { gardener ->
+            gardener.senses("soil(10)", "light(5)", "state(pump,off)").shouldNotSend("set(pump,on)", during = 1.hours)
+            gardener.senses("soil(10)", "light(500)", "state(pump,off)").shouldSend("set(pump,on)", within = 3.minutes)
+        }
+    }
+
+    test("the operator's order counts until it is taken back, and nobody else's does") {
+        gardener().use { gardener ->
+            gardener.hears("stranger", "achieve", "order(vent,open)").shouldPrint("stranger may not order vent open")
+            gardener.hears("operator", "achieve", "order(vent,open)").shouldSend("set(vent,open)", within = 3.minutes)
+            gardener.senses("temp(10)", "state(vent,open)").shouldNotSend("set(vent,closed)", during = 1.hours)
+            gardener.hears("operator", "achieve", "order(vent,automatic)").shouldSend("set(vent,closed)", within = 3.minutes)
+        }
+    }
+
+    test("when it sees nothing any more it switches the pump off") {
+        gardener().use { gardener ->
+            gardener.senses("soil(29)", "light(500)", "state(pump,on)")
+            gardener.board.ignoresRequests()
+            gardener.shouldSend("set(pump,off)", within = 4.minutes)
+        }
+    }
+
+    test("a day: no device is switched before it has rested, none at night, and it never gets hot or dry").config(tags = thorough) {
+        gardener { /* of version 1, whose line rests between two requests */ }.use { gardener ->
+            val day = Day(gardener)
+            day.passes()
+            day.switches("pump").shouldNotBeEmpty()
+            day.switches("vent").shouldNotBeEmpty()
+            day.rests("pump").min() shouldBeGreaterThanOrEqualTo 5.minutes
+            day.rests("vent").min() shouldBeGreaterThanOrEqualTo 15.minutes
+            day.switches("pump").filter { it.command == "set(pump,on)" && it.at > 14.hours }.shouldBeEmpty()
+            day.hottest shouldBeLessThan 31.0
+            day.driest shouldBeGreaterThanOrEqualTo 27.0
+        }
+    }
+})
+
+private val thorough = setOf(NamedTag("Thorough"))
+
+/** A day of the simulated greenhouse on the board of an agent. */
+private class Day(private val gardener: TestAgent) {
+    private var now = Duration.ZERO
+    private var heard = 0
+    private val house = Greenhouse(Random(1)) { now.inWholeSeconds / 60.0 }
+
+    var hottest = 0.0
+        private set
+    var driest = 100.0
+        private set
+
+    fun passes() {
+        gardener.board.shows { at ->
+            gardener.board.arrivals.drop(heard).forEach { house.act(it.command) }
+            heard = gardener.board.arrivals.size
+            now = at
+            house.percepts().also {
+                hottest = maxOf(hottest, house.celsius)
+                driest = minOf(driest, house.soil)
+            }
+        }
+        gardener.after(24.hours)
+    }
+
+    fun switches(device: String) = gardener.arrivals.filter { it.command.startsWith("set($device,") }
+
+    fun rests(device: String) = switches(device).zipWithNext { one, next -> next.at - one.at }
+}
