@@ -1,14 +1,12 @@
 package argo.perception
 
-import argo.acting.Reflexes
-import argo.connecting.PortStatus
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
 import argo.filters.matching.hasComment
 import argo.filters.matching.piecesOf
+import argo.filters.matching.whyClaimed
 import argo.filters.matching.whyUnreadable
 import argo.platform.foreignText
-import argo.sensing.StaleBeliefs
 import jason.asSyntax.ArithExpr
 import jason.asSyntax.ArithFunctionTerm
 import jason.asSyntax.Atom
@@ -84,13 +82,7 @@ private fun parse(percept: String): Reading = try {
             Reading.Unreadable("it holds a variable; a sensor's words begin in lower case or stand in quotes")
         isComputed(literal) ->
             Reading.Unreadable("it holds a function, which would be computed anew each time that the agent looks at it")
-        literal.functor == StaleBeliefs.FUNCTOR && literal.arity == 1 ->
-            Reading.Unreadable("stale/1 is the belief that a port is silent, which no board can claim")
-        literal.functor == Reflexes.FUNCTOR && literal.arity == 2 && isOneOf(Reflexes.OUTCOMES, literal.getTerm(1)) ->
-            Reading.Unreadable("reflex/2 with done or failed is the belief about a reflex's outcome, which no board can claim")
-        claimsToBeAPort(literal) ->
-            Reading.Unreadable("port/2 with on, off or timeout is the belief about a port's state, which no board can claim")
-        else -> Reading.Belief(ownSource(literal))
+        else -> claim(literal)?.let(Reading::Unreadable) ?: Reading.Belief(ownSource(literal))
     }
 } catch (refused: PerceptSyntaxException) {
     val detail = if (refused.cause is StackOverflowError) "it is nested too deep"
@@ -102,10 +94,11 @@ private fun parse(percept: String): Reading = try {
 private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
     term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
 
-private fun claimsToBeAPort(literal: Literal) =
-    literal.functor == "port" && literal.arity == 2 && isOneOf(PortStatus.WORDS, literal.getTerm(1))
-
-private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // the term off[x] matches the word off
+/** The term `off[x]` matches the word `off`. */
+private fun claim(literal: Literal): String? {
+    val last = if (literal.arity == 0) null else literal.getTerm(literal.arity - 1) as? Literal
+    return whyClaimed("${literal.functor}/${literal.arity}", last?.functor)
+}
 
 /** Returns [literal] without its claimed sources: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {

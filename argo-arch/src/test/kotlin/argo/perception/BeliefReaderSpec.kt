@@ -1,6 +1,10 @@
 package argo.perception
 
+import argo.acting.Reflexes
+import argo.connecting.PortStatus
+import argo.filters.matching.OWN_BELIEFS
 import argo.platform.foreignText
+import argo.sensing.StaleBeliefs
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldHaveSize
@@ -102,6 +106,12 @@ class BeliefReaderSpec : FunSpec({
         read("reflex(stop,done)").shouldBeEmpty()
         warnings.forEach { it shouldContain "which no board can claim" }
         warnings shouldHaveSize 2
+    }
+
+    test("ARGO's own beliefs are those that it makes") {
+        OWN_BELIEFS shouldBe mapOf(
+            "port/2" to PortStatus.WORDS, "${StaleBeliefs.FUNCTOR}/1" to emptySet(), "${Reflexes.FUNCTOR}/2" to Reflexes.OUTCOMES,
+        )
     }
 
     test("brackets nested ten thousand deep end in a warning") {

@@ -7,6 +7,7 @@ import argo.check.rules.ActionRules
 import argo.check.rules.ArgoCallRules
 import argo.check.rules.ArgumentOrderRules
 import argo.check.rules.BeliefRules
+import argo.check.rules.Facts
 import argo.check.rules.FilterRules
 import argo.check.rules.GoalRules
 import argo.check.rules.InternalActionRules
@@ -17,30 +18,34 @@ import argo.check.rules.Report
 import argo.check.rules.RobotRules
 import argo.check.rules.Rule
 import argo.check.rules.Scene
+import argo.check.rules.SingleNameRules
 import argo.check.rules.SyntaxRules
 import argo.check.rules.VariableKindRules
 import argo.check.rules.VariableRules
 
-/** Checks a project's files without running anything. */
-object ProjectCheck {
-    private val RULES: List<Rule> = listOf(
-        SyntaxRules, GoalRules, BeliefRules, VariableRules, InternalActionRules, ActionRules, PlanOrderRules, ArgumentOrderRules,
-        VariableKindRules, ArgoCallRules, FilterRules,
-        RobotRules,
-    )
+/** Checks [project] without running anything. One thread at a time uses it. */
+class ProjectCheck(private val project: Project) {
+    private val facts by lazy { Facts(project) }
 
-    /** Returns the findings in all files of [project]: programs first, the findings of each in the order of its text. */
-    fun check(project: Project): List<Finding> = project.programs.values.flatMap { check(project, it) } + checkFiles(project)
+    /** Returns the findings in all files: programs first, the findings of each in the order of its text. */
+    fun findings(): List<Finding> = project.programs.values.flatMap(::findingsIn) + findingsInFiles()
 
-    /** Returns the findings in the files of [project] that are not programs: project files, filters and descriptions of percepts. */
-    fun checkFiles(project: Project): List<Finding> =
+    /** Returns the findings in the files that are not programs: project files, filters and descriptions of percepts. */
+    fun findingsInFiles(): List<Finding> =
         ProjectFileRules.check(project) + FilterRules.check(project) + PerceptFileRules.check(project)
 
-    /** Returns the findings in [program], a program of [project], in the order of its text. */
-    fun check(project: Project, program: AgentProgram): List<Finding> {
+    /** Returns the findings in [program], one of the project's, in the order of its text. */
+    fun findingsIn(program: AgentProgram): List<Finding> {
         val report = Report(program::place)
-        val scene = Scene(project, program)
+        val scene = Scene(facts, program)
         RULES.forEach { it.check(scene, report) }
         return report.findings.filterNot { program.isIgnored(it.place.begin.line) }.distinct().sortedBy { it.place.begin }
+    }
+
+    private companion object {
+        val RULES: List<Rule> = listOf(
+            SyntaxRules, GoalRules, BeliefRules, VariableRules, InternalActionRules, ActionRules, PlanOrderRules, ArgumentOrderRules,
+            VariableKindRules, ArgoCallRules, FilterRules, RobotRules, SingleNameRules,
+        )
     }
 }

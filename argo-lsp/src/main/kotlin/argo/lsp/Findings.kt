@@ -1,6 +1,5 @@
 package argo.lsp
 
-import argo.check.ProjectCheck
 import argo.check.findings.Finding
 import argo.check.findings.Level
 import argo.check.syntax.Position
@@ -16,11 +15,12 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either
 internal class Findings(private val projects: Projects) {
     fun inProgram(text: Text): List<Diagnostic> {
         val project = projects.of(text)
-        return ProjectCheck.check(project.checked, project.sourceOf(text).agent).map(::diagnostic)
+        return project.check.findingsIn(project.sourceOf(text).agent).map(::diagnostic)
     }
 
-    fun inProjectFile(text: Text): List<Diagnostic> =
-        ProjectCheck.checkFiles(projects.of(text).checked).filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
+    /** Returns what is found in a project file or a filter, [text]. */
+    fun inFile(text: Text): List<Diagnostic> =
+        projects.of(text).check.findingsInFiles().filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
 
     private fun diagnostic(finding: Finding) = Diagnostic(
         Range(position(finding.place.begin), position(finding.place.end)), "${finding.what}: ${finding.why}; ${finding.remedy}",

@@ -12,13 +12,11 @@ import argo.lsp.filters.XmlFilterLanguage
 import argo.lsp.language.Language
 import argo.lsp.live.LiveValues
 import argo.lsp.project.Projects
-import argo.lsp.project.fileOf
 import argo.lsp.projectfile.ProjectFileLanguage
 import argo.lsp.text.OpenTexts
 import argo.lsp.text.Text
 import argo.tools.replay.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
-import java.nio.file.Path
 
 /**
  * Finds the language of a text by the ending of its file's name. Apart from [of], only the server's worker thread uses it. [tell] shows a
@@ -39,9 +37,9 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
 
     private val byEnding = mapOf(
         "asl" to AgentLanguage(findings::inProgram, projects::of, { words }, ::lastValues),
-        "mas2j" to ProjectFileLanguage(findings::inProjectFile, projects::of),
-        "xml" to XmlFilterLanguage(::isFilter, ::filterWords),
-        "json" to JsonFilterLanguage(::isFilter, ::filterWords),
+        "mas2j" to ProjectFileLanguage(findings::inFile, projects::of),
+        "xml" to XmlFilterLanguage(findings::inFile, ::filterWords),
+        "json" to JsonFilterLanguage(findings::inFile, ::filterWords),
     )
 
     /** Returns the language of [uri]; null: this server does not support such files. */
@@ -70,9 +68,6 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
 
     private fun viewOf(agent: MasAgent): Int? =
         agent.options.find { it.name.text == "argo_view" }?.value?.text?.toIntOrNull()?.takeIf { it in PORTS }
-
-    private fun isFilter(text: Text) =
-        projects.of(text).checked.isFilter(fileOf(text.uri) ?: Path.of(text.uri.substringAfterLast('/')), text.content)
 
     private fun filterWords(text: Text): FilterWords {
         val robot = projects.of(text).robot

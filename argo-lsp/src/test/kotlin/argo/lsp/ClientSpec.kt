@@ -5,8 +5,10 @@ import io.kotest.assertions.withClue
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.Enabled
+import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.ints.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
 import java.nio.file.Path
@@ -53,6 +55,14 @@ class ClientSpec : FunSpec({
             "argo.act support.function.argo", ".print support.function", "rest entity.name.function.goal",
             "// argo: ignore keyword.other.pragma", "light entity.name.function", "3 constant.numeric",
         )
+    }
+
+    thorough("the grammar of Visual Studio Code has a colour for each word of the samples") {
+        val programs = Path.of("../samples").toFile().walk().filter { it.extension == "asl" && "target" !in it.path }.toList()
+        programs.size shouldBeGreaterThan 5
+        val text = programs.joinToString("\n") { it.readText() }
+        val words = node("grammar.mjs", Path.of("../editors/vscode").absolute().toString(), input = text)
+        words.lines().filter { it.endsWith(" source") && it.removeSuffix(" source").any(Char::isLetterOrDigit) }.shouldBeEmpty()
     }
 
     thorough("the schema of JSON takes the filters of the page, and refuses what the reader refuses") {

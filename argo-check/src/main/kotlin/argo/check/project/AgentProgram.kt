@@ -3,6 +3,7 @@ package argo.check.project
 import argo.check.findings.Place
 import argo.check.syntax.Directive
 import argo.check.syntax.Literal
+import argo.check.syntax.Plan
 import argo.check.syntax.Program
 import argo.check.syntax.Span
 import argo.check.syntax.StringTerm
@@ -37,6 +38,13 @@ class AgentProgram(val path: Path, text: String) {
 
     /** True if a directive with an inner program, such as a pattern of Jason, may make plans of its own. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
+
+    /** Where the goals of plans with the annotation `test` begin: Jason finds these plans by their labels, and no name matters. */
+    val goalsOfTests: Set<Int> by lazy {
+        program.nodes().filterIsInstance<Plan>()
+            .filter { plan -> plan.label?.annotations?.items.orEmpty().any { (it as? Literal)?.functor == "test" } }
+            .mapNotNull { (it.trigger.term as? Literal)?.name?.span?.start }.toSet()
+    }
 
     /** The goals and beliefs that comments `argo: others may send goal/2, belief/1` list, each as functor/number of arguments. */
     val sentByOthers: Set<String> by lazy {

@@ -4,8 +4,8 @@ import argo.check.syntax.Position
 import argo.check.syntax.Span
 import javino.PerceptKind
 
-/** A word to which [file] gives a meaning, at [span]. */
-class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span)
+/** A word to which [file] gives a meaning, at [span]. If it [isObserved], it was seen for a while, and there may be others. */
+class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
 internal class Unreadable(val file: ProjectFile, val span: Span, val reason: String)
 
@@ -18,23 +18,26 @@ internal class Descriptions(private val file: ProjectFile) {
     val unreadable: List<Unreadable> get() = refused
 
     /** Reads the part [span] of the file as the description of one kind. */
-    fun add(span: Span) {
+    fun add(span: Span, isObserved: Boolean = false) {
         try {
-            read += Described(PerceptKind.parse(file.text.substring(span.start, span.end)), file, span)
+            read += Described(PerceptKind.parse(file.text.substring(span.start, span.end)), file, span, isObserved)
         } catch (reason: IllegalArgumentException) {
             refused += Unreadable(file, span, reason.message.orEmpty())
         }
     }
 }
 
-/** Reads a file of percepts: one kind in each line, comments behind `#`. */
+/** Reads a file of percepts: one kind in each line, comments behind `#`. An observed kind has the comment `# observed`. */
 internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).apply {
     for (line in 1..file.lines.count) {
-        val kind = file.lines.text(line).substringBefore('#')
+        val text = file.lines.text(line)
+        val kind = text.substringBefore('#')
         val start = file.lines.offset(Position(line, 1)) + (kind.length - kind.trimStart().length)
-        if (kind.isNotBlank()) add(Span(start, start + kind.trim().length))
+        if (kind.isNotBlank()) add(Span(start, start + kind.trim().length), text.substringAfter('#', "").trim() == OBSERVED)
     }
 }
+
+private const val OBSERVED = "observed"
 
 /** The kinds of percepts and the actions that a sketch or a Python program gives to the Javino library. */
 internal class BoardProgram(private val file: ProjectFile) {

@@ -1,6 +1,7 @@
 package argo.check.project
 
 import argo.check.findings.Place
+import argo.check.syntax.Lines
 import argo.check.syntax.Position
 import argo.filters.FilterException
 import argo.filters.PerceptionFilter
@@ -25,13 +26,20 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
     /** The name by which an agent calls this filter. */
     val name: String get() = path.name.substringBeforeLast('.')
 
-    /** Returns the place of one character; [line] and [column] count from 1. */
-    fun place(line: Int, column: Int = 1): Place = Place(path, Position(line, column), Position(line, column + 1))
+    private val lines by lazy { Lines(text) }
+
+    /** Returns the word or the tag in [line] that begins at [column], each counted from 1. */
+    fun place(line: Int, column: Int = 1): Place {
+        val begin = lines.offset(Position(line, column))
+        val end = (begin + 1..text.length).find { it == text.length || text[it] in ENDS } ?: begin
+        return Place(path, lines.position(begin), lines.position(end))
+    }
 
     companion object {
         private const val FOLDER = "filters"
         private val ROOT =
             Regex("(?:\\s++|\uFEFF|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*+<PerceptionFilter\\b.*", RegexOption.DOT_MATCHES_ALL)
+        private const val ENDS = "<>\"',{}[]\n\r"
         private val LISTS = setOf("rules", "critical")
 
         internal fun of(path: Path, text: String): FilterFile = try {

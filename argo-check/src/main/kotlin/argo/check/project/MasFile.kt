@@ -54,6 +54,9 @@ class MasAgent(
 class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     val environment: Token? = after("environment").firstOrNull()
 
+    /** True if its agents may meet agents of other programs: on a platform, on other computers. */
+    val isDistributed: Boolean = after("infrastructure").firstOrNull()?.let { it.text !in LOCAL } == true
+
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
         .filter { it.kind == TokenKind.STRING }.map { it.text.trim('"') }
 
@@ -96,4 +99,8 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
 
     /** The first token of the head, the sections or an agent's end that Jason refuses; null: Jason accepts these parts. */
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
+
+    private companion object {
+        val LOCAL = setOf("Centralised", "Local")
+    }
 }

@@ -32,11 +32,23 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     private fun agent() {
         take("the name of an agent, in lower case") { it.kind == TokenKind.ATOM }
-        skipTo { isAtSection() || current.text in BEHIND_SOURCE || current.text in WORDS }
+        if (error == null && !isBehindSource(current) && !isAtSection()) source()
         while (error == null && !current.isSymbol(";")) part()
         take(";")
     }
 
+    /** Takes the program of an agent: a file's name, in front of which Jason reads only a path that begins with `./` or a root. */
+    private fun source() {
+        var last = at
+        while (tokens.getOrNull(last + 1)?.let { it.span.start == tokens[last].span.end && !isBehindSource(it) } == true) last++
+        val written = tokens.subList(at, last + 1).joinToString("") { it.text }
+        take("a program in lower case, as bob.asl or ./src/bob.asl, or ;") { SOURCE.matches(written) }
+        if (error == null) at = last + 1
+    }
+
+    private fun isBehindSource(token: Token) = token.text in BEHIND_SOURCE || token.text in WORDS
+
+    /** Takes options, a number, a class or a host of an agent. */
     private fun part() = when (current.text) {
         "[" -> skipBehind("]")
         "#" -> {
@@ -78,6 +90,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
         /** The words before the name of a class or a host, behind an agent's source. */
         val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
+        private val SOURCE = Regex("(?:(?:[A-Za-z]:|\\.)?[/\\\\](?:\\S*[/\\\\])?)?[a-z]\\w*(?:\\.[a-z]\\w*)?")
         private val BEHIND_SOURCE = setOf("[", "#", ";")
         private val BEHIND_NAME = BEHIND_SOURCE + "("
     }

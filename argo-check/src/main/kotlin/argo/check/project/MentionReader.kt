@@ -129,7 +129,10 @@ internal class MentionReader {
             term is Bracketed -> formula(term.term)
             term is Literal && term.isInternal -> call(term)
             term is Literal -> mention(Role.READ, term)
-            term is Variable -> term.annotations?.let(::data)
+            term is Variable -> {
+                open += Role.READ
+                term.annotations?.let(::data)
+            }
             else -> data(term)
         }
     }

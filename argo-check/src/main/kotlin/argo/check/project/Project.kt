@@ -34,6 +34,16 @@ data class Project(
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
+    /** Returns this project with another text of the file [path], in XML or JSON, which may be a filter's. */
+    fun withFilter(path: Path, text: String): Project {
+        val others = filters.filter { it.path != path }
+        return when {
+            isFilter(path, text) -> copy(filters = others + FilterFile.of(path, text))
+            others.size < filters.size -> copy(filters = others)
+            else -> this
+        }
+    }
+
     /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter by its folder, its rules or a program's call. */
     fun isFilter(path: Path, text: String): Boolean =
         FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())

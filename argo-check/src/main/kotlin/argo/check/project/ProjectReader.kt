@@ -17,8 +17,10 @@ import kotlin.io.path.readBytes
 /**
  * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with everything below it. All programs
  * outside of such folders are one more project.
+ *
+ * @param maxFiles the most files of a folder that are read
  */
-class ProjectReader {
+class ProjectReader(private val maxFiles: Int = 20_000) {
     private val leftOut = LinkedHashMap<Path, String>()
 
     /** Returns the projects in [place], which is a folder, a project file or a program. Each file is in one project. */
@@ -59,7 +61,7 @@ class ProjectReader {
                 if (file.extension in READ || isPercepts(file)) {
                     if (attrs.isRegularFile) found.add(file) else if (!file.name.startsWith(EDITORS_LOCK)) leaveOut(file, NO_FILE)
                 }
-                return if (found.size < MAX_FILES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
+                return if (found.size <= maxFiles) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
             /** A link to a folder above is skipped without a finding, since the files of that folder are read there. */
@@ -70,8 +72,16 @@ class ProjectReader {
 
             private fun isOutput(dir: Path) = dir != folder && (dir.name in OUTPUTS || dir.name.startsWith("."))
         })
-        if (found.size >= MAX_FILES) leftOut[folder] = "it has more than $MAX_FILES files, and the others are left out"
-        return found.sorted()
+        if (found.size > maxFiles) leftOut[folder] = "it has more than $maxFiles files, and the others are left out"
+        return found.take(maxFiles).sorted().groupBy(::originalOf)
+            .map { (original, same) -> if (original in same) original else same.first() }
+    }
+
+    /** Returns where [file] is if links on the way to it are followed: a linked folder has the same files as its original. */
+    private fun originalOf(file: Path): Path = try {
+        file.toRealPath()
+    } catch (_: IOException) {
+        file // it has gone, which reading it tells
     }
 
     private fun read(root: Path, files: List<Path>): Project {
@@ -80,7 +90,8 @@ class ProjectReader {
         val sources = byKind["asl"].orEmpty() + masFiles.flatMap { mas -> mas.agents.mapNotNull { outside(mas, it, files) } }
         val programs = sources.distinct().associateWith { AgentProgram(it, textOf(it)) }
         val called = programs.values.flatMap { it.filtersCalled }.toSet()
-        val foreign = files.filter { it.extension in FOREIGN }.associateWith { textOf(it) }
+        val documents = files.filter { it.extension in DOCUMENTS }.associateWith { textOf(it) }
+        val foreign = files.filter { it.extension in FOREIGN }.associateWith { textOf(it) } + documents.filterValues { ORGANISATION in it }
         val perceptFiles = files.filter { isPercepts(it) }.map { ProjectFile(it, textOf(it)) }
         return Project(
             root, programs,
@@ -88,16 +99,13 @@ class ProjectReader {
             foreign.values.flatMap { text -> WORD.findAll(text).map { it.value } }.toSet(),
             foreign.values.flatMap(::operationsIn).toSet(),
             javaActions(files), files.any { it.extension == "java" || it.extension == "kt" },
-            filtersIn(files, called),
+            documents.filter { (path, text) -> FilterFile.isMeant(path, text, called) }.map { (path, text) -> FilterFile.of(path, text) },
             robotIn(foreign, perceptFiles, files.filter { it.extension == RECORDING }), perceptFiles,
             leftOut = emptyMap(),
         )
     }
 
-    private fun filtersIn(files: List<Path>, called: Set<String>): List<FilterFile> =
-        files.filter { it.extension == "xml" || it.extension == "json" }.associateWith { textOf(it) }
-            .filter { (path, text) -> FilterFile.isMeant(path, text, called) }.map { (path, text) -> FilterFile.of(path, text) }
-
+    /** Returns a program that a project file names outside of the project's folder. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
@@ -151,14 +159,17 @@ class ProjectReader {
 
         /** Emacs locks a file by a link to nowhere whose name begins like this. */
         private const val EDITORS_LOCK = ".#"
-        private const val MAX_FILES = 20_000
         private const val MAX_BYTES = 2_000_000L
         private const val MAX_HEIGHT = 5
         private val PROJECT_FILES = setOf("mas2j", "jcm")
         private val OTHER_PROJECT_FILES = setOf("jcm", "gradle", "kts")
         private val BOARDS = setOf("ino", "cpp", "py")
         private val FOREIGN = setOf("java", "kt", "py", "jcm", "ino", "cpp", "c", "h", "yaml", "yml", "properties")
-        private val READ = PROJECT_FILES + FOREIGN + setOf("asl", "xml", "json", "gradle", "kts", RECORDING)
+        private val DOCUMENTS = setOf("xml", "json")
+        private val READ = PROJECT_FILES + FOREIGN + DOCUMENTS + setOf("asl", "gradle", "kts", RECORDING)
+
+        /** Begins a file of Moise, which names goals of agents. */
+        private const val ORGANISATION = "<organisational-specification"
         private val OUTPUTS = setOf("build", "target", "bin", "node_modules")
         private val WORD = Regex("[a-z]\\w*")
         private val STRING = Regex("\"[^\"\n]*\"")

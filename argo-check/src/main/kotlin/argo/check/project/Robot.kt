@@ -24,6 +24,10 @@ class Robot(
     /** The kinds of percepts of the robot's boards, including those from mappings and recordings. */
     val percepts: List<PerceptKind> = (described.map { it.meaning } + otherPercepts).distinct()
 
+    /** The kinds that were observed, and are described nowhere: other values may come. */
+    val observed: Set<PerceptKind> =
+        described.filter { it.isObserved }.map { it.meaning }.toSet() - described.filterNot { it.isObserved }.map { it.meaning }.toSet()
+
     /** The actions of the robot's boards, including those from mappings. */
     val actions: List<BoardAction> = registered.map { it.meaning } + otherActions
 }

@@ -6,7 +6,7 @@ import argo.check.project.Role
 /** Actions of the environment with a slip in the name: another action of the environment or of the project has nearly this name. */
 internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
-        val often = scene.project.programs.values.flatMap { it.mentions[Role.ACTION] }.groupingBy { it.functor }.eachCount()
+        val often = scene.facts.often(Role.ACTION)
         val goals = scene.mentions(Role.HANDLED).map { it.functor }.toSet()
         val namesOfMore = HashMap<Int, Names>()
         for (action in scene.program.mentions[Role.ACTION]) {

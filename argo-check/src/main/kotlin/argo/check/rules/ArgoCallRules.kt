@@ -9,6 +9,8 @@ import argo.check.syntax.NumberTerm
 import argo.check.syntax.StringTerm
 import argo.check.syntax.Term
 import argo.check.syntax.Variable
+import javino.Frame
+import javino.PerceptsRequest
 import kotlin.math.roundToLong
 
 /** Calls of ARGO's internal actions: arguments and options, and the forms of other versions of ARGO. */
@@ -19,7 +21,7 @@ internal object ArgoCallRules : Rule {
         val calls = scene.program.mentions[Role.INTERNAL].mapNotNull { call ->
             ArgoActions.actionIn(call.functor)?.let { Call(it, call, scene) }
         }
-        calls.forEach { call(it, report) }
+        calls.forEach { call(it, calls, report) }
         severalPorts(calls, report)
         slowLimit(calls, report)
         val literals = scene.program.program.nodes().filterIsInstance<Literal>().toList()
@@ -36,7 +38,7 @@ internal object ArgoCallRules : Rule {
         fun textOf(term: Term): String = scene.program.program.text.substring(term.span.start, term.span.end)
     }
 
-    private fun call(call: Call, report: Report) {
+    private fun call(call: Call, calls: List<Call>, report: Report) {
         if (!ArgoActions.exists(call.name)) {
             val meant = Names.near(call.action.lowercase(), ArgoActions.NAMES) ?: call.action.lowercase().takeIf { it in ArgoActions.NAMES }
             report.error(
@@ -50,7 +52,7 @@ internal object ArgoCallRules : Rule {
             "port" -> port(call, report)
             "limit" -> limit(call, report)
             "percepts" -> percepts(call, report)
-            "act" -> act(call, report)
+            "act" -> act(call, calls, report)
             "filter", "change_filter" -> filter(call, report)
         }
     }
@@ -139,18 +141,31 @@ internal object ArgoCallRules : Rule {
             "use one of these words")
     }
 
-    private fun act(call: Call, report: Report) {
+    private fun act(call: Call, calls: List<Call>, report: Report) {
         val options = call.arguments.getOrNull(1)
         if (call.arguments.size !in 1..2 || options != null && options !is ListTerm && options !is Variable) {
             return arity(call, "one literal, as in ${call.name}(speed(120)), and optionally a list of options", report)
         }
         if (options is ListTerm) Options.check(options, KnownOption.OF_ACT, call.name, report)
+        if (portsIn(calls).none { nameOf(it).startsWith("ros") }) unsendable(call.arguments.first(), report)
         val command = call.arguments.first() as? StringTerm ?: return
         if (!call.name.startsWith(".")) return
         report.hint(
             "act-string", command.span, "the string $command is sent without its quotes here", "some versions of ARGO sent them too",
             "if the board expects quotes, write a structure with a string: say($command)",
         )
+    }
+
+    /** Tells of a command that no line carries. */
+    private fun unsendable(command: Term, report: Report) {
+        val text = RobotRules.textOf(command) ?: return
+        val why = if (PerceptsRequest.isIn(text)) "a board takes $text for the request for percepts" else try {
+            Frame.ofCommand(text)
+            return
+        } catch (refused: IllegalArgumentException) {
+            refused.message.orEmpty()
+        }
+        report.error("act", command.span, why, "the plan fails there", "send another command")
     }
 
     private fun filter(call: Call, report: Report) {

@@ -1,94 +1,100 @@
 package argo.check.rules
 
-import argo.check.project.Mention
-import argo.check.syntax.Block
-import argo.check.syntax.ListTerm
-import argo.check.syntax.Literal
-import argo.check.syntax.NumberTerm
-import argo.check.syntax.Operation
-import argo.check.syntax.Prefixed
-import argo.check.syntax.StringTerm
-import argo.check.syntax.Term
-import argo.check.syntax.Variable
+import argo.check.findings.Level
+import argo.check.syntax.Belief
 
-/** Two neighbouring arguments that the rest of the project writes in the other order. */
+/** Neighbouring arguments that stand the other way round wherever else the project has this literal, or these two variables. */
 internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
-        val alike = scene.project.programs.values.flatMap { it.mentions.all }.filter(::isOpen).groupBy { it.literal.indicator }
-        for (component in scene.program.program.components) {
-            val inside = scene.program.mentions.within(component.span).filter(::isOpen)
-            inside.forEach { mention(it, alike.getValue(it.literal.indicator), inside, report) }
+        val arguments = scene.facts.arguments
+        for (inside in arguments.of(scene.program)) {
+            for (literal in inside) {
+                if (!ofLiteral(literal, inside, arguments, report)) ofVariables(literal, inside, arguments, report)
+            }
         }
     }
 
-    /** Returns true for a literal whose arguments neither Jason nor ARGO fixes. */
-    private fun isOpen(mention: Mention) =
-        mention.arity >= 2 && mention.functor !in InternalAction.ALL && mention.functor !in GoalRules.OF_JASON
+    private fun ofLiteral(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report): Boolean {
+        val columns = arguments.columnsOf(literal)
+        val index = (0 until literal.arguments.size - 1).firstOrNull { isSwapped(literal, columns, it) } ?: return false
+        if (!isSymmetric(literal, index, inside)) tell(literal, index, isBothWays(literal, index, inside), report)
+        return true
+    }
 
-    private fun mention(mention: Mention, alike: List<Mention>, inside: List<Mention>, report: Report) {
-        val index = swapped(mention, alike.filter { it !== mention }.map { it.literal.arguments }) ?: return
-        val (first, second) = mention.literal.arguments.drop(index)
-        val isBothWays = first is Variable && second is Variable && inside.any { other ->
-            other !== mention && other.literal.indicator == mention.literal.indicator &&
-                signOf(other.literal.arguments[index]) == signOf(second) &&
-                signOf(other.literal.arguments[index + 1]) == signOf(first)
+    /** Tells of two variables that hardly ever stand side by side in this order elsewhere, and in the other one in several plans. */
+    private fun ofVariables(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report) {
+        val own = inside.flatMap { it.neighbours }.toSet()
+        for ((first, second) in literal.neighbours) {
+            val other = second to first
+            val others = arguments.often(other) - if (other in own) 1 else 0
+            if (others + usual(second, first) < maxOf(MIN_PLANS, MANY * (arguments.often(first to second) - 1))) continue
+            val index = (0 until literal.arguments.size - 1)
+                .first { literal.arguments[it].sign == first && literal.arguments[it + 1].sign == second }
+            if (isSymmetric(literal, index, inside)) continue
+            report.hint(
+                "argument-order", literal.placeOf(index),
+                "$second stands in front of $first ${if (others == 0) "mostly" else "in $others other plans"}, and here behind it",
+                "the arguments may be those of each other", "correct their order, if it is not meant",
+            )
         }
-        if (isBothWays) return
-        report.warning(
-            "argument-order", first.span + second.span,
-            "arguments ${index + 1} and ${index + 2} of ${mention.literal.indicator} stand the other way round elsewhere in the project",
-            "the literal does not match the others", "correct their order",
+    }
+
+    /** Returns how many plans speak for an order that people keep everywhere: X and Y, I and J, X1 and X2. */
+    private fun usual(first: String, second: String): Int {
+        val at = first.indices.filter { first[it] != second.getOrNull(it) }.singleOrNull()
+        return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0
+    }
+
+    /** A plan may mean both ways. */
+    private fun tell(literal: OpenLiteral, index: Int, isBothWays: Boolean, report: Report) = report.add(
+        "argument-order", if (isBothWays) Level.HINT else Level.WARNING, literal.placeOf(index),
+        "arguments ${index + 1} and ${index + 2} of ${literal.mention.literal.indicator} stand the other way round elsewhere in the " +
+            "project",
+        "the literal does not match the others", "correct their order",
+    )
+
+    /** Returns true if a rule says that a relation goes both ways. */
+    private fun isSymmetric(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>) =
+        literal.component is Belief && isBothWays(literal, index, inside)
+
+    /** Returns true if the plan has the literal with these variables the other way round too. */
+    private fun isBothWays(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>): Boolean {
+        val (first, second) = literal.arguments.drop(index)
+        return first.isVariable && second.isVariable && inside.any { other ->
+            other !== literal && other.mention.literal.indicator == literal.mention.literal.indicator &&
+                other.arguments[index].sign == second.sign && other.arguments[index + 1].sign == first.sign
+        }
+    }
+
+    private fun isSwapped(literal: OpenLiteral, columns: List<Column>, index: Int): Boolean {
+        val (first, second) = literal.arguments.drop(index)
+        if (!first.isVariable && first.kind != null && first.kind == second.kind) return false
+        val misplaced = listOf(
+            strength(first, columns[index], columns[index + 1], second), strength(second, columns[index + 1], columns[index], first),
         )
-    }
-
-    private fun swapped(mention: Mention, others: List<List<Term>>): Int? =
-        mention.literal.arguments.zipWithNext().indices.firstOrNull { index ->
-            isSwapped(mention.literal.arguments[index], mention.literal.arguments[index + 1], index, others)
-        }
-
-    private fun isSwapped(first: Term, second: Term, index: Int, others: List<List<Term>>): Boolean {
-        if (kindOf(first) != null && kindOf(first) == kindOf(second)) return false
-        val left = others.map { it[index] }
-        val right = others.map { it[index + 1] }
-        val misplaced = listOf(strength(first, left, right), strength(second, right, left))
         return misplaced.none { it < 0 } && misplaced.sum() >= ENOUGH
     }
 
-    /** Returns how strongly [term] belongs among the terms [there] rather than [here]; negative: it is in its place. */
-    private fun strength(term: Term, here: List<Term>, there: List<Term>): Int {
-        val sign = signOf(term) ?: return 0
-        val kind = kindOf(term)
-        val same = there.count { signOf(it) == sign }
+    /**
+     * How much speaks for [argument], one of the column [here], being in the column [there], which has [neighbour]; negative: it is in its
+     * place.
+     */
+    private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
+        val sign = argument.sign ?: return 0
+        val kind = argument.kind
+        val same = there.signsLike(sign, neighbour)
+        val isShort = argument.isVariable && sign.length < LONG
         return when {
-            here.count { signOf(it) == sign } * (if (term is Variable && sign.length < LONG) MAX else MANY) > same -> AGAINST
-            same > 0 -> if (term is Variable && sign.length < LONG) ALIKE else SAME
+            here.signsLike(sign, argument) * (if (isShort) MAX else MANY) > same -> AGAINST
+            same > 0 -> if (isShort) ALIKE else SAME
             kind == null -> 0
-            here.any { kindOf(it) == kind } -> AGAINST
-            there.any { kindOf(it) == kind } -> ALIKE
+            here.kindsLike(kind, argument) > 0 -> AGAINST
+            there.kindsLike(kind, neighbour) > 0 -> ALIKE
             else -> 0
         }
     }
 
-    /** The kind of a term in one word; null: the term tells nothing. */
-    private fun signOf(term: Term): String? = when (term) {
-        is Variable -> term.name.text.trimStart('_').ifEmpty { null }
-        is Literal -> term.indicator
-        is NumberTerm -> term.text
-        is StringTerm -> term.text
-        else -> kindOf(term)
-    }
-
-    private fun kindOf(term: Term): String? = when (term) {
-        is Literal -> if (term.isInternal) null else if (term.arity == 0) "atom" else term.indicator
-        is NumberTerm -> "number"
-        is StringTerm -> "string"
-        is ListTerm -> "list"
-        is Operation, is Prefixed -> "number"
-        is Block -> "block"
-        else -> null
-    }
-
-    /** A term belongs in another place only if it stands there at least this many times as often as here. */
+    /** So many times more often must something stand in another place for that to be its place. */
     private const val MANY = 5
     private const val MAX = 1_000_000
     private const val AGAINST = -10
@@ -98,4 +104,7 @@ internal object ArgumentOrderRules : Rule {
 
     /** A variable with a shorter name tells little. */
     private const val LONG = 3
+
+    /** So many other plans make an order the usual one. */
+    private const val MIN_PLANS = 2
 }

@@ -18,10 +18,11 @@ internal object BeliefRules : Rule {
     private fun neverBelieved(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
         val known = believed.map { it.literal.indicator }.toSet()
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.literal.indicator }.toSet()
-        val often = scene.everyMention(*READS).groupingBy { it.functor }.eachCount()
+        val often = scene.facts.often(*READS)
         val percepts = scene.project.robot.percepts.map { it.functor() }.toSet()
         val arities = believed.groupBy({ it.functor }, { it.arity })
         val base = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations
+        val isClosed = scene.isClosed && scene.agents.none { it.isArgo } && !scene.isOpen(Role.BELIEVED) && !scene.facts.isOpen(Role.TOLD)
         val names = Names(base)
         val namesOfMore = Names(base + often.filter { it.value > 1 }.keys)
         val namesOfAll = Names(base + often.keys)
@@ -43,24 +44,30 @@ internal object BeliefRules : Rule {
                     WHY_READ, "correct the arguments",
                 )
                 meant != null -> report.warning("belief-unknown", mention.span, what, WHY_READ, "did you mean $meant?")
+                isClosed -> report.hint("belief-unknown", mention.span, what, WHY_READ, "believe it, or say that $OTHERS")
             }
         }
     }
 
     private fun neverRead(scene: Scene, report: Report, reads: List<Mention>, believed: List<Mention>) {
-        val everyRead = scene.everyMention(*READS).map { it.functor }.toSet()
+        val everyRead = scene.facts.often(*READS).keys
         report.slips("belief-unread", scene.program.mentions[Role.TOLD], everyRead, scene, "this message has no effect") {
             "no agent of the project reads ${it.literal.indicator}"
         }
         val known = (reads + scene.mentions(Role.TEST_HANDLED)).map { it.functor }.toSet()
+        val isClosed = scene.isClosed && !scene.facts.isOpen(Role.ASKED) && !scene.isOpen(Role.READ, Role.EVENT)
         val often = believed.groupingBy { it.functor }.eachCount()
         val names = Names(known)
         val namesOfMore = Names(known + often.filter { it.value > 1 }.keys)
         for (mention in scene.program.mentions[Role.BELIEVED]) {
             if (mention.functor in known || scene.isKnownElsewhere(mention)) continue
-            val meant = (if (often.getValue(mention.functor) == 1) namesOfMore else names).near(mention.functor) ?: continue
+            val meant = (if (often.getValue(mention.functor) == 1) namesOfMore else names).near(mention.functor)
             val what = "${mention.literal.indicator} is believed and never read"
-            report.warning("belief-unread", mention.span, what, "this belief has no effect", "did you mean $meant?")
+            val why = "this belief has no effect"
+            when {
+                meant != null -> report.warning("belief-unread", mention.span, what, why, "did you mean $meant?")
+                isClosed -> report.hint("belief-unread", mention.span, what, why, "read it, or remove it")
+            }
         }
     }
 
@@ -72,5 +79,6 @@ internal object BeliefRules : Rule {
     }
 
     private val TRUTHS = listOf("true", "false", "jag_awaking", "jag_sleeping", "jag_shutting_down")
+    private const val OTHERS = "others may send it"
     private const val WHY_READ = "it is never true, and causes no event"
 }

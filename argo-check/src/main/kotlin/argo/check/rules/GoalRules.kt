@@ -15,7 +15,7 @@ internal object GoalRules : Rule {
     private fun withoutPlan(scene: Scene, report: Report) {
         if (scene.isOpen(Role.HANDLED)) return
         val handled = scene.mentions(Role.HANDLED, Role.FAILURE_HANDLED)
-        val others = handled.map { it.functor }.toSet() + scene.postedOften + if (scene.hasUnknownPlans) OF_JASON else emptySet()
+        val others = handled.map { it.functor }.toSet() + scene.facts.postedOften + if (scene.hasUnknownPlans) OF_JASON else emptySet()
         val names = Names(others)
         val indicators = handled.map { it.literal.indicator }.toSet()
         val arities = aritiesIn(handled)
@@ -36,7 +36,7 @@ internal object GoalRules : Rule {
     }
 
     private fun sentWithoutPlan(scene: Scene, report: Report) {
-        val handled = scene.everyMention(Role.HANDLED).map { it.functor }.toSet()
+        val handled = scene.facts.often(Role.HANDLED).keys
         report.slips("goal-without-plan", scene.program.mentions[Role.SENT_GOAL], handled, scene, "the receiver fails") {
             "no agent of the project has a plan for ${it.literal.indicator}"
         }
@@ -54,7 +54,7 @@ internal object GoalRules : Rule {
         val posted = scene.mentions(Role.POSTED, Role.SENT_GOAL)
         val indicators = posted.map { it.literal.indicator }.toSet()
         val arities = aritiesIn(posted)
-        val names = posted.map { it.functor }.toSet() + USUAL
+        val names = posted.map { it.functor }.toSet() + USUAL + if (scene.facts.isOfJaCaMo) scene.project.operations else emptySet()
         val plans = scene.mentions(Role.HANDLED).groupingBy { it.functor }.eachCount()
         val namesOfMore = HashMap<Int, Names>()
         for (plan in scene.program.mentions[Role.HANDLED] + scene.program.mentions[Role.FAILURE_HANDLED]) {
@@ -68,12 +68,17 @@ internal object GoalRules : Rule {
                 postedWith != null ->
                     report.warning("plan-arity", plan.span, "$what, only ${forms(plan, postedWith)}", why, "correct the arguments")
                 meant != null -> report.warning("plan-without-cause", plan.span, what, why, "did you mean $meant?")
+                scene.isClosed && plan.span.start !in scene.program.goalsOfTests ->
+                    report.hint("plan-without-cause", plan.span, what, why, "post the goal, or remove the plan")
             }
         }
     }
 
+    /** The one of [OF_JASON] whose arguments may stand in any order. */
+    const val SYMMETRIC = "assert_equals"
+
     /** Goals of the test plans in Jason's jar that agents may include. */
-    val OF_JASON = setOf("assert_equals", "assert_true", "assert_false", "assert_contains", "force_pass", "force_failure")
+    val OF_JASON = setOf(SYMMETRIC, "assert_true", "assert_false", "assert_contains", "force_pass", "force_failure")
 
     /** Goals that many projects get from outside. */
     private val USUAL = setOf("start", "kqml_received")

@@ -4,10 +4,13 @@ package argo.check.rules
 val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 
 /**
- * The arguments of an internal action. [kinds] are the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string,
- * `e` a list or a string, `t` a term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything.
+ * The name and the arguments of an internal action.
+ *
+ * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
+ * term in braces, `p` a performative, `v` a variable, `a` an atom, `b` begin or end, `d` no formula, `_` anything
+ * @property inputs the indices from 0 of the arguments that must have a value
  */
-internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val since: String?) {
+internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val inputs: Set<Int>, val since: String?) {
     /** The numbers of arguments in words, such as `3 to 5 arguments`. */
     val takes: String get() = when {
         arities.last == Int.MAX_VALUE -> "${arities.first} arguments or more"
@@ -26,7 +29,9 @@ internal class InternalAction(val name: String, val arities: IntRange, val kinds
             val parts = line.split(' ')
             val last = if (parts[2] == "*") Int.MAX_VALUE else parts[2].toInt()
             val kinds = parts.drop(3).filter { it.length == 1 }.map(String::single)
-            return InternalAction(parts[0], parts[1].toInt()..last, kinds, parts.last().substringAfter("since=", "").ifEmpty { null })
+            val inputs = kinds.indices.filter { kinds[it].isUpperCase() }.toSet()
+            val since = parts.last().substringAfter("since=", "").ifEmpty { null }
+            return InternalAction(parts[0], parts[1].toInt()..last, kinds.map(Char::lowercaseChar), inputs, since)
         }
     }
 }

@@ -29,7 +29,7 @@ internal object InternalActionRules : Rule {
     )
 
     override fun check(scene: Scene, report: Report) {
-        val often = scene.project.programs.values.flatMap { it.mentions[Role.INTERNAL] }.groupingBy { it.functor }.eachCount()
+        val often = scene.facts.often(Role.INTERNAL)
         for (call in scene.program.mentions[Role.INTERNAL]) {
             val action = InternalAction.ALL[call.functor]
             when {
@@ -85,12 +85,22 @@ internal object InternalActionRules : Rule {
         }
         if (call.functor == ".send") receiver(call, scene, report)
         val (first, second) = call.literal.arguments.take(2).takeIf { it.size == 2 } ?: return
+        emptyRange(call, report)
         if (call.functor == ".member" && second is Variable && first is ListTerm && first.withDescendants().none { it is Variable }) {
             report.warning(
                 "internal-action-arguments", call.span, "argument 1 of .member is a list, and argument 2 the variable ${second.name}",
                 "the first is looked for in the second", "correct the order of the arguments",
             )
         }
+    }
+
+    /** Numbers in the wrong order make a range that has none. */
+    private fun emptyRange(call: Mention, report: Report) {
+        if (call.functor != ".range" || call.arity != RANGE_WITHOUT_STEP) return
+        val (from, to) = call.literal.arguments.drop(1).map { it as? NumberTerm ?: return }
+        if (from.value <= to.value) return
+        report.warning("internal-action-arguments", from.span + to.span, "the range from $from to $to is empty", "nothing is done",
+            "correct the order of the arguments")
     }
 
     private fun performative(call: Mention, index: Int, argument: Term, report: Report) {
@@ -128,21 +138,24 @@ internal object InternalActionRules : Rule {
                 "correct the order of the arguments",
             )
         }
-        val names = scene.project.masFiles.flatMap { mas -> mas.agents.flatMap { it.names + it.name.text } }
-        if (receiver.arity > 0 || receiver.functor in names || scene.project.masFiles.isEmpty()) return
-        val meant = Names.near(receiver.functor, names) ?: return
-        report.warning("receiver", receiver.span, "there is no agent ${receiver.functor}", "the message is lost", "did you mean $meant?")
+        val names = scene.project.masFiles.flatMap { mas -> mas.agents.flatMap { it.names + it.name.text } } + "self"
+        if (receiver.arity > 0 || receiver.functor in names || receiver.functor in scene.project.foreignNames) return
+        val what = "there is no agent ${receiver.functor}"
+        val remedy = Names.near(receiver.functor, names)?.let { "did you mean $it?" }
+            ?: scene.facts.agentNames?.let { "there are ${it.joinToString()}" } ?: return
+        report.warning("receiver", receiver.span, what, "the plan fails there", remedy)
     }
 
     /** Returns false if [argument] cannot be of [kind]. A term that Jason may evaluate to another term is of every kind. */
     private fun mayBe(kind: Char, argument: Term): Boolean = when (kind) {
-        'l' -> !isNumber(argument) && argument !is StringTerm && !isAtom(argument) && !isStructure(argument)
+        'l' -> !isNumber(argument) && argument !is StringTerm && argument !is Block && !isAtom(argument) && !isStructure(argument)
         'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument)
         's' -> argument !is ListTerm && argument !is Block
         'e' -> !isNumber(argument) && !isAtom(argument)
         'v' -> argument is Variable
-        'a' -> argument !is StringTerm && argument !is ListTerm && argument !is NumberTerm
-        'd' -> !(argument is Operation && (argument.isOf("&") || argument.isOf("|")))
+        'a' -> argument is Variable || isAtom(argument) && !(argument as Literal).isNegated
+        'b' -> argument is Variable || argument is Literal && argument.indicator in PLACES
+        'd' -> !(argument is Operation && (argument.isOf("&") || argument.isOf("|"))) && !(argument is Literal && argument.isInternal)
         'f' -> argument !is NumberTerm && argument !is ListTerm
         't' -> argument !is NumberTerm && argument !is ListTerm
         else -> true
@@ -164,6 +177,7 @@ internal object InternalActionRules : Rule {
         'v' -> "a variable"
         'd' -> "a term, no formula"
         'a' -> "an atom"
+        'b' -> "begin or end"
         'f' -> "a formula"
         else -> "a term in braces"
     }
@@ -171,5 +185,7 @@ internal object InternalActionRules : Rule {
     private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
 
     private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
+    private val PLACES = setOf("begin/0", "end/0")
     private const val MAX_TEXT = 40
+    private const val RANGE_WITHOUT_STEP = 3
 }

@@ -1,8 +1,13 @@
 package argo.check.rules
 
-/** Finds the one of [names] that a person may have meant. Make one instance for many questions. */
+/** Finds the one of [names] that a person may have meant. Make one instance for many questions: each looks at few of the names. */
 internal class Names(names: Collection<String>) {
-    private val byLength: Map<Int, List<Name>> = names.toSet().filter { it.length > MIN_LENGTH }.map(::Name).groupBy { it.text.length }
+    /** The names by each of their parts. Slips leave one part as it is, at most one letter away from its place. */
+    private val byPart: Map<Part, List<Name>> by lazy {
+        names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
+            .flatMap { name -> partsOf(name.text.length).map { Part(name.text.length, it.first, name.text.substring(it)) to name } }
+            .groupBy({ it.first }, { it.second })
+    }
 
     /**
      * Returns the name that [written] is probably a slip of: one letter is missing, added or different, or two neighbours are swapped. A
@@ -10,10 +15,27 @@ internal class Names(names: Collection<String>) {
      */
     fun near(written: String): String? {
         val name = Name(written)
-        return (written.length - 1..written.length + 1).flatMap { byLength[it].orEmpty() }
+        return (maxOf(written.length - 1, MIN_LENGTH + 1)..written.length + 1).flatMap { candidates(written, it) }.toSet()
             .filter { name.isLike(it) && isNear(written, it.text) }
-            .map { it.text }.minWithOrNull(compareBy({ distance(written, it) }, { it }))
+            .map { it.text }.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
     }
+
+    /** Returns the names of [length] letters that have a part of [written]. */
+    private fun candidates(written: String, length: Int): List<Name> = partsOf(length).flatMap { part ->
+        (part.first - 1..part.first + 1).flatMap { from ->
+            val end = from + part.last + 1 - part.first
+            if (from < 0 || end > written.length) emptyList() else byPart[Part(length, part.first, written.substring(from, end))].orEmpty()
+        }
+    }
+
+    /** Divides a name: into more parts than its slips can touch, of which each may touch two. */
+    private fun partsOf(length: Int): List<IntRange> {
+        val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
+        return (0 until number).map { it * length / number until (it + 1) * length / number }
+    }
+
+    /** The part [text] of a name of [length] letters, which begins at [start]. */
+    private data class Part(val length: Int, val start: Int, val text: String)
 
     /** A name with its set of letters, which quickly excludes most other names. */
     private class Name(val text: String) {
@@ -32,7 +54,7 @@ internal class Names(names: Collection<String>) {
 private fun isNear(a: String, b: String): Boolean {
     val shorter = minOf(a.length, b.length)
     if (shorter < MIN_LENGTH) return false
-    return distance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
+    return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
 /** Returns true if the names differ only in a one-letter part, such as the X of `OldX`. Such names tell things of one kind apart. */
@@ -47,10 +69,10 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with a neighbour to turn [a] into [b]. A result above [MOST_SLIPS]
- * may be too small.
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]: exactly up to 2, and else
+ * some larger number.
  */
-private fun distance(a: String, b: String): Int {
+fun editDistance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length
     val end = a.substring(start).commonSuffixWith(b.substring(start)).length
     return distanceWithin(a.substring(start, a.length - end), b.substring(start, b.length - end))

@@ -60,7 +60,11 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
 internal object Options {
     fun check(list: ListTerm, known: Map<String, KnownOption>, owner: String, report: Report) {
-        list.items.filterIsInstance<Literal>().forEach { option(it, known[it.functor], known.keys, owner, report) }
+        val options = list.items.filterIsInstance<Literal>()
+        options.forEach { option(it, known[it.functor], known.keys, owner, report) }
+        options.groupBy { it.functor }.filterKeys(known::contains).values.mapNotNull { it.getOrNull(1) }.forEach {
+            report.error("option", it.span, "${it.functor} of $owner is given twice", "the plan fails there", "keep one of them")
+        }
     }
 
     private fun option(option: Literal, known: KnownOption?, names: Set<String>, owner: String, report: Report) {

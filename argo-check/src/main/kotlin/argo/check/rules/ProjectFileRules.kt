@@ -79,6 +79,9 @@ internal object ProjectFileRules {
 
     private fun agent(project: Project, file: MasFile, agent: MasAgent, report: Report) {
         agent.options.forEach { option(it, report) }
+        agent.options.groupBy { it.name.text }.values.mapNotNull { it.getOrNull(1) }.forEach {
+            report.warning("arch-option", it.name.span, "${it.name} is given twice", "only the last one counts", "keep one of them")
+        }
         val options = agent.options.filter { it.name.text.startsWith("argo_") && it.name.text != KnownOption.OF_FLEET }
         if (!agent.isArgo && agent.architectures.isEmpty()) options.firstOrNull()?.let {
             report.error("no-architecture", it.name.span, "${it.name} has no effect", "only the architecture $ARCHITECTURE reads it",

@@ -1,5 +1,6 @@
 package argo.check.rules
 
+import argo.check.findings.Level
 import argo.check.project.BoardAction
 import argo.check.project.Mention
 import argo.check.project.Role
@@ -20,7 +21,7 @@ internal object RobotRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.isNotEmpty() && scene.agents.none { it.isArgo }) return
         if (scene.project.robot.percepts.isNotEmpty()) percepts(scene, report)
-        if (scene.project.robot.actions.isNotEmpty()) scene.program.mentions[Role.INTERNAL].forEach { command(it, scene, report) }
+        if (scene.project.robot.actions.isNotEmpty()) scene.program.program.components.forEach { commands(it, scene, report) }
     }
 
     private fun percepts(scene: Scene, report: Report) {
@@ -28,8 +29,8 @@ internal object RobotRules : Rule {
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet()
         for (component in scene.program.program.components) {
             val reads = scene.program.mentions.within(component.span).filter { it.role in READS && it.functor !in own }
-            val ranges = HashMap<String, PerceptArgument.Quantity>()
-            reads.forEach { read -> kinds[read.functor]?.let { percept(read, it, ranges, report) } }
+            val ranges: Ranges = HashMap()
+            reads.forEach { read -> kinds[read.functor]?.let { percept(read, it, ranges, scene, report) } }
             comparisons(component, ranges, report)
         }
         val hasEnvironment = scene.project.masFiles.any { it.environment != null }
@@ -43,20 +44,21 @@ internal object RobotRules : Rule {
         for (read in listOf(Role.EVENT, Role.READ).flatMap { scene.program.mentions[it] }) {
             if (read.functor in kinds || read.functor in own || read.functor in tests || scene.isKnownElsewhere(read) ||
                 names.near(read.functor) != null) continue
-            report.warning(
-                "percept-unknown", read.span,
+            report.add(
+                "percept-unknown", if (scene.project.robot.observed.isEmpty()) Level.WARNING else Level.HINT, read.span,
                 "no board of the project has the percept ${read.literal.indicator}, and no agent believes or sends it",
                 "it is never true, and causes no event", "the boards have ${kinds.joinToString()}",
             )
         }
     }
 
-    private fun percept(read: Mention, kinds: List<PerceptKind>, ranges: MutableMap<String, PerceptArgument.Quantity>, report: Report) {
+    private fun percept(read: Mention, kinds: List<PerceptKind>, ranges: Ranges, scene: Scene, report: Report) {
+        val level = if (kinds.all(scene.project.robot.observed::contains)) Level.HINT else Level.WARNING
         val alike = kinds.filter { it.arguments().size == read.arity }
         if (alike.isEmpty()) {
-            report.warning(
-                "percept-arity", read.span, "the board has ${kinds.joinToString()}, and here ${read.functor} has ${read.arity} arguments",
-                WHY, "correct the arguments",
+            report.add(
+                "percept-arity", level, read.span,
+                "the board has ${kinds.joinToString()}, and here ${read.functor} has ${read.arity} arguments", WHY, "correct the arguments",
             )
             return
         }
@@ -65,16 +67,16 @@ internal object RobotRules : Rule {
             val value = valueOf(argument)
             val wrong = if (value == null) null else described.map { it.deviationOf(value).orElse(null) ?: return@forEachIndexed }.first()
             if (wrong != null) {
-                report.warning("percept-value", argument.span,
+                report.add("percept-value", level, argument.span,
                     "argument ${index + 1} of ${read.functor} is $value, $wrong: the board has ${alike.joinToString()}", WHY, "correct it")
             }
             val range = described.singleOrNull() as? PerceptArgument.Quantity
-            if (argument is Variable && range != null) ranges[argument.name.text] = range
+            if (argument is Variable && range != null) ranges[argument.name.text] = KnownRange(range, level)
         }
     }
 
-    /** Reports comparisons whose result a described range fixes: with L in `0..100`, `light(_,L) & L > 100` is never true. */
-    private fun comparisons(component: Node, ranges: Map<String, PerceptArgument.Quantity>, report: Report) {
+    /** Reports comparisons whose result a range fixes: with L in `0..100`, `light(_,L) & L > 100` is never true. */
+    private fun comparisons(component: Node, ranges: Ranges, report: Report) {
         if (ranges.isEmpty()) return
         component.withDescendants().filterIsInstance<Operation>().filter { it.operators.size == 1 }.forEach { comparison ->
             val (left, right) = comparison.operands
@@ -84,17 +86,17 @@ internal object RobotRules : Rule {
         }
     }
 
-    private fun decided(comparison: Operation, variable: Term, outcome: Boolean, ranges: Map<String, PerceptArgument.Quantity>,
-        report: Report) {
-        val range = ranges.getValue((variable as Variable).name.text)
-        val what = "${variable.name} is $range as the board describes it, so that this is ${if (outcome) "always" else "never"} true"
-        if (outcome) report.hint("percept-range", comparison.span, what, "the comparison decides nothing",
-            "compare with a number in the range")
-        else report.warning("percept-range", comparison.span, what, WHY, "compare with a number in the range")
+    private fun decided(comparison: Operation, variable: Term, outcome: Boolean, ranges: Ranges, report: Report) {
+        val (range, level) = ranges.getValue((variable as Variable).name.text)
+        val origin = if (level == Level.HINT) "was observed" else "the board describes it"
+        val what = "${variable.name} is $range as $origin, so that this is ${if (outcome) "always" else "never"} true"
+        val why = if (outcome) "the comparison decides nothing" else WHY
+        report.add("percept-range", if (outcome) Level.HINT else level, comparison.span, what, why, "compare with a number in the range")
     }
 
-    private fun outcome(variable: Term, operator: String, bound: Term, ranges: Map<String, PerceptArgument.Quantity>): Boolean? {
-        val range = ranges[(variable as? Variable)?.name?.text] ?: return null
+    /** Returns what the comparison always is; null: it depends. */
+    private fun outcome(variable: Term, operator: String, bound: Term, ranges: Ranges): Boolean? {
+        val range = ranges[(variable as? Variable)?.name?.text]?.range ?: return null
         val number = valueOf(bound)?.toBigDecimalOrNull() ?: return null
         val min = range.min().map { it.compareTo(number) }.orElse(null)
         val max = range.max().map { it.compareTo(number) }.orElse(null)
@@ -108,8 +110,17 @@ internal object RobotRules : Rule {
         }
     }
 
+    /** A plan that asks `argo.can(Action)` is for boards with and without it. */
+    private fun commands(component: Node, scene: Scene, report: Report) {
+        val calls = scene.program.mentions.within(component.span).filter { it.role == Role.INTERNAL }
+        val asked = calls.filter { ArgoActions.actionIn(it.functor) == "can" }.mapNotNull { it.literal.arguments.firstOrNull() }
+        if (asked.any { it is Variable }) return
+        val names = asked.map { (it as? Literal)?.functor }
+        calls.filter { ArgoActions.actionIn(it.functor) == "act" && (it.literal.arguments.firstOrNull() as? Literal)?.functor !in names }
+            .forEach { command(it, scene, report) }
+    }
+
     private fun command(call: Mention, scene: Scene, report: Report) {
-        if (ArgoActions.actionIn(call.functor) != "act") return
         val command = call.literal.arguments.firstOrNull() ?: return
         val text = commandIn(command) ?: return
         val actions = scene.project.robot.actions
@@ -142,6 +153,14 @@ internal object RobotRules : Rule {
             (action.arity == null || action.arity == if (arguments.isBlank()) 0 else arguments.count { it == ',' } + 1)
     }
 
+    /** Returns the text that a board gets for [command]; null: it has variables or structures in it. */
+    fun textOf(command: Term): String? = when {
+        command is StringTerm -> if ('\\' in command.text) null else command.text
+        command !is Literal || command.isInternal || command.annotations != null -> null
+        command.arity == 0 -> command.functor
+        else -> command.arguments.map { valueOf(it) ?: return null }.joinToString(",", "${command.functor}(", ")")
+    }
+
     /** Returns the text of a constant as percepts have it; null: [term] is no constant. */
     fun valueOf(term: Term): String? = when (term) {
         is NumberTerm -> term.text
@@ -155,3 +174,9 @@ internal object RobotRules : Rule {
     private val MIRRORED = mapOf("<" to ">", ">" to "<", "<=" to ">=", ">=" to "<=")
     private const val WHY = "it is never true, and causes no event"
 }
+
+/** @property level how grave it is if the range excludes what a program waits for */
+private data class KnownRange(val range: PerceptArgument.Quantity, val level: Level)
+
+/** The ranges of a plan's variables. */
+private typealias Ranges = HashMap<String, KnownRange>

@@ -33,7 +33,7 @@ internal class Report(private val place: (Span) -> Place) {
         }
     }
 
-    private fun add(rule: String, level: Level, span: Span, what: String, why: String, remedy: String) {
+    fun add(rule: String, level: Level, span: Span, what: String, why: String, remedy: String) {
         collected += Finding(rule, level, place(span), what, why, remedy)
     }
 }

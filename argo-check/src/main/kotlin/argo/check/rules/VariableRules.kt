@@ -2,12 +2,13 @@ package argo.check.rules
 
 import argo.check.syntax.Belief
 import argo.check.syntax.Directive
+import argo.check.syntax.Literal
 import argo.check.syntax.Node
 import argo.check.syntax.Plan
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Variables that a plan or a rule mentions once. */
+/** Variables that a plan or a rule mentions once, and those that an internal action reads before they have a value. */
 internal object VariableRules : Rule {
     override fun check(scene: Scene, report: Report) {
         scene.program.program.components.flatMap(::scopes).forEach { scope(it, report) }
@@ -24,20 +25,36 @@ internal object VariableRules : Rule {
     private fun scope(scope: Node, report: Report) {
         val variables = scope.withDescendants().filterIsInstance<Variable>().toList()
         val often = variables.groupingBy { it.name.text }.eachCount()
+        val unbound = unboundInputs(scope, variables)
+        val names by lazy { Names(often.keys.filter { it.length >= LONG && it[0] != '_' }) }
         for (variable in variables) {
             val name = variable.name.text
-            if (name.startsWith("_") || often.getValue(name) > 1) continue
-            val meant = Names.near(name, often.keys.filter { it.length >= LONG && it[0] != '_' }).takeIf { name.length >= LONG }
-            val what = "the variable $name occurs once here"
-            if (meant != null) {
-                report.warning("variable-once", variable.name.span, what, "it is bound for nothing, or unbound where it is used",
+            val isOnce = often.getValue(name) == 1 && !name.startsWith("_")
+            val meant = if (isOnce && name.length >= LONG) names.near(name) else null
+            val reader = unbound[variable]
+            when {
+                meant != null -> report.warning("variable-once", variable.name.span, "the variable $name occurs once here", WHY,
                     "did you mean $meant?")
-            } else {
-                report.hint("variable-once", variable.name.span, what, "it is bound for nothing, or unbound where it is used",
+                reader != null -> report.warning("variable-unbound", variable.name.span,
+                    "$name has no value yet, and ${reader.name} needs one", "the plan fails there",
+                    "bind it before, or correct the order of the arguments")
+                isOnce -> report.hint("variable-once", variable.name.span, "the variable $name occurs once here", WHY,
                     "write _ if that is meant")
             }
         }
     }
+
+    /** Returns the variables that an internal action reads where they occur for the first time, with that action. */
+    private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
+        val first = variables.distinctBy { it.name.text }.toSet()
+        val calls = scope.withDescendants().filterIsInstance<Literal>().filter { it.isInternal }
+        return calls.flatMap { call ->
+            val inputs = InternalAction.ALL[call.functor]?.inputs.orEmpty()
+            call.arguments.filterIndexed { index, argument -> index in inputs && argument in first }.map { it as Variable to call }
+        }.toMap()
+    }
+
+    private const val WHY = "it is bound for nothing, or unbound where it is used"
 
     /** Shorter names are alike by chance. */
     private const val LONG = 4

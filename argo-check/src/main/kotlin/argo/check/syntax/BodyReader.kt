@@ -82,13 +82,11 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
     private fun formula(): Statement {
         val start = cursor.start
         val operator = operator()
-        if (operator == BodyOperator.ACHIEVE || operator == BodyOperator.ACHIEVE_APART) {
-            val goal = terms.literal()
-            return Formula(cursor.since(start), operator, goal)
-        }
         if (operator == BodyOperator.DO && cursor.isAt("(") && isBodyInBrackets()) return group()
-        val term = terms.formula()
-        if (operator != BodyOperator.DO && term is Literal && term.isInternal) {
+        val isGoal = operator == BodyOperator.ACHIEVE || operator == BodyOperator.ACHIEVE_APART
+        val term = if (isGoal) terms.literal() else terms.formula()
+        val isSign = operator == BodyOperator.DO || operator == BodyOperator.DELETE // Jason takes the second for a minus
+        if (!isSign && term is Literal && term.isInternal && term.functor.startsWith(".")) { // one with a package it lets pass
             cursor.fail("${term.name} is an internal action, and no belief or goal that ${operator.symbol} can stand before", term.span)
         }
         return Formula(cursor.since(start), operator, term)

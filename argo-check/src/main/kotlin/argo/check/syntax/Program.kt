@@ -50,5 +50,7 @@ fun programOf(text: String): Program {
     val read = tokens.filter { it.kind != TokenKind.COMMENT && it.kind != TokenKind.UNKNOWN }
     val lines = Lines(text)
     val components = ProgramReader(Cursor(read, lines, errors::add)).components()
-    return Program(text, lines, tokens, components, if (lexical == 0) errors else errors.sortedBy { it.span.start })
+    val isWhole = errors.isEmpty()
+    if (isWhole) errors += operandErrors(components)
+    return Program(text, lines, tokens, components, if (isWhole || lexical > 0) errors.sortedBy { it.span.start } else errors)
 }

@@ -27,7 +27,10 @@ class PlantedFaultsSpec : FunSpec({
         val projects = Path.of(CORPUS!!).listDirectoryEntries().sorted().flatMap { ProjectReader().projectsIn(it) }
         val programs = projects.flatMap { project -> project.programs.values.filter { isWhole(it) }.map { project to it } }
             .distinctBy { it.second.program.text }
-        val unchanged = programs.associate { (project, program) -> program to ProjectCheck.check(project, program) }
+        val unchanged = programs.groupBy({ it.first }, { it.second }).flatMap { (project, all) ->
+            val check = ProjectCheck(project)
+            all.map { it to check.findingsIn(it) }
+        }.toMap()
         val planting = Planting(Random(SEED))
         val faults = generateSequence { programs[planting.next(programs.size)] }
             .mapNotNull { (project, program) -> planting.faultIn(program)?.let { project to it } }
@@ -40,9 +43,12 @@ class PlantedFaultsSpec : FunSpec({
         val share = found.count { it.second != null } * 100.0 / found.size
         val rate = alarms.size * 1000.0 / lines
         val report = Path.of("target", "planted").createDirectories()
+        val missed = faults.zip(found).filter { it.second.second == null }.map { it.first }
+        val single = missed.filter { (project, fault) -> isNamedOnce(project, fault) }.toSet()
         report.resolve("missed.txt").writeText(
-            found.filter { it.second == null }.joinToString("\n") { (fault, _) ->
-                "${fault.kind}: ${fault.program.path}:${fault.line} ${fault.description}"
+            missed.joinToString("\n") { each ->
+                val (_, fault) = each
+                "${fault.kind}: ${fault.program.path}:${fault.line} ${fault.description}${if (each in single) " (named once)" else ""}"
             },
         )
         report.resolve("findings.txt").writeText(findings.joinToString("\n", transform = ::line))
@@ -53,6 +59,7 @@ class PlantedFaultsSpec : FunSpec({
         }
         val graver = found.count { it.second == Level.ERROR || it.second == Level.WARNING }
         println("  all: %.1f %% found in the right line, $graver of them by an error or a warning".format(share))
+        println("  ${missed.size} missed, of which ${single.size} are names that their project has once")
         println("unchanged: ${alarms.size} errors and warnings, %.2f in 1,000 lines; ${findings.size - alarms.size} hints".format(rate))
         findings.groupingBy { "${it.level} ${it.rule}" }.eachCount().toSortedMap().forEach { (rule, count) -> println("  $rule: $count") }
 
@@ -65,7 +72,7 @@ class PlantedFaultsSpec : FunSpec({
 private val CORPUS: String? = System.getProperty("argo.corpus")
 
 /** What `docs/check.md` tells is better than these; a rule that is worse fails. */
-private const val LEAST_SHARE = 85.0
+private const val LEAST_SHARE = 91.0
 private const val GREATEST_RATE = 2.0
 private const val SEED = 30L
 private const val FAULTS = 500
@@ -75,10 +82,14 @@ private fun line(finding: Finding) = "${finding.level} ${finding.rule} ${finding
 
 private fun isWhole(program: AgentProgram) = program.program.errors.isEmpty() && program.program.lines.count >= MIN_LINES
 
+/** Returns true if no other text of [project] has the name that [fault] changes. */
+private fun isNamedOnce(project: Project, fault: Fault): Boolean = fault.kind != Planting.SWAP && fault.written !in project.foreignNames &&
+    project.programs.values.sumOf { program -> program.program.tokens.count { it.text == fault.written } } == 1
+
 /** Returns the gravest level of the new findings in the line of [fault]; null: there are none. */
 private fun levelOf(project: Project, fault: Fault, before: List<Finding>): Level? {
     val planted = project.with(fault.program.path, fault.planted)
-    val after = ProjectCheck.check(planted, planted.programs.getValue(fault.program.path))
+    val after = ProjectCheck(planted).findingsIn(planted.programs.getValue(fault.program.path))
     val old = before.map { Triple(it.rule, it.place.begin.line, it.what) }.toSet()
     val new = after.filter { it.place.begin.line == fault.line && Triple(it.rule, it.place.begin.line, it.what) !in old }
     return new.minOfOrNull { it.level }

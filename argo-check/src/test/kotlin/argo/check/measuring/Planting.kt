@@ -15,6 +15,9 @@ import kotlin.random.Random
 class Fault(val kind: String, val program: AgentProgram, val span: Span, val text: String, val description: String) {
     val line: Int get() = program.program.lines.position(span.start).line
 
+    /** The text that the fault replaces. */
+    val written: String get() = program.program.text.substring(span.start, span.end)
+
     val planted: String get() = program.program.text.replaceRange(span.start, span.end, text)
 }
 
@@ -28,8 +31,9 @@ class Planting(private val random: Random) {
         return sites.randomOrNull(random)?.invoke()
     }
 
+    /** The name of a test has no effect, however it is spelt. */
     private fun names(program: AgentProgram): List<() -> Fault?> = program.mentions.all
-        .filter { it.role != Role.DATA && it.functor.length >= MIN_LENGTH &&
+        .filter { it.role != Role.DATA && it.span.start !in program.goalsOfTests && it.functor.length >= MIN_LENGTH &&
             it.functor.all { letter -> letter.isLetterOrDigit() || letter in "_." } }
         .map { { misspelt(kindOf(it), program, it.span, it.functor) } }
 
@@ -63,7 +67,7 @@ class Planting(private val random: Random) {
             (of(first)[0] == '_' || of(first + 1)[0] == '_')) return null
         val span = literal.arguments[first].span + literal.arguments[first + 1].span
         val between = text.substring(literal.arguments[first].span.end, literal.arguments[first + 1].span.start)
-        return Fault("swapped arguments", program, span, of(first + 1) + between + of(first),
+        return Fault(SWAP, program, span, of(first + 1) + between + of(first),
             "${literal.indicator}: ${of(first)}, ${of(first + 1)}")
     }
 
@@ -91,12 +95,13 @@ class Planting(private val random: Random) {
         return if (letter.isUpperCase()) next.uppercaseChar() else next
     }
 
-    private companion object {
-        const val MIN_LENGTH = 3
-        val ROWS = listOf("qwertyuiop", "asdfghjkl", "zxcvbnm")
+    companion object {
+        const val SWAP = "swapped arguments"
+        private const val MIN_LENGTH = 3
+        private val ROWS = listOf("qwertyuiop", "asdfghjkl", "zxcvbnm")
 
         /** The arguments of these have no order, or one that only their reader knows. */
-        val FREE = setOf(
+        private val FREE = setOf(
             ".print", ".println", ".concat", ".union", ".intersection", ".log", ".printf", ".fail", ".max", ".min", "assert_equals",
         )
     }

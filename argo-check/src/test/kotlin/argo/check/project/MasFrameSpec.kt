@@ -7,6 +7,7 @@ import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.shouldBe
 import jason.mas2j.parser.ParseException
+import jason.mas2j.parser.TokenMgrError
 import jason.mas2j.parser.mas2j
 import java.io.StringReader
 
@@ -18,6 +19,8 @@ class MasFrameSpec : FunSpec({
         mas2j(StringReader(text)).mas()
         true
     } catch (_: ParseException) {
+        false
+    } catch (_: TokenMgrError) {
         false
     }
 
@@ -32,6 +35,13 @@ class MasFrameSpec : FunSpec({
             "MAS m { agents: }" to "1:17 the name of an agent, in lower case, not }",
             "MAS m { agents: a }" to "1:19 ;, not }",
             "MAS m { agents: a; b }" to "1:22 ;, not }",
+            "MAS m { agents: a b c; }" to "1:21 ;, not c",
+            "MAS m { agents: a \"b.asl\"; }" to "1:19 $PROGRAM, not \"b.asl\"",
+            "MAS m { agents: a Bob.asl; }" to "1:19 $PROGRAM, not Bob",
+            "MAS m { agents: a test-b.asl; }" to "1:19 $PROGRAM, not test",
+            "MAS m { agents: a src/b.asl; }" to "1:19 $PROGRAM, not src",
+            "MAS m { agents: a ../b.asl; }" to "1:19 $PROGRAM, not .",
+            "MAS m { agents: a = b; }" to "1:19 $PROGRAM, not =",
             "MAS m { agents: a agentArchClass argo.Arch\n b; }" to "2:2 ;, not b",
             "MAS m { agents: a [verbose=1] b; }" to "1:31 ;, not b",
             "MAS m { agents: a #x; }" to "1:20 a number, not x",
@@ -49,6 +59,7 @@ class MasFrameSpec : FunSpec({
     context("what Jason reads is not told of") {
         listOf(
             "MAS m { agents: a; b; }", "MAS m { }",
+            "MAS m { agents: a /d/e.asl #3; b ./c.asl; c c:/x/y.asl; d e[verbose=1]; f g.txt; }",
             "MAS m { agents: a b.asl [verbose=1,x=\"y;}\"] agentArchClass argo.Arch #2 at \"h\"; b; }",
             "MAS m { infrastructure: Local environment: x.Y(1,\"b\") agents: a agentClass x.B(2, 3) beliefBaseClass c.D; " +
                 "aslSourcePath: \"x\"; }",
@@ -61,3 +72,5 @@ class MasFrameSpec : FunSpec({
         }
     }
 })
+
+private const val PROGRAM = "a program in lower case, as bob.asl or ./src/bob.asl, or ;"

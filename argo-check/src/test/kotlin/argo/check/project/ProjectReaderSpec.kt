@@ -135,6 +135,13 @@ class ProjectReaderSpec : FunSpec({
         project.leftOut shouldBe mapOf(folder.resolve("gone.asl") to "it is no regular file")
     }
 
+    test("a linked folder beside its original is read once, as the original") {
+        val folder = folder("original/a.asl" to "a.")
+        Files.createSymbolicLink(folder.resolve("also"), folder.resolve("original"))
+        ProjectReader().projectsIn(folder).single().programs.keys.map { "${folder.relativize(it)}" } shouldContainExactly
+            listOf("original/a.asl")
+    }
+
     test("a folder that cannot be read is told of by the project around it").config(enabled = System.getProperty("user.name") != "root") {
         val folder = folder("a/a.mas2j" to "MAS a { agents: b; }", "a/b.asl" to "", "a/closed/c.asl" to "")
         val closed = folder.resolve("a/closed").toFile()
@@ -146,10 +153,17 @@ class ProjectReaderSpec : FunSpec({
         }
     }
 
+    test("files beyond the limit of a folder are left out, and told of") {
+        val folder = folder("a.asl" to "a.", "b.asl" to "b.")
+        fun leftOut(maxFiles: Int) = ProjectReader(maxFiles).projectsIn(folder).single().leftOut
+        leftOut(1) shouldBe mapOf(folder to "it has more than 1 files, and the others are left out")
+        leftOut(2).shouldBeEmpty()
+    }
+
     test("a file that is too large is left out, and told of") {
         val folder = folder("a.asl" to "a.", "big.py" to "# ${"x".repeat(2_000_001)}")
         val project = ProjectReader().projectsIn(folder).single()
-        ProjectCheck.check(project).single().run { rule shouldBe "left-out"; what shouldContain "more than 2000000 bytes" }
+        ProjectCheck(project).findings().single().run { rule shouldBe "left-out"; what shouldContain "more than 2000000 bytes" }
         ProjectReader().projectsIn(folder("a.asl" to "a.")).single().leftOut.shouldBeEmpty()
     }
 })

@@ -65,6 +65,8 @@ class MigrationSpec : FunSpec({
             "+!s <- argo.port(P, [mode(sing)])." to "mode of argo.port is request or listen, not sing",
             "+!s <- argo.port(P, [baud])." to "baud of argo.port needs a value",
             "+!s <- argo.ports([a, port(b, [az(right)])])." to "az is no option of a port",
+            "+!s <- argo.port(a, [baud(9600), baud(115200)])." to "baud of argo.port is given twice",
+            "+!s <- argo.act(stop, [urgent, urgent])." to "urgent of argo.act is given twice",
             "+!s <- argo.act(stop, [urgnt])." to "urgnt is no option of argo.act",
             "+!s <- argo.act(stop, [timeout(-5)])." to "timeout of argo.act is a whole number from 1 to 600000, not -5",
             "+!s <- argo.act(stop, [latest(1)])." to "latest of argo.act has no value, and here it is 1",
@@ -108,7 +110,7 @@ class MigrationSpec : FunSpec({
 
     test("a wrong or missing architecture in a project file is reported") {
         val found = findings(
-            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve x/talker.asl;\n" +
+            "old.mas2j" to "MAS old {\n infrastructure: Centralised\n agents:\n  bob agentArchClass jason.Argo;\n  eve ./x/talker.asl;\n" +
                 "  max;\n aslSourcePath: \"src\";\n}",
             "src/bob.asl" to "+!s <- .port(a).", "src/talker.asl" to "+!s <- .act(a).", "src/max.asl" to "+!s <- .filter(none).",
         )
@@ -152,6 +154,7 @@ class MigrationSpec : FunSpec({
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
         of("argo_diary=on").single().level shouldBe Level.HINT
         of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"robot:9090\"").shouldBeEmpty()
+        of("argo_view=8080, argo_view=8081").single().what shouldBe "argo_view is given twice"
         of("argo_fleet=\"computers, agents\"").shouldBeEmpty()
         of("argo_fleet=robots").single().what shouldBe
             "argo_fleet of argo.Arch is computers and agents, or one of them, as \"computers,agents\", not robots"
@@ -218,6 +221,9 @@ class MigrationSpec : FunSpec({
         KnownOption.OF_ACT.keys shouldBe options("acting/CommandOptions.kt")
         ArgoActions.ERRORS shouldBe Regex("^\\| `(\\w+)`", RegexOption.MULTILINE).findAll(Path.of("../docs/errors.md").readText())
             .map { it.groupValues[1] }.toSet()
+        val architecture = listOf("ArchOptions.kt", "perception/PerceptLimit.kt").joinToString { sources.resolve(it).readText() }
+        val archOptions = Regex("\"(argo_[a-z]+)\"").findAll(architecture).map { it.groupValues[1] }.toSet()
+        KnownOption.OF_ARCH.keys - KnownOption.OF_FLEET shouldBe archOptions
         val dotForms = Path.of("../argo-arch/src/stdlib/kotlin/jason/stdlib/DotForms.kt").readText()
         ArgoActions.DOT_NAMES shouldBe Regex("^class (\\w+)", RegexOption.MULTILINE).findAll(dotForms).map { it.groupValues[1] }.toSet()
     }

@@ -46,6 +46,8 @@ class ProgramRulesSpec : FunSpec({
             "!a.\n+!a <- .print(x).\n+!a : b <- .print(y).\nb." to
                 "3:1 plan-unreachable: the plan in line 2 always applies to this event, and comes first; " +
                 "move it up, or give the other a context",
+            "!a.\n!go(3,eve).\n+!a : .my_name(Me) & .length([1],N) <- !go(Me,N).\n+!go(A,B) <- .print(A,B)." to
+                "3:44 argument-order: arguments 1 and 2 of go/2 stand the other way round elsewhere in the project; correct their order",
             "pos(front,1).\npos(back,2).\n!a.\n+!a : pos(3,front) <- .print(x)." to
                 "4:11 argument-order: arguments 1 and 2 of pos/2 stand the other way round elsewhere in the project; correct their order",
             "!a.\n+!a <- .suspend(gp(1)); !gop(1).\n+!gop(X) <- .print(X)." to
@@ -80,6 +82,43 @@ class ProgramRulesSpec : FunSpec({
         )
     }
 
+    test("a receiver that no agent is is told of, if all agents are known") {
+        fun of(text: String, vararg others: Pair<String, String>) = found("!a. +!a <- .send(tom, tell, b). $text", *others)
+        of("") shouldContainExactly listOf("1:18 receiver: there is no agent tom; there are bob, eve")
+        of("+!b <- .create_agent(X, \"eve.asl\"); .print(X).").filter { "receiver" in it }.shouldBeEmpty()
+        of("", "Env.java" to "class Env { void a() { getRuntimeServices().createAgent(name()); } }").shouldBeEmpty()
+        of("", "p.jcm" to "mas m { }").shouldBeEmpty()
+        found("!a. +!a <- .send(self, achieve, a).").shouldBeEmpty()
+    }
+
+    test("names that nothing knows are hints, if all that could bring them is in the project") {
+        val program = "!a.\nready.\n+!a : clear <- .print(x).\n+!b <- .print(y)."
+        val hints = listOf(
+            "2:1 belief-unread: ready/0 is believed and never read; read it, or remove it",
+            "3:7 belief-unknown: clear/0 is read and never believed; believe it, or say that others may send it",
+            "4:3 plan-without-cause: nothing in the project posts the goal b/0; post the goal, or remove the plan",
+        )
+        fun of(mas: String, vararg others: Pair<String, String>) =
+            findingsIn(root, "m.mas2j" to mas, "bob.asl" to program, *others).map { it.inShort }
+        of("MAS m { agents: bob; }") shouldContainExactly hints
+        of("MAS m { environment: Env agents: bob; }", "Env.java" to "class Env { }") shouldContainExactly hints
+        of("MAS m { environment: Env agents: bob; }").shouldBeEmpty()
+        of("MAS m { agents: bob agentClass a.Bob; }", "a/Bob.java" to "class Bob { }").shouldBeEmpty()
+        of("MAS m { infrastructure: Jade agents: bob; }").shouldBeEmpty()
+        of("MAS m { agents: bob; }", "p.jcm" to "mas m { }").shouldBeEmpty()
+    }
+
+    test("two variables that stand side by side in one order, and once in the other, are a hint") {
+        val others = "+!go(Left,Right) <- .print(Left,Right).\n+!turn(Left,Right) <- .print(Left,Right).\n"
+        fun of(text: String) = findingsIn(root, mas, "eve.asl" to "", "bob.asl" to others + text).filter { it.rule == "argument-order" }
+            .map { it.inShort }
+        of("+!run(Left,Right) <- move(Right,Left).").single() shouldBe
+            "3:27 argument-order: Left stands in front of Right in 2 other plans, and here behind it; " +
+            "correct their order, if it is not meant"
+        of("side(Left,Right) :- side(Right,Left).").shouldBeEmpty()
+        of("+!run(Left,Right) <- move(Right,Left). +!back(Left,Right) <- move(Right,Left).").shouldBeEmpty()
+    }
+
     test("a file that is no text has one error, and of more than 20 errors only the first are told") {
         found("a(\uFFFD\uFFFD).\n\uFFFD.\n+a(1) <- .print(1).") shouldContainExactly
             listOf("1:3 syntax: this is no text in UTF-8; correct it; the rest of the file is checked as far as it can be read")
@@ -100,7 +139,7 @@ class ProgramRulesSpec : FunSpec({
 
     test("a variable that occurs once is a hint, without a name that it is nearly") {
         val findings = findingsIn(root, mas, "eve.asl" to "",
-            "bob.asl" to "+dist(Side, Cm) : Cm < 3 <- .print(Cm).\n+a(_, _Unused) <- .print(x).")
+            "bob.asl" to "+dist(Side, Cm) : Cm < 3 <- .print(Cm).\n+a(_, _Unused) <- .print(x).").filter { it.rule == "variable-once" }
         findings.map { "${it.level} ${it.inShort}" } shouldContainExactly
             listOf("HINT 1:7 variable-once: the variable Side occurs once here; write _ if that is meant")
     }
@@ -109,8 +148,8 @@ class ProgramRulesSpec : FunSpec({
         val project = projectOf(root, mas, "eve.asl" to "", "bob.asl" to "!strat. +!start <- .print(x).")
         val bob = project.programs.keys.single { "$it".endsWith("bob.asl") }
         val mended = project.with(bob, "!start. +!start <- .print(x).")
-        ProjectCheck.check(mended, mended.programs.getValue(bob)).shouldBeEmpty()
-        ProjectCheck.check(project).size shouldBe 2
+        ProjectCheck(mended).findingsIn(mended.programs.getValue(bob)).shouldBeEmpty()
+        ProjectCheck(project).findings().size shouldBe 2
     }
 
     test("no text makes a check throw") {
@@ -126,7 +165,7 @@ class ProgramRulesSpec : FunSpec({
         checkAll(Arb.list(parts, 0..30)) {
             val text = it.joinToString("")
             val other = project.with(bob, text).copy(projectFiles = listOf(argo.check.project.MasFile(bob, text)))
-            ProjectCheck.check(other)
+            ProjectCheck(other).findings()
         }
     }
 })

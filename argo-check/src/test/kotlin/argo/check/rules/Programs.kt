@@ -17,7 +17,7 @@ internal fun projectOf(root: Path, vararg files: Pair<String, String>): Project 
 }
 
 /** Returns the findings in a project of [files]. */
-internal fun findingsIn(root: Path, vararg files: Pair<String, String>): List<Finding> = ProjectCheck.check(projectOf(root, *files))
+internal fun findingsIn(root: Path, vararg files: Pair<String, String>): List<Finding> = ProjectCheck(projectOf(root, *files)).findings()
 
 /** A finding in one line: `2:5 belief-unknown: dits/2 is awaited and never believed; did you mean dist?` */
 internal val Finding.inShort: String get() = "${place.begin} $rule: $what; $remedy"

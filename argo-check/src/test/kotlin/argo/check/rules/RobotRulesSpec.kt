@@ -52,8 +52,32 @@ class RobotRulesSpec : FunSpec({
             "+temp(T) : T > 30 & ready <- argo.act(speed(T)); argo.act(say(a,b)).",
             "+ready : temp(T) & (T < -3 | T > 100) <- argo.act(\"speed(3)\").",
             "+left::dist(front,D) : D < 40 <- .print(D).",
+            "+ready : argo.can(wave(_)) <- argo.act(wave(3)).",
+            "+ready <- if (argo.can(A)) { argo.act(wave(3)); .print(A) }.",
             "+port(P,S) <- .print(P,S). +stale(P) <- .print(P). +reflex(stop,done) <- .print(x).",
         ).forEach { agent -> test(agent) { found(agent).shouldBeEmpty() } }
+    }
+
+    test("what was observed for a while counts less than what is described") {
+        fun levels(percepts: String) = findingsIn(
+            root, mas, "percepts" to percepts,
+            "robot.asl" to "+dist(left,D) : D > 400 <- .print(D). +dist(D) <- .print(D). +temp(T) <- .print(T).",
+        ).map { "${it.level} ${it.rule}" }
+        val rules = listOf("percept-value", "percept-range", "percept-arity", "percept-unknown")
+        levels("dist(front, 3..90)") shouldContainExactly rules.map { "WARNING $it" }
+        levels("dist(front, 3..90) # observed") shouldContainExactly rules.map { "HINT $it" }
+    }
+
+    test("a command that no line of a board carries is found, unless the robot speaks ROS") {
+        val long = "say(\"" + "x".repeat(300) + "\")"
+        fun of(command: String, port: String = "ttyACM0") =
+            findingsIn(root, mas, "robot.asl" to "+ready <- argo.port($port); argo.act($command).").filter { it.rule == "act" }
+                .map { it.what }
+        of("getPercepts").single() shouldContain "request for percepts"
+        of("say(\"fffe05hello\")").single() shouldContain "fffe05"
+        of(long).single() shouldContain "255"
+        of("say(\"fffe\")").shouldBeEmpty()
+        of(long, "\"ros://robot:9090\"").shouldBeEmpty()
     }
 
     test("beliefs and goals of the project file are known") {

@@ -4,6 +4,7 @@ import io.kotest.assertions.withClue
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.ints.shouldBeLessThanOrEqual
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
 import io.kotest.property.arbitrary.element
@@ -18,6 +19,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.util.logging.LogManager
 import kotlin.io.path.readText
+import kotlin.random.Random
 
 class JasonParitySpec : FunSpec({
     beforeSpec {
@@ -79,6 +81,33 @@ class JasonParitySpec : FunSpec({
         accepted shouldBeGreaterThan 100
     }
 
+    test("a program with a slip that Jason refuses is refused") {
+        val random = Random(SEED)
+        val programs = (CORPUS?.let { programsBelow(Path.of(it)) } ?: programsBelow(Path.of(".."))).values
+            .filter { refusal(it) == null && "include" !in it }.map(::programOf)
+        val others =
+            listOf("(", ")", "[", "]", "{", "}", ".", ",", ";", ":", "<-", "+", "!", "?", "&", "|", "not", "a", "X", "1", "\"s\"", "@")
+        var agreed = 0
+        val wrong = ArrayList<String>()
+        repeat(SLIPS) {
+            val program = programs.random(random)
+            val tokens = program.tokens.filter { it.kind != TokenKind.COMMENT }
+            val token = tokens.randomOrNull(random) ?: return@repeat
+            val text = when (random.nextInt(3)) {
+                0 -> program.text.removeRange(token.span.start, token.span.end)
+                1 -> program.text.replaceRange(token.span.start, token.span.end, others.random(random))
+                else -> program.text.replaceRange(token.span.start, token.span.start, others.random(random) + " ")
+            }
+            val jason = refusal(text)
+            if ((jason == null) == programOf(text).errors.isEmpty()) agreed++
+            else wrong += "${program.lines.text(program.lines.position(token.span.start).line)} at $token: Jason $jason, " +
+                "here ${programOf(text).errors}"
+        }
+        println("slips in ${programs.size} programs: $agreed judged alike, ${wrong.size} otherwise")
+        wrong.forEach(::println)
+        wrong.size * 1000 shouldBeLessThanOrEqual MOST_IN_1000 * (agreed + wrong.size)
+    }
+
     test("what Jason refuses for its form is mostly refused") {
         listOf("a(.", "+!a <- .", "a b.", "+!a <- b; ; c.", "[a].", "+!a : .", "a :- .", "+ <- b.", "+!a <- (b.", "!X", "a()",
             "+!a <- x[.").forEach { text ->
@@ -90,6 +119,12 @@ class JasonParitySpec : FunSpec({
         programOf("a. b(1).").errors.shouldBeEmpty()
     }
 })
+
+private const val SEED = 31
+private const val SLIPS = 2_000
+
+/** Jason's parser finds some slips by what classes it can load, as unknown directives. */
+private const val MOST_IN_1000 = 5
 
 /** A folder with programs of others; there is none unless `-DargLine=-Dargo.corpus=…` names it. */
 private val CORPUS: String? = System.getProperty("argo.corpus")

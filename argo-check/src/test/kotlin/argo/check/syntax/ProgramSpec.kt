@@ -63,14 +63,14 @@ class ProgramSpec : FunSpec({
             "temp\u00e9rature(3)." to "1:1 the name temp\u00e9rature has the letter \u00e9",
             "a(1).\n\u0000b." to "2:1 Jason reads no character U+0000 here",
             "X." to "1:1 a belief is no variable, as X is",
-            "+!a <- ! .print(1)." to null,
+            "+!a <- ! .print(1)." to "1:10 .print is an internal action",
             "+!a <- ?.date(Y,M,D)." to "1:9 .date is an internal action",
             "+!a <- " to "1:5 the text ends where a statement should be",
             "/* no end" to "1:1 this comment has no end",
             "+!a <- .print(\"\\d\")." to "1:16 Jason knows no \\d in a string",
             "a :- b" to "1:6 the text ends where a full stop should be",
         ).forEach { (text, error) ->
-            test(text) { withClue(errors(text)) { errors(text).firstOrNull()?.take(error?.length ?: 0) shouldBe error } }
+            test(text) { withClue(errors(text)) { errors(text).firstOrNull()?.take(error.length) shouldBe error } }
         }
     }
 

@@ -1,7 +1,6 @@
 package argo.lsp.filters
 
 import argo.check.syntax.Span
-import argo.filters.format.JsonFilters
 import argo.lsp.language.Language
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
@@ -10,9 +9,8 @@ import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
 /** Filters in JSON. Gives no help in other JSON files. */
-internal class JsonFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
-    override fun diagnostics(text: Text): List<Diagnostic> =
-        if (isFilter(text)) problemsOf(text, JsonFilters::read) else emptyList()
+internal class JsonFilterLanguage(private val find: (Text) -> List<Diagnostic>, private val words: (Text) -> FilterWords) : Language {
+    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
 
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
         val place = JsonPlace.at(text.content, offset)

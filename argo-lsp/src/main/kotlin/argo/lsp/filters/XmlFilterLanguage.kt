@@ -1,7 +1,6 @@
 package argo.lsp.filters
 
 import argo.check.syntax.Span
-import argo.filters.format.XmlFilters
 import argo.lsp.language.Language
 import argo.lsp.text.Text
 import org.eclipse.lsp4j.CompletionItem
@@ -10,8 +9,8 @@ import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
 /** Filters in XML. Gives no help in other XML files. */
-internal class XmlFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
-    override fun diagnostics(text: Text): List<Diagnostic> = if (isFilter(text)) problemsOf(text, XmlFilters::read) else emptyList()
+internal class XmlFilterLanguage(private val find: (Text) -> List<Diagnostic>, private val words: (Text) -> FilterWords) : Language {
+    override fun diagnostics(text: Text): List<Diagnostic> = find(text)
 
     override fun completions(text: Text, offset: Int): List<CompletionItem> {
         val place = XmlPlace.at(text.content, offset)

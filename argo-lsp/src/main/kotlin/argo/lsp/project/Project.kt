@@ -1,5 +1,6 @@
 package argo.lsp.project
 
+import argo.check.ProjectCheck
 import argo.check.project.AgentProgram
 import argo.check.project.Robot
 import argo.lsp.text.Text
@@ -7,7 +8,11 @@ import java.nio.file.Path
 import kotlin.io.path.nameWithoutExtension
 
 /** The files of a project. An open text in the editor replaces the file on the disk. [checked] is the project in the form of argo-check. */
-internal class Project(val checked: argo.check.project.Project, private val open: Map<Path, Text>) {
+internal class Project(
+    val checked: argo.check.project.Project,
+    private val open: Map<Path, Text>,
+    val check: ProjectCheck = ProjectCheck(checked),
+) {
     val robot: Robot get() = checked.robot
 
     val sources: List<Source> by lazy { checked.programs.values.map(::source) }

@@ -17,7 +17,7 @@ import kotlin.io.path.extension
  */
 internal class Projects(private val texts: OpenTexts, private val tell: (String) -> Unit) {
     /** The projects, by their folders. A file without a project file near it has its own folder as its project's. */
-    private val read = HashMap<Path, argo.check.project.Project>()
+    private val read = HashMap<Path, Project>()
     private val told = HashSet<String>()
 
     /** The project folders, by the folders of files in them. */
@@ -32,11 +32,11 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
     fun of(text: Text): Project {
         val file = fileOf(text.uri) ?: Path.of("nowhere", text.uri.substringAfterLast('/')).toAbsolutePath()
         val folder = rootOf(file) ?: file.parent
-        val known = read[folder] ?: read(file)
+        val last = read[folder] ?: Project(read(file), emptyMap())
+        val known = last.checked
         val open = texts.all().mapNotNull { each -> fileOf(each.uri)?.let { it to each } }.toMap()
         val current = open.filterKeys { it.startsWith(known.root) }.entries.fold(known) { it, (path, each) -> it.with(path, each) }
-        read[folder] = current
-        return Project(current, open)
+        return (if (current === known) Project(current, open, last.check) else Project(current, open)).also { read[folder] = it }
     }
 
     /** Returns this project with the editor's text of the file [path], if that text is different. */
@@ -44,6 +44,7 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         "asl" -> if (programs[path]?.program?.text == text.content) this else with(path, text.content)
         "mas2j" -> if (projectFiles.any { it.path == path && it.text == text.content }) this
         else copy(projectFiles = projectFiles.filter { it.path != path } + MasFile(path, text.content))
+        "xml", "json" -> if (filters.any { it.path == path && it.text == text.content }) this else withFilter(path, text.content)
         else -> this
     }
 

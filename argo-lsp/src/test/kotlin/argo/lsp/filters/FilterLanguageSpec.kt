@@ -2,12 +2,14 @@ package argo.lsp.filters
 
 import argo.lsp.Editor
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
+import kotlin.io.path.writeText
 
 private const val XML = "file:///filters/near.xml"
 private const val JSON = "file:///filters/near.json"
@@ -29,6 +31,20 @@ class FilterLanguageSpec : FunSpec({
             first.range.start.line shouldBe 1
             editor.replace(XML, 0, text.length, text.replace("predicat>", "predicate>"))
             editor.diagnostics(XML).shouldBeEmpty()
+        }
+    }
+
+    test("a reflex that no board has is told of, as the editor has the filter") {
+        val folder = tempdir().toPath()
+        folder.resolve("robot.mas2j").writeText("MAS robot { agents: robot; }")
+        folder.resolve("robot.ino").writeText("javino.act[\"stop\"] = stop;")
+        val uri = folder.resolve("near.xml").toUri().toString()
+        val text = "<PerceptionFilter><critical reflex=\"sotp\"><predicate>dist</predicate></critical></PerceptionFilter>"
+        Editor().use { editor ->
+            editor.open(uri, text)
+            editor.diagnostics(uri).single().message.left shouldContain "did you mean stop?"
+            editor.replace(uri, 0, text.length, text.replace("sotp", "stop"))
+            editor.diagnostics(uri).shouldBeEmpty()
         }
     }
 

@@ -6,6 +6,7 @@ import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContainAll
 import io.kotest.matchers.collections.shouldContainExactly
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldEndWith
@@ -32,6 +33,14 @@ class ProjectFileLanguageSpec : FunSpec({
         words("MAS m { agents: a agentArchClass §; }") shouldContainExactly listOf("argo.Arch")
         words("MAS m { ag§ }") shouldContainAll listOf("agents", "aslSourcePath")
         words("MAS m { agents: a [beliefs=\"b(§)\"]; }").shouldBeEmpty()
+    }
+
+    test("the options are those that a check knows") {
+        val known = Editor().use { editor ->
+            editor.open(uri, "MAS m { agents: scout [argo_other=1] agentArchClass argo.Arch; aslSourcePath: \"src/agt\"; }")
+            editor.diagnostics(uri).single().message.left.substringAfter("there are ").split(", ")
+        }
+        words("MAS m { agents: a [argo_§] ; }") shouldContainExactlyInAnyOrder known
     }
 
     test("an option has its documentation, an agent its program, and the outline the agents") {

@@ -2,6 +2,7 @@ package argo.recording.why
 
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
+import argo.filters.matching.OWN_BELIEFS
 import argo.recording.PerceivedSnapshot
 import argo.recording.agent.literalOf
 import argo.recording.agent.literalText
@@ -61,11 +62,10 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
         believed(text, snapshot.namespace)?.let { keyOf(it) to text }
     }.toMap()
 
-    private fun fromOf(percept: Literal) = if ("${percept.functor}/${percept.arity}" in OF_ARGO) "argo" else "environment"
+    private fun fromOf(percept: Literal) = if ("${percept.functor}/${percept.arity}" in OWN_BELIEFS) "argo" else "environment"
 
     private companion object {
         const val MAX_GONE = 1000
-        val OF_ARGO = setOf("port/2", "stale/1", "reflex/2")
     }
 }
 

@@ -1,10 +1,13 @@
 package argo.tools.board
 
+import argo.filters.matching.OWN_BELIEFS
+import argo.recording.replay.Recording
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolCommand
 import argo.tools.command.counted
 import argo.tools.command.making
 import argo.tools.command.printable
+import argo.tools.command.requireFile
 import argo.tools.command.requireNew
 import argo.tools.command.requireWithin
 import javino.PerceptKind
@@ -23,7 +26,7 @@ import java.nio.file.StandardOpenOption
     name = "describe",
     description = [
         "Writes the kinds of a board's percepts into a file, one a line, for checks of a project: as the board describes them, " +
-            "or else as they are observed for some seconds.",
+            "or else as they are observed for some seconds, or in the recording of an agent.",
         "Ctrl-C ends it, and what was observed until then is written. Opening a port resets most boards.",
     ],
 )
@@ -31,7 +34,7 @@ internal class DescribeCommand : ToolCommand() {
     @Mixin
     private lateinit var line: LineOptions
 
-    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
+    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE.rec, FILE.mcap"])
     private lateinit var port: String
 
     @Parameters(
@@ -51,7 +54,8 @@ internal class DescribeCommand : ToolCommand() {
 
     override fun call(): Int {
         spec.requireWithin("--seconds", seconds, 1..MAX_SECONDS)
-        requireNew(file) // checked first, since opening the port resets the board
+        requireNew(file) // before the port is opened, which resets the board
+        if (port.endsWith(RECORDING)) return describeRecorded(Path.of(port))
         return try {
             Interruption().use { line.open(port).use(::describe) }
         } catch (_: PortInterruptedException) {
@@ -81,6 +85,19 @@ internal class DescribeCommand : ToolCommand() {
         return if (observation.isLost) ExitStatus.FAILED else ExitStatus.DONE
     }
 
+    /** Takes what boards said to the agents of a recording. */
+    private fun describeRecorded(recording: Path): Int {
+        requireFile(recording)
+        val observation = Observation(seconds, listens)
+        val problems = Recording(recording).use { recorded ->
+            val cycles = recorded.agents.keys.asSequence().flatMap { recorded.cycles(it) }
+            cycles.flatMap { it.input.snapshots }.flatMap { it.texts }.forEach(observation::add)
+            recorded.problems
+        }
+        write("as agents perceived them", observation.kinds().map { "$it # observed" }, problems + observation.notes())
+        return if (problems.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
+    }
+
     private fun message(link: Link) =
         (if (listens) link.listen(line.timeoutMs) else link.request(PerceptsRequest.ALL, line.timeoutMs)).text()
 
@@ -98,6 +115,7 @@ internal class DescribeCommand : ToolCommand() {
 
     private companion object {
         const val MAX_SECONDS = 3600
+        const val RECORDING = ".mcap"
         const val INTERVAL_MS = 100
     }
 }

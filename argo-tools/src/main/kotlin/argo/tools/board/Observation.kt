@@ -1,5 +1,6 @@
 package argo.tools.board
 
+import argo.filters.matching.OWN_BELIEFS
 import argo.filters.matching.perceptsOf
 import argo.filters.matching.whyUnreadable
 import argo.tools.command.counted
@@ -47,7 +48,8 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
 
     private fun heardSeconds() = Rates.seconds(TimeUnit.NANOSECONDS.toMillis(heard - begun))
 
-    private fun add(text: String) {
+    /** Takes in a message, or a percept. */
+    fun add(text: String) {
         heard = System.nanoTime()
         for (percept in perceptsOf(text)) {
             val kind = PerceptTerm.of(percept).indicator()

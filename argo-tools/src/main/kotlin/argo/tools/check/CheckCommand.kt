@@ -69,7 +69,7 @@ internal class CheckCommand : DataCommand() {
         if (!isFolder && !Files.isRegularFile(place)) throw ToolException("$place is no regular file")
         val projects = ProjectReader().projectsIn(place)
         if (projects.isEmpty()) throw ToolException("$place has no program, .asl, and no project file, .mas2j")
-        val findings = projects.flatMap(ProjectCheck::check)
+        val findings = projects.flatMap { ProjectCheck(it).findings() }
         val file = place.toAbsolutePath().normalize()
         return if (isFolder || place.extension in PROJECT_FILES) projects.sumOf(::filesOf) to findings
         else 1 to findings.filter { it.place.file.toAbsolutePath().normalize() == file }

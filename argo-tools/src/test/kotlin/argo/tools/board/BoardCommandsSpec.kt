@@ -1,5 +1,7 @@
 package argo.tools.board
 
+import argo.mcap.McapWriter
+import argo.recording.FORMAT
 import argo.tools.Output
 import argo.tools.argo
 import io.kotest.assertions.withClue
@@ -28,6 +30,8 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
+import java.nio.channels.FileChannel
+import java.nio.file.StandardOpenOption
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
@@ -262,6 +266,24 @@ class BoardCommandsSpec : FunSpec({
         }
     }
 
+    test("describe takes what agents perceived from a recording, as observed") {
+        val recording = tempfile(suffix = ".mcap").toPath()
+        McapWriter(FileChannel.open(recording, StandardOpenOption.WRITE)).use { writer ->
+            writer.metadata("argo.recording", mapOf("format" to FORMAT))
+            writer.metadata("agent/robot", listOf("source", "agentClass", "archClass", "beliefBase", "isConditional").associateWith { "" })
+            val cycles = writer.channel("/robot/cycle", writer.schema("argo.Cycle", "{}"))
+            val snapshot = """{"port":"ttyACM0","receivedNs":1,"texts":["dist(f,3)","dist(b,70)","Bad(1)"]}"""
+            writer.message(cycles, 1, 0, """{"index":1,"number":1,"ns":1,"input":{"snapshots":[$snapshot]}}""".encodeToByteArray())
+        }
+        val file = tempdir().resolve("percepts")
+        val said = argo("describe", "$recording", "$file")
+        said.status shouldBe 0
+        said.out shouldContain "$file has 1 kind of percepts, as agents perceived them\n"
+        said.out shouldContain "1 percept left out, which no agent can read, as Bad(1)"
+        file.readText() shouldContain "\ndist(f|b, 3..70) # observed\n"
+        argo("describe", "none.mcap", "$file.other").err shouldContain "there is no file none.mcap"
+    }
+
     test("describe tells the percepts that it leaves out: those that no agent can read, and ARGO's own beliefs") {
         val file = tempdir().resolve("percepts")
         board { it.whenAsked("getPercepts").answer("Dist(3);x(Y);port(a,off);stale(a);a;") }.with { port ->
@@ -332,7 +354,7 @@ class BoardCommandsSpec : FunSpec({
         board { it.whenAsked("getPercepts").answer("port(a,off);port(a,3);") }.with { port ->
             val said = argo("monitor", port, "--count", "2", "--interval", "0").out
             said shouldContain "port(a,off) (!)  port(a,3)\n"
-            said.split("no agent believes port(a,off): port/2 is a belief of ARGO's own, which no board can claim").size shouldBe 2
+            said.split("no agent believes port(a,off): port/2 with on or off or timeout is a belief of ARGO's own").size shouldBe 2
         }
     }
 

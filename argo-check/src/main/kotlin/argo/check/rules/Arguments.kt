@@ -1,0 +1,113 @@
+package argo.check.rules
+
+import argo.check.project.AgentProgram
+import argo.check.project.Mention
+import argo.check.syntax.Block
+import argo.check.syntax.Component
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
+import argo.check.syntax.NumberTerm
+import argo.check.syntax.Operation
+import argo.check.syntax.Prefixed
+import argo.check.syntax.Span
+import argo.check.syntax.StringTerm
+import argo.check.syntax.Term
+import argo.check.syntax.Variable
+
+/**
+ * An argument of a literal.
+ *
+ * @property sign the argument in one word; null: it says nothing
+ * @property kind what it is, as `number`; null: not known
+ */
+internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
+    val isVariable: Boolean = term is Variable
+
+    val kind: String? = if (term is Variable) kindsOfVariables[term.name.text] else kindOf(term)
+
+    val sign: String? = when (term) {
+        is Variable -> term.name.text.trimStart('_').ifEmpty { null }
+        is Literal -> term.indicator
+        is NumberTerm -> term.text
+        is StringTerm -> term.text
+        else -> kind
+    }
+
+    private fun kindOf(term: Term): String? = when (term) {
+        is Literal -> if (term.isInternal) null else if (term.arity == 0) "atom" else term.indicator
+        is NumberTerm, is Operation, is Prefixed -> "number"
+        is StringTerm -> "string"
+        is ListTerm -> "list"
+        is Block -> "block"
+        else -> null
+    }
+}
+
+/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief it is in. */
+internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
+    val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
+
+    /** The neighbouring arguments that are variables with other names. */
+    val neighbours: List<Pair<String, String>> get() = arguments.zipWithNext().filter { (a, b) -> a.isVariable && b.isVariable }
+        .mapNotNull { (a, b) -> a.sign?.let { first -> b.sign?.let { first to it } } }.filter { (first, second) -> first != second }
+
+    /** Returns the place of the argument [index] and the one behind it. */
+    fun placeOf(index: Int): Span = arguments[index].term.span + arguments[index + 1].term.span
+}
+
+/** How often the arguments at one place of a literal have each sign and each kind. */
+internal class Column {
+    private val signs = HashMap<String, Int>()
+    private val kinds = HashMap<String, Int>()
+
+    fun add(argument: Argument) {
+        argument.sign?.let { signs.merge(it, 1, Int::plus) }
+        argument.kind?.let { kinds.merge(it, 1, Int::plus) }
+    }
+
+    /** Returns how many other arguments than [own], which is one of this column, have [sign]. */
+    fun signsLike(sign: String, own: Argument): Int = signs.getOrDefault(sign, 0) - if (own.sign == sign) 1 else 0
+
+    /** Returns how many other arguments than [own], which is one of this column, are of [kind]. */
+    fun kindsLike(kind: String, own: Argument): Int = kinds.getOrDefault(kind, 0) - if (own.kind == kind) 1 else 0
+}
+
+/** The arguments of all literals in [programs]. */
+internal class Arguments(programs: Collection<AgentProgram>) {
+    private val columns = HashMap<String, List<Column>>()
+    private val pairs = HashMap<Pair<String, String>, Int>()
+    private val literals: Map<AgentProgram, List<List<OpenLiteral>>> = programs.associateWith { literalsIn(it) }
+
+    init {
+        for (inside in literals.values.flatten()) {
+            inside.forEach { literal -> literal.arguments.zip(columnsOf(literal)).forEach { (argument, column) -> column.add(argument) } }
+            inside.flatMap { it.neighbours }.toSet().forEach { pairs.merge(it, 1, Int::plus) }
+        }
+    }
+
+    /** Returns the open literals of [program], plan by plan. */
+    fun of(program: AgentProgram): List<List<OpenLiteral>> = literals[program] ?: literalsIn(program)
+
+    fun columnsOf(literal: OpenLiteral): List<Column> =
+        columns.getOrPut(literal.mention.literal.indicator) { List(literal.arguments.size) { Column() } }
+
+    /** Returns in how many plans, rules and beliefs variables stand side by side as in [pair]. */
+    fun often(pair: Pair<String, String>): Int = pairs.getOrDefault(pair, 0)
+
+    private fun literalsIn(program: AgentProgram): List<List<OpenLiteral>> = program.program.components.map { component ->
+        val open = program.mentions.within(component.span).filter(::isOpen)
+        val kinds = if (open.isEmpty()) emptyMap() else kindsIn(component)
+        open.map { OpenLiteral(it, component, kinds) }
+    }
+
+    private fun kindsIn(component: Component): Map<String, String> =
+        KindOfUse.within(component).filter { it.kind in WORDS }.groupBy({ it.variable }, { it.kind })
+            .mapNotNull { (name, kinds) -> kinds.distinct().singleOrNull()?.let { name to WORDS.getValue(it) } }.toMap()
+
+    private fun isOpen(mention: Mention) =
+        mention.arity >= 2 && mention.functor !in InternalAction.ALL && mention.functor != GoalRules.SYMMETRIC
+
+    private companion object {
+        val WORDS = mapOf('l' to "list", 'n' to "number", 's' to "string", 'a' to "atom")
+    }
+}

@@ -1,0 +1,39 @@
+package argo.check.rules
+
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.element
+import io.kotest.property.arbitrary.int
+import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.map
+import io.kotest.property.checkAll
+
+class NamesSpec : FunSpec({
+    val name = Arb.list(Arb.element("a", "b", "A", "1", "_"), 1..14).map { it.joinToString("") }
+
+    test("the name that is meant is that of the smallest distance among all that are near") {
+        checkAll(Arb.list(name, 0..40), name) { names, written ->
+            val near = names.filter { Names(listOf(it)).near(written) != null }
+            Names(names).near(written) shouldBe near.minWithOrNull(compareBy({ editDistance(written, it) }, { it }))
+        }
+    }
+
+    test("each slip of a letter is near, and in long names two slips are") {
+        val slips = listOf<(String, Int) -> String>(
+            { text, at -> text.removeRange(at, at + 1) },
+            { text, at -> text.substring(0, at) + "z" + text.substring(at) },
+            { text, at -> text.replaceRange(at, at + 1, "z") },
+            { text, at -> text.substring(0, at) + text[at + 1] + text[at] + text.substring(at + 2) },
+        )
+        checkAll(Arb.element(slips), Arb.int(1..5)) { slip, at ->
+            Names(listOf("distance")).near(slip("distance", at)) shouldBe "distance"
+        }
+        Names(listOf("distanceleft")).near("distnaceletf") shouldBe "distanceleft"
+        Names(listOf("distanceleft")).near("ditanceleftt") shouldBe "distanceleft"
+    }
+
+    test("a digit, and a part of one letter, tell things apart that are meant to be two") {
+        Names(listOf("pos1", "OldX")).run { near("pos2") ?: near("OldY") } shouldBe null
+    }
+})

@@ -1,0 +1,20 @@
+package argo.filters.matching
+
+/**
+ * The beliefs that ARGO itself has about boards, by functors with numbers of arguments, and the words that their last argument is one of;
+ * without words it is anything. No board can claim them, and no filter drops them.
+ */
+val OWN_BELIEFS: Map<String, Set<String>> =
+    mapOf("port/2" to setOf("on", "off", "timeout"), "stale/1" to emptySet(), "reflex/2" to setOf("done", "failed"))
+
+/**
+ * Returns the reason why no board can claim a percept; null: it is none of ARGO's own beliefs.
+ *
+ * @param indicator the percept's functor with its number of arguments, as `port/2`
+ * @param lastWord the functor of its last argument; null: that has none
+ */
+fun whyClaimed(indicator: String, lastWord: String?): String? {
+    val words = OWN_BELIEFS[indicator]?.takeIf { it.isEmpty() || lastWord in it } ?: return null
+    val form = if (words.isEmpty()) indicator else "$indicator with ${words.joinToString(" or ")}"
+    return "$form is a belief of ARGO's own, which no board can claim"
+}
