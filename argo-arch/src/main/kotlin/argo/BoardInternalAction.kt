@@ -1,11 +1,14 @@
 package argo
 
+import argo.acting.termOf
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Live
 import argo.calls.ArgumentException
 import argo.calls.Failure
+import argo.calls.NO_ANSWER
 import argo.calls.wrongArgument
+import argo.observing.CommandFailure
 import jason.JasonException
 import jason.architecture.AgArch
 import jason.asSemantics.ConcurrentInternalAction
@@ -24,6 +27,9 @@ abstract class BoardInternalAction internal constructor(private val name: String
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
+
+    /** Returns the term in [args] with which the answer from outside must unify; null: no answer is awaited. */
+    internal open fun awaitedIn(args: Array<Term>): Term? = null
 
     /** Does the action's work. Called by the agent's thread. */
     internal abstract fun run(call: Call)
@@ -61,14 +67,32 @@ abstract class BoardInternalAction internal constructor(private val name: String
 
         /**
          * Suspends the intention.
-         * @return the function to call with the outcome, once, on any thread: null, or the reason why the plan fails
+         *
+         * @param giveUp called by the agent's thread, perhaps late, if the agent drops the intention before the outcome is there
+         * @return the function to call with the outcome, once, on any thread: null, or the reason why the plan fails; and the text of the
+         *     answer, or null
          */
-        fun suspendIntention(): (Failure?) -> Unit {
+        fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)
-            return ts.boundary.suspended { failure ->
-                resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
+            val awaited = awaitedIn(args)
+            if (giveUp != null) arch.awaited.begin(key, giveUp)
+            return ts.boundary.suspended { failure, answer ->
+                arch.awaited.end(key)
+                if (failure != null || awaited == null) end(key, failure)
+                else ts.runAtBeginOfNextCycle { end(key, differing(key, awaited, answer)) }
                 arch.wake { !ts.c.pendingIntentions.containsKey(key) }
             }
+        }
+
+        private fun end(key: String, failure: CommandFailure?) =
+            resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
+
+        /** Unifies [awaited] with [answer] in the intention; returns the reason if that cannot be. */
+        private fun differing(key: String, awaited: Term, answer: String?): Failure? {
+            if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
+            val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped it
+            val isAlike = intention.peek().unif.unifies(awaited, termOf(answer))
+            return if (isAlike) null else Failure("other_answer", "it was carried out, and the answer $answer does not unify with $awaited")
         }
     }
 }

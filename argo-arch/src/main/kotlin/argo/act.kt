@@ -2,6 +2,7 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.requireCommand
+import jason.asSyntax.Term
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
@@ -25,15 +26,22 @@ import argo.acting.requireCommand
  *   the functor that have not begun to go out are never sent, and fail with `error(act_replaced)`. So `argo.act(speed(V), [latest])` sends
  *   the newest speed when the line is free, however often it is called. With `urgent` it waits among the urgent commands
  *
+ * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, as its mapping has it
+ *
+ * If the agent drops the intention while a robot carries the goal of an action out, the goal is cancelled.
+ *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` if no port is in use, `error(unknown_board)` if no board has the namespace
  * or the port, `error(ambiguous_action)` if the descriptions of several boards have the action, `error(port_gone)`, `error(port_timeout)`,
  * `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action or arguments that it
  * does not know, and with `error(act_unconfirmed)` if it does not acknowledge the action, though it may have acted; with a robot that
- * speaks ROS also with `error(act_failed)` if the robot could not carry the command out.
+ * speaks ROS also with `error(act_failed)` if the robot could not carry the command out; with `answer(R)` also with `error(no_answer)`, and
+ * with `error(other_answer)` if the answer does not unify with R.
  */
 @Suppress("ClassName")
 open class act : BoardInternalAction("argo.act", 1..2) {
     override val suspends get() = true
+
+    override fun awaitedIn(args: Array<Term>) = args.getOrNull(1)?.let(CommandOptions::of)?.answer
 
     override fun run(call: Call) {
         val router = call.arch.commands

@@ -6,8 +6,13 @@ import argo.calls.Failure
  * A command that has been given to a link.
  *
  * The completion callback is attached after the write, so bookkeeping does not delay the first byte.
+ *
+ * @property giveUp ends it early, as far as that can be; null: the board cannot be stopped. Does not wait
  */
-internal fun interface Transmission {
+internal class Transmission(
+    val giveUp: (() -> Unit)? = null,
+    private val following: (left: () -> Unit, outcome: (Failure?, String?) -> Unit) -> Unit,
+) {
     /**
      * Sets the callbacks for its end. Call it once, on the thread that has sent the command. With a time limit the outcome is known when
      * the limit is over: `act_timeout` if the command has not begun to go out, and then it never will; `act_unconfirmed` if it has, but is
@@ -15,13 +20,13 @@ internal fun interface Transmission {
      *
      * @param left is called once, by any thread, when the command is no longer under way to the board; before [outcome]
      * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
-     *     has acted, else with the reason of the failure
+     *     has acted, else with the reason of the failure; and with the text of the board's answer if one was asked for
      */
-    fun follow(left: () -> Unit, outcome: (Failure?) -> Unit)
+    fun follow(left: () -> Unit, outcome: (failure: Failure?, answer: String?) -> Unit) = following(left, outcome)
 }
 
 /** Returns a command that has ended: with [failure], or null. */
 internal fun ended(failure: Failure?) = Transmission { left, outcome ->
     left()
-    outcome(failure)
+    outcome(failure, null)
 }

@@ -234,10 +234,10 @@ internal class AgentBoards(
             else -> commands.send(text, options)
         }
         if (issued == null) return transmission
-        return Transmission { left, outcome ->
-            transmission.follow(left) { failure ->
+        return Transmission(transmission.giveUp) { left, outcome ->
+            transmission.follow(left) { failure, answer ->
                 observers.each { it.commandEnded(issued, failure) }
-                outcome(failure)
+                outcome(failure, answer)
             }
         }
     }

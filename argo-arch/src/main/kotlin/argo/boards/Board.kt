@@ -222,7 +222,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
-        agent.send(port, command, CommandOptions(urgent = true)).follow({ }, outcome)
+        agent.send(port, command, CommandOptions(urgent = true)).follow({ }) { failure, _ -> outcome(failure) }
 
     private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
         agent.observers.reflexEnded(rule, watcher, failure)

@@ -32,7 +32,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
     /** The critical rules that the board watches. */
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
-        { change, outcome -> commands.send(change).follow({ }, outcome) },
+        { change, outcome -> commands.send(change).follow({ }) { failure, _ -> outcome(failure) } },
     )
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs

@@ -85,6 +85,9 @@ interface BoardLink : AutoCloseable {
     @Throws(PortException::class)
     fun perceptKinds(timeoutMs: Int): List<PerceptKind> = emptyList()
 
+    /** Returns true if the outcome of the command [text] brings an [Answer]. */
+    fun answers(text: String): Boolean = false
+
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand
 
@@ -133,8 +136,28 @@ class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map
 /**
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
- * @property outcome the outcome of the command
+ * @property outcome the outcome of the command: an [Answer], if the far end [answers][BoardLink.answers] such commands
  * @property left the end of its way to the board. The agent gets no new snapshot until then, so it is another future if the outcome takes
  * long, as that of a robot's journey. It completes no later than [outcome]
+ * @property giveUp ends the command early if it is not over: it is withdrawn, or the far end is told to stop; null: neither can be. Does
+ * not wait
  */
-class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)
+class SentCommand(
+    val outcome: CompletableFuture<*>,
+    val left: CompletableFuture<*> = outcome,
+    val giveUp: (() -> Unit)? = null,
+)
+
+/**
+ * The answer of a board to a command. Immutable.
+ *
+ * @property text the text of a term; null: there is none
+ * @property why the reason why there is none, in words; null: there is one
+ */
+class Answer private constructor(val text: String?, val why: String?) {
+    companion object {
+        fun of(text: String) = Answer(text, null)
+
+        fun none(why: String) = Answer(null, why)
+    }
+}

@@ -27,6 +27,7 @@ import argo.ros.bridge.subscriptions
 import argo.ros.bridge.text
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.PerceptRule
 import javino.LineClock
 import javino.PortException
 import javino.PortFaultException
@@ -63,9 +64,10 @@ internal class RosLink private constructor(
     private val types = RobotTypes(mapping, api, warn, ::tell)
     private val graph = RobotGraph(mapping, api, clock, warn)
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
-    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, as all below
+    // guarded by lock, as all below
+    private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private var wish: Wish? = null
     private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
@@ -117,6 +119,13 @@ internal class RosLink private constructor(
         }
     }
 
+    /** Takes the newest [feedback] of a goal, or forgets it with the goal. */
+    private fun progress(rule: PerceptRule, feedback: JsonObject?) = lock.withLock {
+        val now = clock.nanos()
+        if (feedback == null) topics.forget(rule.topic) else if (wish?.isSensed == true) topics.add(rule.topic, feedback, now, now)
+        changed.signalAll()
+    }
+
     private fun clockIsThere(type: String) {
         lock.withLock {
             clockType = type
@@ -143,7 +152,7 @@ internal class RosLink private constructor(
             news.forEach { bridge.queue(Outgoing(it)) }
             subscribed = wanted
             silent.keepOnly(wanted.keys, clock.nanos())
-            topics.keepOnly(wanted.keys)
+            topics.keepOnly(wanted.keys + if (wish.isSensed) mapping.feedback.map { it.topic } else emptyList())
             changed.signalAll()
         }
         bridge.flush()
@@ -201,6 +210,8 @@ internal class RosLink private constructor(
     private fun requireOpen() {
         end?.let { throw PortGoneException(port, "port $port is gone: $it") }
     }
+
+    override fun answers(text: String) = commands.answers(text)
 
     override fun send(text: String, options: SendOptions): SentCommand = commands.send(text, options)
 

@@ -5,6 +5,7 @@ import argo.links.BoardLinkProvider
 import argo.links.PlayedBoard
 import argo.ros.bridge.PlayedBridge
 import argo.ros.bridge.operationIn
+import argo.ros.mapping.CommandRule
 import argo.ros.mapping.MappingException
 import argo.ros.mapping.findMapping
 import argo.ros.mapping.findToken
@@ -24,12 +25,15 @@ class RosLinkProvider : BoardLinkProvider {
     override fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (String, String) -> Unit): PlayedBoard {
         lateinit var bridge: PlayedBridge
         val mapping = read(port) { findMapping(RosAddress.of(port).mapping) }
+        val answering = mapping.commands.filter { it.kind != CommandRule.Kind.TOPIC }.map { it.target }.toSet()
         val link = RosLink.over(port, mapping, isPaced, clock) { listener ->
             PlayedBridge(listener, heard).also { bridge = it }
         }
         return object : PlayedBoard(link) {
-            override fun says(name: String, message: String) =
-                bridge.publish(name, requireNotNull(operationIn(message)) { "the message of a topic is a JSON object, not $message" })
+            override fun says(name: String, message: String) {
+                val json = requireNotNull(operationIn(message)) { "a message is a JSON object, not $message" }
+                if (name in answering) bridge.respond(name, json) else bridge.publish(name, json)
+            }
 
             override fun goes() = bridge.end()
         }

@@ -158,8 +158,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun playsItsMapping(): Board = apply { isMapped = true }
 
     /**
-     * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. For a board that [plays its
-     * mapping][playsItsMapping].
+     * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. If [topic] is a service or an
+     * action of the mapping, [message] is its response to all further commands. For a board that [plays its mapping][playsItsMapping].
      * @throws IllegalArgumentException if [message] is no object of JSON
      * @throws IllegalStateException if the board is not mapped
      */

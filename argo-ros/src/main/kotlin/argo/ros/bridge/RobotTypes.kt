@@ -49,7 +49,14 @@ internal class RobotTypes(
     /** Returns the reason why no command of [rule] can leave the bridge; null: none is known. */
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    private fun questionFor(rule: PerceptRule) = Question(MESSAGE, rule.type)
+    /** Returns the fields of the answer to commands of [rule] that are bytes. */
+    fun bytesInAnswer(rule: CommandRule): Set<List<String>> {
+        val type = known[questionForAnswer(rule)] ?: return emptySet()
+        return rule.answer?.fields().orEmpty().mapNotNull { type.bytesIn(it.path) }.toSet()
+    }
+
+    private fun questionFor(rule: PerceptRule) =
+        Question(if (isRos2Action(rule.type)) "/rosapi/action_feedback_details" else MESSAGE, rule.type)
 
     private fun questionFor(rule: CommandRule) = when {
         rule.kind == Kind.SERVICE -> Question("/rosapi/service_request_details", rule.type)
@@ -58,6 +65,15 @@ internal class RobotTypes(
         else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Goal")
     }
 
+    private fun questionForAnswer(rule: CommandRule) = when {
+        rule.kind == Kind.SERVICE -> Question("/rosapi/service_response_details", rule.type)
+        isRos2Action(rule.type) -> Question("/rosapi/action_result_details", rule.type)
+        else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Result")
+    }
+
+    private val perceptRules = mapping.percepts + mapping.feedback
+    private val answering = mapping.commands.filter { it.answer != null }
+
     /**
      * Asks for the types, and checks the fields and the constant values of the mapping. Types that are described later are checked then.
      *
@@ -65,7 +81,8 @@ internal class RobotTypes(
      * @throws MappingException if a field does not exist, or cannot have its value
      */
     fun check(limitMs: Long) {
-        val questions = (mapping.percepts.map(::questionFor) + mapping.commands.map(::questionFor)).distinct()
+        val questions =
+            (perceptRules.map(::questionFor) + mapping.commands.map(::questionFor) + answering.map(::questionForAnswer)).distinct()
         val answers = questions.map { question ->
             api.ask(question.service, mapOf("type" to question.type)).handle { answer, trouble -> take(question, answer, trouble) }
         }
@@ -101,8 +118,10 @@ internal class RobotTypes(
         when {
             UNLOADED.none { it in reason } ->
                 if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
-            mapping.percepts.any { questionFor(it) == question } ->
+            perceptRules.any { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so the agent gets no percepts from its messages: $reason")
+            mapping.commands.none { questionFor(it) == question } ->
+                warn("the bridge does not know the type $name, so that no answer of this type comes: $reason")
             else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason
@@ -110,11 +129,12 @@ internal class RobotTypes(
 
     private fun problemsOf(question: Question): List<Problem> {
         val type = known[question] ?: return emptyList()
-        val percepts = mapping.percepts.filter { questionFor(it) == question }.flatMap { it.fields() }
+        val read = perceptRules.filter { questionFor(it) == question }.flatMap { it.fields() } +
+            answering.filter { questionForAnswer(it) == question }.flatMap { it.answer?.fields().orEmpty() }
         val values = mapping.commands.filter { questionFor(it) == question }.flatMap { it.fields }
-        val inPercepts = percepts.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
+        val inRead = read.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
         val inCommands = values.mapNotNull { problem(it.place) { check(it, type) } }
-        return (inPercepts + inCommands).distinct()
+        return (inRead + inCommands).distinct()
     }
 
     private fun check(field: FieldValue, type: MessageType) {

@@ -41,6 +41,10 @@ internal class TopicMessages(
         if (newest.keys.retainAll(topics.toSet())) isNew = true
     }
 
+    fun forget(topic: String) {
+        if (newest.remove(topic) != null) isNew = true
+    }
+
     fun clear() {
         newest.clear()
         isNew = false

@@ -8,7 +8,10 @@ import java.util.concurrent.TimeUnit
  *
  * @property source the file
  */
-internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>)
+internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>) {
+    /** The rules for the feedback of actions. */
+    val feedback: List<PerceptRule> = commands.mapNotNull { it.feedback }
+}
 
 /** A place in a mapping's file, line and column counted from 1. */
 internal data class Place(val line: Int, val column: Int)
@@ -43,6 +46,8 @@ internal class PerceptRule(
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
  * @property withinMs the time that the outcome may take, in ms
+ * @property answer the answer to the agent, by the fields of the response or result; null: the list of all of these
+ * @property feedback the percept of the feedback of an action while its goal is under way; null: none
  */
 internal class CommandRule(
     val place: Place,
@@ -53,6 +58,8 @@ internal class CommandRule(
     val type: String,
     val fields: List<FieldValue>,
     val withinMs: Int,
+    val answer: Expression? = null,
+    val feedback: PerceptRule? = null,
 ) {
     /** The way in which a command is carried out. [defaultMs] is the time in ms that it may take if its rule has none. */
     enum class Kind(val defaultMs: Long) {

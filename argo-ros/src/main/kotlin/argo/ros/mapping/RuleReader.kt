@@ -119,8 +119,20 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val isWritten = cursor.take("(")
     val fields = if (isWritten) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
     val withinMs = if (cursor.take("within")) duration(cursor) else kind.defaultMs.toInt()
-    end(cursor, "within TIME or nothing")
-    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
+    val inResponse = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }
+    val feedbackPlace = cursor.place
+    val feedback = if (cursor.take("feedback")) feedbackOf(inResponse.readLiteral(), kind, target, type, feedbackPlace) else null
+    val answerPlace = cursor.place
+    val answer = if (cursor.take("answer")) inResponse.read(isArgument = true) else null
+    if (answer != null && kind == Kind.TOPIC) throw Refusal(answerPlace, "nobody answers a message of a topic; services and actions answer")
+    end(cursor, "within TIME, feedback LITERAL, answer VALUE or nothing")
+    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs, answer, feedback)
+}
+
+private fun feedbackOf(percept: Expression.Compound, kind: Kind, target: String, type: String, place: Place): PerceptRule {
+    if (kind != Kind.ACTION) throw Refusal(place, "only actions have feedback")
+    val feedbackType = if (isRos2Action(type)) type else type.removeSuffix("Action") + "Feedback"
+    return PerceptRule(place, "the feedback of $target", feedbackType, percept, emptyList(), null)
 }
 
 /** Returns true if [type] is written as an action of ROS 2. */

@@ -72,6 +72,10 @@ class MappingReaderSpec : FunSpec({
             val scan = (1..1_000).joinToString(",", "[", "]")
             percept("/scan sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $scan}""") shouldBe "scan($scan)"
         }
+        test("has messages as lists of their fields") {
+            percept("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1, "At": {"if": "left"}}, {}]}""") shouldBe
+                "found([[x(1),'At'(['if'(\"left\")])],[]])"
+        }
         test("has integers that Jason's numbers hold exactly, and calculates with others") {
             percept("/id std_msgs/Int64", """{"data": 9007199254740992}""") shouldBe "id(9.007199254740992E15)"
             percept("/id std_msgs/Int64 -> id(data / 1000)", """{"data": 9007199254741993}""") shouldBe "id(9.007199254741992E12)"
@@ -94,10 +98,8 @@ class MappingReaderSpec : FunSpec({
                 Triple("/s sensor_msgs/Range -> d(1/range)", """{"range": 0}""", "a number is infinite, or the result of no calculation"),
                 Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text"),
                 Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "has 1001 items, and a list has 1000 at most"),
-                Triple("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1}]}""", "a list of messages; name a field of an item"),
                 Triple("/s a_msgs/Found -> found(all[1].x)", """{"all": [{"x": 1}]}""", "the list all has no item 1"),
                 Triple("/s a_msgs/Found -> found(all[0].x)", """{"all": [{"x": null}]}""", "argument 1 of found: all[0].x: it is null"),
-                Triple("/s a_msgs/Found -> found(all)", """{"all": {"x": 1}}""", "it is a message with x; name one of its fields"),
                 Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, not a list"),
                 Triple("/s std_msgs/Int64 -> id(data)", """{"data": 9007199254740993}""", "9007199254740993 is an integer that Jason's"),
                 Triple("/s std_msgs/String -> go if data == 5", """{"data": "5"}""", "== cannot compare the text \"5\" with the number 5"),
@@ -146,6 +148,9 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n\t- /a std_msgs/Bool" to "robot.ros.yaml:2:1: expected blanks, but found a tabulator",
             "percepts:\n  -\t/a std_msgs/Bool" to "robot.ros.yaml:2:4: expected blanks, but found a tabulator",
             "percepts:\n  - /a\tstd_msgs/Bool # a\ttabulator" to "robot.ros.yaml:2:7: expected blanks, but found a tabulator",
+            "commands:\n  - a -> /a std_msgs/Empty answer data" to "2:29: nobody answers a message of a topic",
+            "commands:\n  - a -> service /a std_srvs/Empty feedback at(x)" to "only actions have feedback",
+            "commands:\n  - a -> service /a std_srvs/Empty anser data" to "expected within TIME, feedback LITERAL, answer VALUE or nothing",
             "" to "it is empty",
         ).forEach { (text, message) ->
             test(text.lines().last().trim().ifEmpty { "an empty file" }) { refusal(text) shouldContain message }
