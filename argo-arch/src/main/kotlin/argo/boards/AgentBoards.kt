@@ -149,7 +149,10 @@ internal class AgentBoards(
     fun handOverOf(board: Board): HandOver {
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
-        return FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) }) { ms, why ->
+        val tellLost = { count: Long ->
+            if (count.countOneBits() == 1) log.warning("$count messages of port ${board.term} that count each were lost: too many waited")
+        }
+        return FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"

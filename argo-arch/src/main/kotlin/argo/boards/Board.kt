@@ -165,7 +165,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
-        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)
+        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos, message.isEvent)
         answer.read(nextNanos)
         agent.ready.answered(this)
         if (!isWanted) return

@@ -130,8 +130,14 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  * @property text the message's percepts, each with its `;`
  * @property receivedNanos the time at which its end came, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
+ * @property isEvent whether the agent perceives it even if newer messages have come; others are only kept until a newer one comes
  */
-class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map<String, Long> = emptyMap())
+class BoardMessage(
+    val text: String,
+    val receivedNanos: Long,
+    val seenNanos: Map<String, Long> = emptyMap(),
+    val isEvent: Boolean = false,
+)
 
 /**
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.

@@ -77,13 +77,14 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos) }
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos, it.isEvent) }
     }
 
     /**
      * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. Percepts
      * that the board has [reported] since it was asked for the message, at [askedNanos], stay.
      * @param seenNanos the times at which percepts older than the message were true
+     * @param isEvent see [argo.links.BoardMessage.isEvent]
      * @return true if the message was wanted
      */
     fun received(
@@ -92,6 +93,7 @@ internal class BoardPercepts(
         askedNanos: Long,
         receivedNanos: Long,
         seenNanos: Map<String, Long> = emptyMap(),
+        isEvent: Boolean = false,
     ): Boolean {
         val texts = perceptsOf(message)
         return lock.withLock {
@@ -99,7 +101,8 @@ internal class BoardPercepts(
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times(reports.texts, seenNanos, receivedNanos))
+                    val times = times(reports.texts, seenNanos, receivedNanos)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times, isEvent)
                 }
             }
         }
@@ -178,22 +181,29 @@ internal class BoardPercepts(
         receivedNanos: Long,
         isMessage: Boolean,
         seenNanos: ((Literal) -> Long?)?,
+        isEvent: Boolean = false,
     ) {
         reader.expect(texts.size)
         logDropped(texts)
         val perception = session.perceive(texts, nowMs())
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
-        leave(port, perception, receivedNanos, seenNanos)
+        leave(port, perception, receivedNanos, seenNanos, isEvent)
     }
 
-    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long, seenNanos: ((Literal) -> Long?)?) {
+    private fun leave(
+        port: OpenPort?,
+        perception: MessagePerception,
+        receivedNanos: Long,
+        seenNanos: ((Literal) -> Long?)?,
+        isEvent: Boolean = false,
+    ) {
         val texts = perception.texts
         if (seenNanos == null) lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
         else perception.seen.groupBy(seenNanos).forEach { (at, seen) -> if (at != null) lastSeen.seen(seen, perception.percepts, at) }
         dueMs = texts.nextDueMs
         val snapshot = Snapshot(
             port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
-            seenNanos,
+            seenNanos, isEvent,
         )
         newest = snapshot
         board.filtered(snapshot)

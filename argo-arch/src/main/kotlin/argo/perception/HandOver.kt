@@ -43,11 +43,22 @@ internal interface HandOver {
  * that meets the same critical rules, so there are never more such snapshots than rules. A board that is critical all the time must not
  * make events pile up: when [MANY_EVENTS] wait, each critical rule lets one more snapshot pass at once, until the backlog is done.
  *
+ * Snapshots that are [events][Snapshot.isEvent] are all handed over, one each time, before the newest. Of more than [MAX_EVENTS] the oldest
+ * are lost.
+ *
+ * @param tellLost is called with the number of events that have been lost, each time when one is
  * @param tellLate is called, without the lock, when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
-internal class FreshHandOver(private val backlog: Backlog, private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> }) : HandOver {
+internal class FreshHandOver(
+    private val backlog: Backlog,
+    private val tellLost: (count: Long) -> Unit = { },
+    private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
+) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
+    private val events = ConcurrentLinkedQueue<Snapshot>() // changed under the lock only, as their number
+    private var eventCount = 0
+    private var lost = 0L
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
     private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
 
@@ -66,6 +77,7 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
     }
 
     private fun keep(snapshot: Snapshot) {
+        if (snapshot.isEvent) return keepEvent(snapshot)
         val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
         if (snapshot.critical.any { it.percept !in known }) {
             val met = rules(snapshot)
@@ -77,16 +89,28 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
         }
     }
 
+    private fun keepEvent(snapshot: Snapshot) {
+        newest = null // the event's message has all that holds now
+        events += snapshot
+        if (++eventCount <= MAX_EVENTS) return
+        takeEvent()
+        tellLost(++lost)
+    }
+
+    private fun takeEvent(): Snapshot? = events.poll()?.also { eventCount-- }
+
+    private fun isWaiting() = newest != null || events.isNotEmpty()
+
     override fun isReady(): Boolean = isReady { backlog.isDone() }
 
     private inline fun isReady(isDone: () -> Boolean): Boolean {
         val urgent = firstCritical()
-        return if (urgent == null) newest != null && isDone() else mayBeEarly(urgent) || isDone()
+        return if (urgent == null) isWaiting() && isDone() else mayBeEarly(urgent) || isDone()
     }
 
     override fun isUrgent(): Boolean = firstCritical() != null && isReady()
 
-    override fun dueInMs(): Long? = if (newest == null) null else backlog.dueInMs()
+    override fun dueInMs(): Long? = if (!isWaiting()) null else backlog.dueInMs()
 
     private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
 
@@ -95,14 +119,14 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
 
     override fun take(): Snapshot? {
         backlog.takenIn()
-        if (newest == null && firstCritical() == null) return null
+        if (!isWaiting() && firstCritical() == null) return null
         val isInTurn = backlog.isDone(isAwaited = true)
         if (!isReady { isInTurn }) return null
         return lock.withLock { next(isInTurn) }?.also { backlog.begin() }
     }
 
     private fun next(isInTurn: Boolean): Snapshot? {
-        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeNewest() else null) ?: return null
+        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeEvent() ?: takeNewest() else null) ?: return null
         if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
         known = next.critical.mapTo(HashSet()) { it.percept }
         waitingSince = null
@@ -114,11 +138,14 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
     private fun rules(snapshot: Snapshot) = snapshot.critical.mapTo(HashSet()) { it.rule }
 
     override fun drain() = lock.withLock {
-        (critical + listOfNotNull(takeNewest())).sortedBy { it.receivedNanos }.also { critical.clear() }
+        val all = critical + generateSequence(::takeEvent) + listOfNotNull(takeNewest())
+        all.sortedBy { it.receivedNanos }.also { critical.clear() }
     }
 
     override fun clear() = lock.withLock {
         critical.clear()
+        events.clear()
+        eventCount = 0
         earlyRules.clear()
         known = emptySet()
         newest = null
@@ -131,6 +158,9 @@ internal class FreshHandOver(private val backlog: Backlog, private val tellLate:
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
+
+        /** The most snapshots that are events and wait for an agent. */
+        const val MAX_EVENTS = 1000
     }
 }
 

@@ -17,6 +17,7 @@ import jason.asSyntax.Literal
  * @property unreadable the percepts in [kept] that cannot be believed
  * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if only an older message had
  * it. Without this function all were seen at [receivedNanos]
+ * @property isEvent see [argo.links.BoardMessage.isEvent]
  */
 internal class Snapshot(
     val port: OpenPort?,
@@ -27,6 +28,7 @@ internal class Snapshot(
     val critical: List<CriticalPercept<Literal>> = emptyList(),
     override val unreadable: Set<String> = emptySet(),
     val seenNanos: ((Literal) -> Long?)? = null,
+    val isEvent: Boolean = false,
 ) : PerceivedMessage {
     override val portName: String get() = port?.link?.port.orEmpty()
     override val namespace: String? get() = port?.options?.namespace

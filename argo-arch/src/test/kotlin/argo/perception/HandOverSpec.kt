@@ -23,7 +23,8 @@ class HandOverSpec : FunSpec({
     fun intention(trigger: String) = Intention().apply {
         push(IntendedMeans(Option(Plan(null, ASSyntax.parseTrigger(trigger), null, null), Unifier()), ASSyntax.parseTrigger(trigger)))
     }
-    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n)
+    fun snapshot(n: Long, isEvent: Boolean = false) =
+        Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n, isEvent = isEvent)
 
     context("fresh") {
         test("gives the newest snapshot, once") {
@@ -34,6 +35,21 @@ class HandOverSpec : FunSpec({
             handOver.isReady() shouldBe true
             handOver.take()?.receivedNanos shouldBe 2
             handOver.take() shouldBe null
+        }
+
+        test("gives each snapshot that is an event, in their order, and then the newest") {
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
+            for (n in 1L..4) handOver.put(snapshot(n, isEvent = n in 2..3))
+            handOver.put(snapshot(5))
+            generateSequence(handOver::take).map { it.receivedNanos }.toList() shouldBe listOf(2L, 3L, 5L)
+        }
+
+        test("of more events than may wait the oldest are lost, and counted") {
+            val told = ArrayList<Long>()
+            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }), told::add)
+            for (n in 1L..FreshHandOver.MAX_EVENTS + 2) handOver.put(snapshot(n, isEvent = true))
+            handOver.take()?.receivedNanos shouldBe 3
+            told shouldBe listOf(1L, 2L)
         }
 
         test("waits while percept events of the one before are in the queue") {

@@ -159,7 +159,8 @@ internal class RosLink private constructor(
     }
 
     private fun subscriptionTo(one: Subscription) = operation(
-        "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs, "queue_length" to 1,
+        "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs,
+        "queue_length" to one.queueLength,
     )
 
     /** Waits for a message of a topic. If none has come after half of the time, the bridge is asked to show that it is there. */

@@ -14,10 +14,11 @@ import argo.ros.mapping.asTerm
 /**
  * The subscription to a topic.
  *
- * @property throttleMs the least time between two messages that the bridge sends, in ms. In between it keeps only the newest message
- * (`queue_length` 1), so no message comes older than that time, and those in between cost no time here
+ * @property throttleMs the least time between two messages that the bridge sends, in ms
+ * @property queueLength the number of messages that the bridge keeps in between. With 1 no message comes older than the time between two, and
+ * those in between cost no time here; with 0, and no least time, the bridge sends each message at once
  */
-internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
+internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
 /** Returns the subscriptions while the agent has this wish: each topic once, unless the filter drops all of its percepts. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
@@ -25,7 +26,8 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
         val kept = its.filter { rule -> filter?.let { dropsAll(it, rule.percept) } != true }
         val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 } ?: return@mapNotNull null
-        Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt())
+        if (its.any { it.needsEach }) Subscription(topic, its.first().type, 0, 0)
+        else Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt())
     }
 }
 

@@ -11,7 +11,7 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and their percepts. Not safe for use by several threads at once.
+ * The newest message of each topic, those of which each counts, and their percepts. Not safe for use by several threads at once.
  *
  * @param rules turn messages into percepts
  * @param typeOf returns the type of a rule's messages; null: it is not known
@@ -24,7 +24,15 @@ internal class TopicMessages(
 ) {
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
 
+    /** A percept that a message had when it came. */
+    private class Made(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
+
     private val newest = HashMap<String, Newest>()
+    private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
+    private val lasting = HashMap<PerceptRule, Made>() // the newest percept of each rule with a time
+    private val events = ArrayDeque<Made>() // percepts of which each is an event, the oldest first
+    private var lastEvent: String? = null // the event in the message before; null: it had none
+    private var lost = 0L
     private val told = HashMap<PerceptRule, HashSet<String>>()
     private val bytes = HashMap<PerceptRule, Set<List<String>>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
@@ -32,13 +40,29 @@ internal class TopicMessages(
 
     /** Takes in a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
-        newest[topic] = Newest(message, trueNanos, receivedNanos)
+        val last = Newest(message, trueNanos, receivedNanos)
+        newest[topic] = last
+        eachRules[topic]?.forEach { rule -> textOf(rule, message)?.let { made(rule, Made(topic, it, trueNanos, receivedNanos)) } }
         isNew = true
+    }
+
+    private fun made(rule: PerceptRule, percept: Made) {
+        if (!rule.isOfEach) {
+            lasting[rule] = percept
+            return
+        }
+        events += percept
+        if (events.size <= MAX_EVENTS) return
+        val topic = events.removeFirst().topic
+        if ((++lost).countOneBits() == 1) warn("$lost messages of $topic and others were lost, since more than $MAX_EVENTS waited")
     }
 
     /** Forgets the messages of all topics but [topics], the only ones with a subscription. */
     fun keepOnly(topics: Collection<String>) {
-        if (newest.keys.retainAll(topics.toSet())) isNew = true
+        val kept = topics.toSet()
+        if (newest.keys.retainAll(kept)) isNew = true
+        lasting.keys.removeIf { it.topic !in kept }
+        events.removeIf { it.topic !in kept }
     }
 
     fun forget(topic: String) {
@@ -47,33 +71,51 @@ internal class TopicMessages(
 
     fun clear() {
         newest.clear()
+        lasting.clear()
+        events.clear()
         isNew = false
         expiryNanos = null
     }
 
     /** Returns true if [take] has something new at [nowNanos]. */
-    fun hasNews(nowNanos: Long): Boolean = isNew || expiryNanos?.let { it - nowNanos <= 0 } == true
+    fun hasNews(nowNanos: Long): Boolean =
+        isNew || events.isNotEmpty() || lastEvent != null || expiryNanos?.let { it - nowNanos <= 0 } == true
 
     /** Returns the time of the next news without a message; null: never. */
     fun dueNanos(): Long? = expiryNanos
 
-    /** Returns all percepts that hold at [nowNanos], in the order of the rules. */
+    /** Returns all percepts that hold at [nowNanos], in the order of the rules, and the next event. */
     fun take(nowNanos: Long): BoardMessage {
         isNew = false
         expiryNanos = null
+        val event = nextEvent()
+        val isEvent = event != null || events.isNotEmpty()
         val seen = LinkedHashMap<String, Long>()
-        for (rule in rules) {
-            val message = newest[rule.topic] ?: continue
-            if (rule.forMs != null && !isYoung(message, rule.forMs, nowNanos)) continue
-            val text = textOf(rule, message.message) ?: continue
-            seen.merge(text, message.trueNanos) { one, other -> if (other - one > 0) other else one }
+        for (percept in rules.mapNotNull { heldBy(it, nowNanos) } + listOfNotNull(event)) {
+            seen.merge(percept.text, percept.trueNanos) { one, other -> if (other - one > 0) other else one }
         }
         val received = newest.values.map { it.receivedNanos }.maxWithOrNull { a, b -> (a - b).compareTo(0) } ?: nowNanos
-        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen)
+        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, isEvent)
     }
 
-    private fun isYoung(message: Newest, forMs: Int, nowNanos: Long): Boolean {
-        val end = message.receivedNanos + TimeUnit.MILLISECONDS.toNanos(forMs.toLong())
+    /** Takes the next event; null: there is none, or it is as the last one, so that a message without it must come between them. */
+    private fun nextEvent(): Made? {
+        val next = events.firstOrNull()?.takeIf { it.text != lastEvent }
+        lastEvent = next?.text
+        return next?.also { events.removeFirst() }
+    }
+
+    /** Returns the percept of [rule] that holds at [nowNanos]; null: none does, or each is an event. */
+    private fun heldBy(rule: PerceptRule, nowNanos: Long): Made? {
+        if (rule.isOfEach) return null
+        val percept = if (rule.needsEach) lasting[rule] else newest[rule.topic]?.let { message ->
+            textOf(rule, message.message)?.let { Made(rule.topic, it, message.trueNanos, message.receivedNanos) }
+        }
+        return percept?.takeIf { rule.forMs == null || isYoung(it.receivedNanos, rule.forMs, nowNanos) }
+    }
+
+    private fun isYoung(receivedNanos: Long, forMs: Int, nowNanos: Long): Boolean {
+        val end = receivedNanos + TimeUnit.MILLISECONDS.toNanos(forMs.toLong())
         if (end - nowNanos <= 0) return false
         if (expiryNanos?.let { it - end > 0 } != false) expiryNanos = end
         return true
@@ -105,5 +147,8 @@ internal class TopicMessages(
     private companion object {
         /** The most reasons that are told for each rule: numbers of messages in them can make many. */
         const val MAX_TOLD = 3
+
+        /** The most events that wait for the sensing thread. */
+        const val MAX_EVENTS = 1_000
     }
 }

@@ -25,6 +25,7 @@ internal data class Place(val line: Int, val column: Int)
  * @property percept the literal, with fields of the message for its arguments
  * @property conditions a message has this percept if all of them hold
  * @property forMs the time in ms for which a message has it; null: until the next message
+ * @property isOfEach whether each message is an event of its own, of which none is left out; else the newest message counts
  */
 internal class PerceptRule(
     val place: Place,
@@ -33,7 +34,11 @@ internal class PerceptRule(
     val percept: Expression.Compound,
     val conditions: List<Comparison>,
     val forMs: Int?,
-)
+    val isOfEach: Boolean = false,
+) {
+    /** True if no message may be passed over: one that meets the conditions counts even if a later one, soon after it, does not. */
+    val needsEach: Boolean get() = isOfEach || forMs != null && conditions.isNotEmpty()
+}
 
 /**
  * A command, and the message, request or goal that a robot gets for it:

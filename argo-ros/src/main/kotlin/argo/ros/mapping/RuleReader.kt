@@ -22,8 +22,11 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
         do conditions += comparison(reader, cursor) while (cursor.take("and"))
     }
     val forMs = if (cursor.take("for")) duration(cursor) else null
-    end(cursor, "if CONDITION, for TIME or nothing")
-    val rule = PerceptRule(start, topic, type, percept, conditions, forMs)
+    val allPlace = cursor.place
+    val isOfEach = cursor.take("all")
+    if (isOfEach && forMs != null) throw Refusal(allPlace, "a percept of all messages is an event, and does not last for a time")
+    end(cursor, "if CONDITION, for TIME, all or nothing")
+    val rule = PerceptRule(start, topic, type, percept, conditions, forMs, isOfEach)
     if (usual != null) rule.fields().forEach { checkField(it, type, usual.fields) }
     return rule
 }
