@@ -8,6 +8,7 @@ import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
+import argo.ros.bridge.FrameTree
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.OnceEach
 import argo.ros.bridge.OperationListener
@@ -25,6 +26,7 @@ import argo.ros.bridge.part
 import argo.ros.bridge.rosNanos
 import argo.ros.bridge.subscriptions
 import argo.ros.bridge.text
+import argo.ros.mapping.Frames
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
 import argo.ros.mapping.PerceptRule
@@ -69,6 +71,7 @@ internal class RosLink private constructor(
     // guarded by lock, as all below
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
+    private val frames = FrameTree(mapping.poses.mapNotNull { it.frames }) { warn("${mapping.source}: $it") }
     private var wish: Wish? = null
     private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
     private var subscribed: Map<String, Subscription> = emptyMap()
@@ -113,9 +116,19 @@ internal class RosLink private constructor(
         lock.withLock {
             if (topic !in subscribed) return // a message that was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
+            if (topic in Frames.TOPICS) moved(message, topic, nowNanos)
             if (topic !in perceived) return
             topics.add(topic, message, trueNanos, nowNanos)
             changed.signalAll()
+        }
+    }
+
+    /** Takes the transforms in [message] of [topic], and the poses that follow from them. */
+    private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
+        frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
+        for (rule in mapping.poses) {
+            val pose = frames.pose(checkNotNull(rule.frames), nowNanos) ?: continue
+            topics.add(rule.topic, pose.json, pose.trueNanos, nowNanos)
         }
     }
 
@@ -152,7 +165,8 @@ internal class RosLink private constructor(
             news.forEach { bridge.queue(Outgoing(it)) }
             subscribed = wanted
             silent.keepOnly(wanted.keys, clock.nanos())
-            topics.keepOnly(wanted.keys + if (wish.isSensed) mapping.feedback.map { it.topic } else emptyList())
+            topics.keepOnly(wanted.keys + if (wish.isSensed) (mapping.feedback + mapping.poses).map { it.topic } else emptyList())
+            topics.intervalNanos = TimeUnit.MILLISECONDS.toNanos(wish.intervalMs.toLong())
             changed.signalAll()
         }
         bridge.flush()

@@ -6,7 +6,6 @@ import argo.links.Answer
 import argo.links.SentCommand
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.CommandRule.Kind
-import argo.ros.mapping.MessageScope
 import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Scope
 import argo.ros.mapping.Unfit
@@ -15,6 +14,7 @@ import argo.ros.mapping.asJson
 import argo.ros.mapping.asTerm
 import argo.ros.mapping.inWords
 import argo.ros.mapping.isRos2Action
+import argo.ros.mapping.written
 import javino.ActionFailedException
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
@@ -214,7 +214,7 @@ internal class Commands(
     /** Ends the command of [entry], which [response] has answered. */
     private fun succeed(entry: Pending, response: JsonObject?) {
         val message = response ?: JsonObject(emptyMap())
-        val scope = MessageScope(message, types.bytesInAnswer(entry.rule))
+        val scope = types.scopeOfAnswer(entry.rule, message)
         val answer = when (val term = (entry.rule.answer?.valueIn(scope) ?: Value.Part(message)).asTerm()) {
             is Value.Symbol -> Answer.of(term.text)
             is Value.None -> Answer.none("${entry.rule.target} gives no answer that the agent can have: ${term.why}")
@@ -263,13 +263,13 @@ internal class Commands(
     /** @throws Unfit if a field cannot have its value */
     private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject {
         val values = rule.parameters.zip(arguments) { name, term -> name to valueOf(term) }.toMap()
-        val scope = Scope { path -> values.getValue(path.single()) }
+        val scope = Scope { path -> values.getValue(written(path)) }
         val type = types.of(rule)
         return nested(
             rule.fields.map { field ->
                 val value = field.value.valueIn(scope)
                 if (value is Value.None) throw Unfit("${field.path.joinToString(".")}: ${value.why}")
-                field.path to (type?.fit(field.path, value.asJson()) ?: value.asJson())
+                field.path to (type?.fit(field.steps, value.asJson()) ?: value.asJson())
             },
         )
     }

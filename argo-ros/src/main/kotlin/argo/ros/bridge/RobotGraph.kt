@@ -23,7 +23,7 @@ internal class RobotGraph(
 
     /** Compares the types of the topics that are there, and looks for the actions. */
     fun check() {
-        val topics = mapping.percepts.map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
+        val topics = (mapping.percepts - mapping.poses.toSet()).map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
         mapping.commands.filter { it.kind == Kind.ACTION }.distinctBy { it.target }.forEach { rule ->
             ifMissing(rule) { warn("rosapi shows no action server ${rule.target} yet") }

@@ -7,6 +7,7 @@ import argo.ros.mapping.Expression
 import argo.ros.mapping.FieldValue
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.MessageScope
 import argo.ros.mapping.MessageType
 import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Place
@@ -20,6 +21,7 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
+import kotlinx.serialization.json.JsonObject
 
 /**
  * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use
@@ -49,10 +51,10 @@ internal class RobotTypes(
     /** Returns the reason why no command of [rule] can leave the bridge; null: none is known. */
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    /** Returns the fields of the answer to commands of [rule] that are bytes. */
-    fun bytesInAnswer(rule: CommandRule): Set<List<String>> {
-        val type = known[questionForAnswer(rule)] ?: return emptySet()
-        return rule.answer?.fields().orEmpty().mapNotNull { type.bytesIn(it.path) }.toSet()
+    /** Returns the fields of [message], the answer to a command of [rule]. */
+    fun scopeOfAnswer(rule: CommandRule, message: JsonObject): Scope {
+        val type = known[questionForAnswer(rule)] ?: return MessageScope(message)
+        return MessageScope(message, type.bytesAmong(rule.answer?.fields().orEmpty()), type.constants)
     }
 
     private fun questionFor(rule: PerceptRule) =
@@ -71,7 +73,7 @@ internal class RobotTypes(
         else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Result")
     }
 
-    private val perceptRules = mapping.percepts + mapping.feedback
+    private val perceptRules = mapping.percepts - mapping.poses.toSet() + mapping.feedback
     private val answering = mapping.commands.filter { it.answer != null }
 
     /**
@@ -139,7 +141,7 @@ internal class RobotTypes(
 
     private fun check(field: FieldValue, type: MessageType) {
         val isConstant = field.value !is Expression.Compound && field.value.fields().isEmpty()
-        if (isConstant) type.fit(field.path, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.path)
+        if (isConstant) type.fit(field.steps, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.steps)
     }
 
     private fun problem(place: Place, work: () -> Unit): Problem? = try {

@@ -7,6 +7,7 @@ import argo.filters.Rule
 import argo.filters.matching.matcher
 import argo.links.Wish
 import argo.ros.mapping.Expression
+import argo.ros.mapping.Frames
 import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
@@ -15,20 +16,24 @@ import argo.ros.mapping.asTerm
  * The subscription to a topic.
  *
  * @property throttleMs the least time between two messages that the bridge sends, in ms
- * @property queueLength the number of messages that the bridge keeps in between. With 1 no message comes older than the time between two, and
- * those in between cost no time here; with 0, and no least time, the bridge sends each message at once
+ * @property queueLength the number of messages that the bridge keeps in between. With 1 no message comes older than the time between two,
+ * and those in between cost no time here; with 0, and no least time, the bridge sends each message at once
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
 /** Returns the subscriptions while the agent has this wish: each topic once, unless the filter drops all of its percepts. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
-    return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
+    return rules.groupBy { it.topic }.flatMap { (topic, its) ->
         val kept = its.filter { rule -> filter?.let { dropsAll(it, rule.percept) } != true }
-        val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 } ?: return@mapNotNull null
-        if (its.any { it.needsEach }) Subscription(topic, its.first().type, 0, 0)
-        else Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt())
-    }
+        val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 }
+        when {
+            everyMs == null -> emptyList()
+            its.any { it.frames != null } -> Frames.TOPICS.map { Subscription(it, Frames.TYPE, 0, 0) }
+            its.any { it.needsEach } -> listOf(Subscription(topic, its.first().type, 0, 0))
+            else -> listOf(Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt()))
+        }
+    }.sortedBy { it.throttleMs }.distinctBy { it.topic }
 }
 
 /** Returns true if [filter] drops every percept that [percept] can become. */
@@ -50,14 +55,15 @@ private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Lon
         .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())
 }
 
-private fun isFor(rule: Rule, percept: Expression.Compound) =
-    rule.predicate == Predicate(percept.functor) && (rule.arity == null || rule.arity == percept.arguments.size)
+private fun isFor(rule: Rule, percept: Expression.Compound) = rule.predicate == Predicate(percept.functor) &&
+    (rule.arity == null || rule.arity == percept.arguments.size || Expression.AllFields in percept.arguments)
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
 /** Returns true if [condition] holds for all percepts that [percept] can become, false if for none, null if for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
+    if (Expression.AllFields in percept.arguments) return null
     if (index >= percept.arguments.size) return false
     if (percept.arguments[index] !is Expression.Constant) return null
     val terms = percept.arguments.map { ((it as? Expression.Constant)?.value?.asTerm() as? Value.Symbol)?.text ?: "0" }

@@ -3,7 +3,9 @@ package argo.ros.bridge
 import argo.links.BoardMessage
 import argo.ros.mapping.MessageScope
 import argo.ros.mapping.MessageType
+import argo.ros.mapping.Path
 import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.Scope
 import argo.ros.mapping.Value
 import argo.ros.mapping.fields
 import argo.ros.mapping.perceptIn
@@ -15,6 +17,7 @@ import java.util.concurrent.TimeUnit
  *
  * @param rules turn messages into percepts
  * @param typeOf returns the type of a rule's messages; null: it is not known
+ * @property intervalNanos the time between two messages of a robot whose topics are not throttled
  * @param warn takes the reason if a message has no percept of a rule although its conditions may hold, each reason once
  */
 internal class TopicMessages(
@@ -22,6 +25,8 @@ internal class TopicMessages(
     private val typeOf: (PerceptRule) -> MessageType?,
     private val warn: (String) -> Unit,
 ) {
+    var intervalNanos = 0L
+
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
 
     /** A percept that a message had when it came. */
@@ -29,13 +34,17 @@ internal class TopicMessages(
 
     private val newest = HashMap<String, Newest>()
     private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
+    private val unthrottled = eachRules.keys + rules.filter { it.frames != null }.map { it.topic }
+    private val changing = rules.filter { !it.needsEach }.map { it.topic }.toSet()
     private val lasting = HashMap<PerceptRule, Made>() // the newest percept of each rule with a time
     private val events = ArrayDeque<Made>() // percepts of which each is an event, the oldest first
     private var lastEvent: String? = null // the event in the message before; null: it had none
     private var lost = 0L
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // for each rule whose type is known, the fields that are bytes
+    private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
+    private var isNewSoon = false // whether there is something new that waits for the interval
+    private var takenNanos: Long? = null // null: nothing was taken yet
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
     /** Takes in a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
@@ -43,12 +52,14 @@ internal class TopicMessages(
         val last = Newest(message, trueNanos, receivedNanos)
         newest[topic] = last
         eachRules[topic]?.forEach { rule -> textOf(rule, message)?.let { made(rule, Made(topic, it, trueNanos, receivedNanos)) } }
-        isNew = true
+        if (topic in unthrottled) isNewSoon = isNewSoon || topic in changing else isNew = true
     }
 
     private fun made(rule: PerceptRule, percept: Made) {
         if (!rule.isOfEach) {
-            lasting[rule] = percept
+            val before = lasting.put(rule, percept)
+            val endNanos = before?.receivedNanos?.plus(nanosOf(checkNotNull(rule.forMs)))
+            if (before?.text != percept.text || endNanos == null || percept.receivedNanos - endNanos >= 0) isNew = true
             return
         }
         events += percept
@@ -74,19 +85,25 @@ internal class TopicMessages(
         lasting.clear()
         events.clear()
         isNew = false
+        isNewSoon = false
         expiryNanos = null
     }
 
     /** Returns true if [take] has something new at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean =
-        isNew || events.isNotEmpty() || lastEvent != null || expiryNanos?.let { it - nowNanos <= 0 } == true
+        isNew || events.isNotEmpty() || lastEvent != null || dueNanos()?.let { it - nowNanos <= 0 } == true
 
     /** Returns the time of the next news without a message; null: never. */
-    fun dueNanos(): Long? = expiryNanos
+    fun dueNanos(): Long? {
+        val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.first().receivedNanos else null
+        return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }
+    }
 
     /** Returns all percepts that hold at [nowNanos], in the order of the rules, and the next event. */
     fun take(nowNanos: Long): BoardMessage {
         isNew = false
+        isNewSoon = false
+        takenNanos = nowNanos
         expiryNanos = null
         val event = nextEvent()
         val isEvent = event != null || events.isNotEmpty()
@@ -115,26 +132,25 @@ internal class TopicMessages(
     }
 
     private fun isYoung(receivedNanos: Long, forMs: Int, nowNanos: Long): Boolean {
-        val end = receivedNanos + TimeUnit.MILLISECONDS.toNanos(forMs.toLong())
+        val end = receivedNanos + nanosOf(forMs)
         if (end - nowNanos <= 0) return false
         if (expiryNanos?.let { it - end > 0 } != false) expiryNanos = end
         return true
     }
 
+    private fun nanosOf(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
+
     private fun textOf(rule: PerceptRule, message: JsonObject): String? {
-        val scope = MessageScope(message, bytesIn(rule))
-        return when (val percept = rule.perceptIn(scope)) {
+        return when (val percept = rule.perceptIn(scopeOf(rule, message))) {
             is Value.Symbol -> percept.text
             is Value.None -> null.also { leftOut(rule, percept.why) }
             else -> null
         }
     }
 
-    /** Returns the fields of [rule] that are bytes. */
-    private fun bytesIn(rule: PerceptRule): Set<List<String>> {
-        bytes[rule]?.let { return it }
-        val type = typeOf(rule) ?: return emptySet()
-        return rule.fields().mapNotNull { type.bytesIn(it.path) }.toSet().also { bytes[rule] = it }
+    private fun scopeOf(rule: PerceptRule, message: JsonObject): Scope {
+        val type = typeOf(rule) ?: return MessageScope(message)
+        return MessageScope(message, bytes.getOrPut(rule) { type.bytesAmong(rule.fields()) }, type.constants)
     }
 
     private fun leftOut(rule: PerceptRule, why: String) {

@@ -11,6 +11,9 @@ import java.util.concurrent.TimeUnit
 internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>) {
     /** The rules for the feedback of actions. */
     val feedback: List<PerceptRule> = commands.mapNotNull { it.feedback }
+
+    /** The rules for the poses of frames. */
+    val poses: List<PerceptRule> = percepts.filter { it.frames != null }
 }
 
 /** A place in a mapping's file, line and column counted from 1. */
@@ -23,8 +26,9 @@ internal data class Place(val line: Int, val column: Int)
  * @property topic the topic's name
  * @property type the type of its messages, as written
  * @property percept the literal, with fields of the message for its arguments
- * @property conditions a message has this percept if all of them hold
+ * @property condition a message has this percept if it is true; null: always
  * @property forMs the time in ms for which a message has it; null: until the next message
+ * @property frames the frames whose pose the percept is about, if it is about one; its [topic] is only a name then
  * @property isOfEach whether each message is an event of its own, of which none is left out; else the newest message counts
  */
 internal class PerceptRule(
@@ -32,12 +36,22 @@ internal class PerceptRule(
     val topic: String,
     val type: String,
     val percept: Expression.Compound,
-    val conditions: List<Comparison>,
+    val condition: Expression?,
     val forMs: Int?,
     val isOfEach: Boolean = false,
+    val frames: Frames? = null,
 ) {
-    /** True if no message may be passed over: one that meets the conditions counts even if a later one, soon after it, does not. */
-    val needsEach: Boolean get() = isOfEach || forMs != null && conditions.isNotEmpty()
+    /** True if no message may be passed over: one that meets the condition counts even if a later one, soon after it, does not. */
+    val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
+}
+
+/** The frames of a rule for a pose: that of [child] in [parent], from the transforms that all nodes publish. */
+internal data class Frames(val parent: String, val child: String) {
+    companion object {
+        const val TYPE = "tf2_msgs/TFMessage"
+        const val STATIC = "/tf_static"
+        val TOPICS = listOf("/tf", STATIC)
+    }
 }
 
 /**
@@ -80,7 +94,9 @@ internal class CommandRule(
 }
 
 /** A field of a message that is sent, by its path from the outside in. */
-internal class FieldValue(val place: Place, val path: List<String>, val value: Expression)
+internal class FieldValue(val place: Place, val path: List<String>, val value: Expression) {
+    val steps: Path get() = path.map(Step::Name)
+}
 
 /** A mapping's file was refused. The message has all [problems], one a line. */
 internal class MappingException(val problems: List<Problem>) : Exception(problems.joinToString("\n"))

@@ -50,5 +50,8 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
 
         /** The names of the usual types, for messages. */
         val names: Set<String> get() = TYPES.keys
+
+        /** The pose of a frame in another one. */
+        val FRAME_POSE = of("x y z yaw rotation")
     }
 }
