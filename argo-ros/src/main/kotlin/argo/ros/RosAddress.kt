@@ -4,7 +4,8 @@ import javino.NoSuchPortException
 import java.net.URI
 
 /**
- * The address of a bridge and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`.
+ * The address of a bridge and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`, and with encryption
+ * `wss://robot.example/rosbridge#left`.
  *
  * @property socket the address of its WebSocket
  * @property mapping the name of the mapping, `robot` unless a name follows `#`
@@ -13,21 +14,26 @@ internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {
         /** The port at which a bridge listens by default. */
         private const val USUAL_PORT = 9090
+        private const val ENCRYPTED_PORT = 443
         private const val USUAL_MAPPING = "robot"
         private const val MAX_PORT = 65_535
-        private val FORM = Regex("ros:(?://)?(\\[[0-9A-Fa-f:.%]+]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?/?(?:#(.*))?")
+        private val FORM =
+            Regex("(ros|wss):(?://)?(\\[[0-9A-Fa-f:.%]+]|[A-Za-z0-9._-]+)(?::([0-9]{1,5}))?(/[A-Za-z0-9._~%/-]*)?(?:#(.*))?")
 
         fun of(port: String): RosAddress {
-            val (host, number, mapping) = FORM.matchEntire(port)?.destructured ?: throw malformed(port)
-            val socketPort = if (number.isEmpty()) USUAL_PORT else number.toInt()
+            val (scheme, host, number, path, mapping) = FORM.matchEntire(port)?.destructured ?: throw malformed(port)
+            val usualPort = if (scheme == "wss") ENCRYPTED_PORT else USUAL_PORT
+            val socketPort = if (number.isEmpty()) usualPort else number.toInt()
             if (socketPort !in 1..MAX_PORT) throw malformed(port)
-            return RosAddress(URI("ws://$host:$socketPort/"), mapping.ifEmpty { USUAL_MAPPING })
+            val protocol = if (scheme == "wss") scheme else "ws"
+            return RosAddress(URI("$protocol://$host:$socketPort${path.ifEmpty { "/" }}"), mapping.ifEmpty { USUAL_MAPPING })
         }
 
         private fun malformed(port: String) = if ('?' in port) NoSuchPortException(
             port, "a token stands in the file robot.ros.token beside robot.ros.yaml, not in the name of a port, which is logged",
         ) else NoSuchPortException(
-            port, "\"$port\" names no robot: that is ros://HOST:PORT, as ros://192.168.1.20:9090, and #NAME behind it for NAME.ros.yaml",
+            port, "\"$port\" names no robot: that is ros://HOST:PORT, as ros://192.168.1.20:9090, with encryption wss://HOST/PATH, " +
+                "and #NAME behind it for NAME.ros.yaml",
         )
     }
 }

@@ -8,6 +8,7 @@ import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
+import argo.ros.bridge.Credentials
 import argo.ros.bridge.FrameTree
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.OnceEach
@@ -42,6 +43,7 @@ import kotlinx.serialization.json.JsonObject
 import java.net.URI
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
+import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
@@ -57,10 +59,11 @@ internal class RosLink private constructor(
     private val mapping: Mapping,
     override val isPaced: Boolean,
     private val clock: LineClock,
+    private val log: (Level, String) -> Unit,
 ) : BoardLink {
     private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
-    private val warn = OnceEach { LOG.warning("port $port: $it") }
+    private val warn = OnceEach { log(Level.WARNING, "port $port: $it") }
 
     private val api = RosApi(clock, ::send)
     private val types = RobotTypes(mapping, api, warn, ::tell)
@@ -180,9 +183,15 @@ internal class RosLink private constructor(
     /** Waits for a message of a topic. If none has come after half of the time, the bridge is asked to show that it is there. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
-        lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { graph.explainSilence(it.topic, it.type) }
+        explain(lock.withLock { silent.next(clock.nanos()) })
         return lock.withLock { next(timeoutMs) }
     }
+
+    /** Looks for the reasons why topics have said nothing since they were subscribed to. */
+    fun explainSilence() = explain(lock.withLock { subscribed.keys.filterNot(topics::hasHeard) })
+
+    private fun explain(silentTopics: Collection<String>) = lock.withLock { silentTopics.mapNotNull(subscribed::get) }
+        .filter { it.topic != Frames.STATIC }.forEach { graph.explainSilence(it.topic, it.type) }
 
     private fun next(timeoutMs: Int): BoardMessage? {
         val start = clock.nanos()
@@ -246,7 +255,7 @@ internal class RosLink private constructor(
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
-    private fun tell(message: String) = LOG.info("port $port: $message")
+    private fun tell(message: String) = log(Level.INFO, "port $port: $message")
 
     private fun gone(reason: String) {
         lock.withLock {
@@ -269,15 +278,28 @@ internal class RosLink private constructor(
         /**
          * Connects to the bridge at [address], and checks the fields of [mapping] against their types as far as the bridge knows them.
          *
-         * @param token the token that the bridge is shown; null: none
+         * @param credentials what the bridge may want to know
          * @throws PortException if there is no bridge, or a field does not exist
          */
-        fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
-            over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
+        fun open(
+            port: String,
+            address: URI,
+            mapping: Mapping,
+            isPaced: Boolean,
+            clock: LineClock,
+            credentials: Credentials = Credentials(),
+        ): RosLink = over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, credentials) }
 
-        /** Like [open], but over the connection that [connect] makes. */
-        fun over(port: String, mapping: Mapping, isPaced: Boolean, clock: LineClock, connect: (BridgeListener) -> Bridge): RosLink {
-            val link = RosLink(port, mapping, isPaced, clock)
+        /** Like [open], but over the connection that [connect] makes. [log] takes what the user is told, on several threads. */
+        fun over(
+            port: String,
+            mapping: Mapping,
+            isPaced: Boolean,
+            clock: LineClock,
+            log: (Level, String) -> Unit = LOG::log,
+            connect: (BridgeListener) -> Bridge,
+        ): RosLink {
+            val link = RosLink(port, mapping, isPaced, clock, log)
             var isOpened = false
             try {
                 link.bridge = connect(link.Listener())

@@ -7,19 +7,19 @@ import argo.ros.bridge.PlayedBridge
 import argo.ros.bridge.operationIn
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.findCredentials
 import argo.ros.mapping.findMapping
-import argo.ros.mapping.findToken
 import javino.LineClock
 import javino.PortFaultException
 
 /** Opens `ros://host:9090`: a robot that speaks ROS, behind a bridge of the rosbridge protocol, version 2. */
-class RosLinkProvider : BoardLinkProvider {
+open class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 
     override fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink {
         val address = RosAddress.of(port)
         val mapping = read(port) { findMapping(address.mapping) }
-        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findToken(address.mapping) })
+        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findCredentials(address.mapping) })
     }
 
     override fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (String, String) -> Unit): PlayedBoard {
@@ -44,4 +44,9 @@ class RosLinkProvider : BoardLinkProvider {
     } catch (refused: MappingException) {
         throw PortFaultException(port, "port $port cannot be opened: ${refused.message}", refused)
     }
+}
+
+/** Opens `wss://host/path`: the same, over an encrypted connection. */
+class EncryptedRosLinkProvider : RosLinkProvider() {
+    override val scheme: String get() = "wss"
 }

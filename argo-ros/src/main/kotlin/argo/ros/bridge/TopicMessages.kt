@@ -76,6 +76,9 @@ internal class TopicMessages(
         events.removeIf { it.topic !in kept }
     }
 
+    /** Returns true if there is a message of [topic]. */
+    fun hasHeard(topic: String) = topic in newest
+
     fun forget(topic: String) {
         if (newest.remove(topic) != null) isNew = true
     }

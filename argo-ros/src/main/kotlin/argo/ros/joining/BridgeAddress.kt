@@ -1,8 +1,9 @@
 package argo.ros.joining
 
 import argo.ros.RosAddress
+import argo.ros.bridge.Credentials
 import argo.ros.mapping.MappingException
-import argo.ros.mapping.findToken
+import argo.ros.mapping.findCredentials
 import javino.NoSuchPortException
 
 /** An address names no bridge; [message] says why. */
@@ -12,9 +13,9 @@ internal class RefusedAddress(message: String) : Exception(message)
  * The bridge to a graph.
  *
  * @property ros the bridge's address
- * @property token the token that it is shown; null: none
+ * @property credentials what it may want to know
  */
-internal class BridgeAddress(val ros: RosAddress, val token: String?) {
+internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) {
     companion object {
         private val NUMBER = Regex("[0-9]+")
 
@@ -30,8 +31,8 @@ internal class BridgeAddress(val ros: RosAddress, val token: String?) {
                     "rosbridge_server: write its address, as \"localhost:$text\". Without ROS the live view shows them, argo_view=$text",
             )
             return try {
-                val address = RosAddress.of(if (text.startsWith("ros:")) text else "ros://$text")
-                BridgeAddress(address, findToken(address.mapping))
+                val address = RosAddress.of(if (text.startsWith("ros:") || text.startsWith("wss:")) text else "ros://$text")
+                BridgeAddress(address, findCredentials(address.mapping))
             } catch (refused: NoSuchPortException) {
                 throw RefusedAddress(refused.message.orEmpty())
             } catch (refused: MappingException) {

@@ -33,7 +33,7 @@ class MappingSchemaSpec : FunSpec({
         listOf("sonar", "/a Bool", "/a std_msgs/Bool dist", "tf map", "/a std_msgs/Bool iff").forAll {
             pattern("percepts").matches(it) shouldBe false
         }
-        listOf("move(v) -> /a geometry_msgs/Twist", "stop /a std_msgs/Empty", "Stop -> /a std_msgs/Empty", "a -> /a a_msgs/A wthin 5 s").forAll {
+        listOf("move(v) -> /a a_msgs/A", "stop /a std_msgs/Empty", "Stop -> /a std_msgs/Empty", "a -> /a a_msgs/A wthin 5 s").forAll {
             pattern("commands").matches(it) shouldBe false
         }
     }

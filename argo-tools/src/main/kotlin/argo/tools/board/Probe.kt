@@ -1,5 +1,7 @@
 package argo.tools.board
 
+import argo.links.BoardLinkProvider
+import javino.LineClock
 import javino.NoSuchPortException
 import javino.PerceptsRequest
 import javino.PortException
@@ -19,7 +21,7 @@ internal data class ProbedBoard(
     val result: String,
     val answers: Boolean?,
     val isMissing: Boolean = false,
-    val description: BoardDescription? = null,
+    val description: Description? = null,
 )
 
 /**
@@ -31,6 +33,7 @@ internal data class ProbedBoard(
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
     /** Probes the port [name]; takes up to four seconds for each rate while nothing answers. */
     fun of(name: String): ProbedBoard {
+        BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
         val strays = ArrayList<StrayBytes>()
         for (rate in tried) {
@@ -41,6 +44,18 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         val telling = strays.maxWith(compareBy({ it.count > 0 && it.isText }, { it.count }))
         val rates = strays.map { it.baud }.joinToString(" and ", postfix = " baud")
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
+    }
+
+    /** Probes a board on no line. */
+    private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
+        provider.open(name, true, LineClock.system()).use { link ->
+            val description = if (describes) LinkDescription.of(link) else null
+            ProbedBoard("a board that speaks ${provider.scheme}", answers = true, description = description)
+        }
+    } catch (missing: NoSuchPortException) {
+        ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
+    } catch (trouble: PortException) {
+        ProbedBoard(trouble.message.orEmpty(), answers = null)
     }
 
     /** Probes the port [name] at this [rate]; if nothing answers, notes the bytes that came in [strays] and returns null. */
