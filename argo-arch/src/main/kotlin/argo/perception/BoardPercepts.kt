@@ -77,7 +77,7 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.seenNanos, it.isEvent) }
+        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.isEvent, it.seenNanos) }
     }
 
     /**
@@ -102,7 +102,7 @@ internal class BoardPercepts(
                     reports.dropBefore(askedNanos)
                     this.message = texts
                     val times = times(reports.texts, seenNanos, receivedNanos)
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, times, isEvent)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, isEvent, times)
                 }
             }
         }
@@ -180,8 +180,8 @@ internal class BoardPercepts(
         texts: List<String>,
         receivedNanos: Long,
         isMessage: Boolean,
-        seenNanos: ((Literal) -> Long?)?,
         isEvent: Boolean = false,
+        seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         logDropped(texts)

@@ -127,8 +127,8 @@ class AnswersSpec : FunSpec({
                 val address = URI("ws://127.0.0.1:${bridge.number}/")
                 RosLink.open("robot", address, mappingOf(mapping, "robot.ros.yaml"), true, LineClock.system())
             }.message.orEmpty()
-            refusal shouldContain "2:38: a/A has no field summ; it has sum"
-            refusal shouldContain "3:44: a/GoFeedback has no field dne; it has done"
+            refusal shouldContain "2:36: a/A has no field summ; it has sum"
+            refusal shouldContain "3:45: a/GoFeedback has no field dne; it has done"
         }
     }
 })

@@ -203,7 +203,7 @@ class RosChecksSpec : FunSpec({
         refusal("percepts:\n  - /a my_msgs/Arm -> at(joints[0:4])") shouldContain "joints of my_msgs/Arm has 3 items, and no [0:4]"
         refusal("percepts:\n  - /a my_msgs/Arm -> at(max(poses[:].positoin.x))") shouldContain "geometry_msgs/Pose has no field positoin"
         refusal("percepts:\n  - /m my_msgs/Mode -> auto if mode == ATUO") shouldContain
-            "2:37: my_msgs/Mode has no field ATUO; it has mode, MANUAL, AUTO"
+            "2:40: my_msgs/Mode has no field ATUO; it has mode, MANUAL, AUTO"
         open("percepts:\n  - /a my_msgs/Arm -> at(poses[0].position.x, joints[-1], at.secs, max(poses[:].position.x))").close()
     }
 

@@ -176,7 +176,7 @@ class CommandLineSpec : FunSpec({
         val commands = tools().subcommands.flatMap { (name, command) ->
             command.subcommands.keys.map { "$name $it" }.ifEmpty { listOf(name) }
         }
-        rows shouldContainExactlyInAnyOrder commands + "lsp" // a command of argo-lsp, which argo.jar has besides
+        rows shouldContainExactlyInAnyOrder commands + "lsp" + "ros check" // commands of other modules, which argo.jar has besides
     }
 
     test("what could command a terminal is shown, not done") {

@@ -80,7 +80,7 @@ internal class Commands(
 
     private fun ruleOf(command: GroundTerm.Structure?): CommandRule? {
         val functor = command?.predicate?.takeIf { it == Predicate(it.functor) }?.functor
-        return rules.find { it.name == functor && it.parameters.size == command?.arguments?.size }
+        return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
     }
 
     /** Returns true unless the command [text] is only published; one that the mapping does not have is refused when it is sent. */

@@ -47,7 +47,8 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
             return null
         }
         val transform = inTop(down).inverse() * inTop(up)
-        val trueNanos = (up + down).filter { !it.isStatic }.minOfOrNull { it.trueNanos - nowNanos } ?: 0
+        val between = up - down.toSet() + (down - up.toSet())
+        val trueNanos = between.filter { !it.isStatic }.minOfOrNull { it.trueNanos - nowNanos } ?: 0
         return Pose(transform.json, nowNanos + trueNanos)
     }
 

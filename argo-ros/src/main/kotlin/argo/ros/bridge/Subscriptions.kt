@@ -33,7 +33,7 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
             its.any { it.needsEach } -> listOf(Subscription(topic, its.first().type, 0, 0))
             else -> listOf(Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt()))
         }
-    }.sortedBy { it.throttleMs }.distinctBy { it.topic }
+    }.groupBy { it.topic }.values.map { its -> its.minBy { it.throttleMs } }
 }
 
 /** Returns true if [filter] drops every percept that [percept] can become. */

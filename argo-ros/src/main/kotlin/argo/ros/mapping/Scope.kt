@@ -47,7 +47,7 @@ internal class MessageScope(
 
     private fun sector(at: JsonElement, step: Step.Sector, path: Path, index: Int): Value {
         val indices = (at as? JsonArray)?.let { step.indicesIn(it.size) } ?: return Value.None(missing(at, path.take(index), step))
-        val items = indices.map { place -> part((at as JsonArray)[place], path, index + 1) }
+        val items = indices.map { place -> part(at[place], path, index + 1) }
         return items.find { it is Value.None } ?: Value.Part(JsonArray(items.map { (it as Value.Part).json }))
     }
 
@@ -68,7 +68,7 @@ internal class MessageScope(
     }
 }
 
-private val CONSTANT = Regex("[A-Z][A-Z0-9_]*")
+private val CONSTANT = Regex("[A-Z][A-Z0-9_]+")
 
 /** Returns the constant of a type that [path] may name; null: it names none, as constants are in capital letters. */
 internal fun constantIn(path: Path): String? = (path.singleOrNull() as? Step.Name)?.name?.takeIf(CONSTANT::matches)

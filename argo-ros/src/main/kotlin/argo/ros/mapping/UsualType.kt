@@ -52,6 +52,6 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
         val names: Set<String> get() = TYPES.keys
 
         /** The pose of a frame in another one. */
-        val FRAME_POSE = of("x y z yaw rotation")
+        val FRAME_POSE = UsualType(setOf("x", "y", "z", "yaw", "rotation"), emptyList(), emptyList())
     }
 }

@@ -6,8 +6,8 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.doubles.plusOrMinus
 import io.kotest.matchers.shouldBe
 import io.kotest.property.Arb
-import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.list
+import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 import kotlinx.serialization.json.JsonObject
 
@@ -43,7 +43,7 @@ class FrameTreeSpec : FunSpec({
         tree.pose(Frames("base", "laser"), 40)?.trueNanos shouldBe 40
     }
     test("the pose of one frame in another is undone by that of the other in the first") {
-        checkAll(20, Arb.list(Arb.double(-3.0, 3.0), 6..6)) { (x, y, yaw, p, q, turn) ->
+        checkAll(20, Arb.list(Arb.numericDouble(-3.0, 3.0), 6..6)) { (x, y, yaw, p, q, turn) ->
             val tree = tree()
             tree.add("map", "odom", x, y, yaw)
             tree.add("odom", "base", p, q, turn)

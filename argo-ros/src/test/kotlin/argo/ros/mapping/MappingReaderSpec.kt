@@ -62,7 +62,7 @@ class MappingReaderSpec : FunSpec({
             isMet("not x < 1", """{"x": 1}""") shouldBe true
             isMet("x == 1 or y == 1", """{"y": 1}""") shouldBe true // one that decides is enough
             isMet("x == 1 and y == 1", """{"y": 1}""") shouldBe false
-            isMet("word == \"it's \\"\\\\\"", """{"word": "it's \"\\"}""") shouldBe true
+            isMet("word == \"it's \\\"\\\\\"", """{"word": "it's \"\\"}""") shouldBe true
             percept("/a my_msgs/A -> a(x < 1, true)", """{"x": 0}""") shouldBe "a(true,true)"
         }
         test("may have sectors and sums of lists") {
@@ -206,8 +206,9 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n\t- /a std_msgs/Bool" to "robot.ros.yaml:2:1: expected blanks, but found a tabulator",
             "percepts:\n  -\t/a std_msgs/Bool" to "robot.ros.yaml:2:4: expected blanks, but found a tabulator",
             "percepts:\n  - /a\tstd_msgs/Bool # a\ttabulator" to "robot.ros.yaml:2:7: expected blanks, but found a tabulator",
-            "percepts:\n  - /a std_msgs/Bool -> a for 1 s all" to "2:34: a percept of all messages is an event",
-            "commands:\n  - a -> /a std_msgs/Empty answer data" to "2:29: nobody answers a message of a topic",
+            "percepts:\n  - /a std_msgs/Bool -> a for 1 s all" to "2:35: a percept of all messages is an event",
+            "commands:\n  - a(V, W) -> /a geometry_msgs/Twist(linear.x = V)" to "2:5: the argument W of a is used nowhere; write FIELD = W",
+            "commands:\n  - a -> /a std_msgs/Empty answer data" to "2:28: nobody answers a message of a topic",
             "commands:\n  - a -> service /a std_srvs/Empty feedback at(x)" to "only actions have feedback",
             "commands:\n  - a -> service /a std_srvs/Empty anser data" to "expected within TIME, feedback LITERAL, answer VALUE or nothing",
             "" to "it is empty",
