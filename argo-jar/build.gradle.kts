@@ -12,9 +12,32 @@ val argoJar by tasks.registering(JavaExec::class) {
     argumentProviders.add(CommandLineArgumentProvider { listOf(jar.get().asFile.path, version, packed.asPath) })
 }
 
-tasks.assemble { dependsOn(argoJar) }
+/** What `argo-fleet.jar` and `argo.jar` hold together. */
+val fleets = configurations.create("fleets") {
+    isCanBeConsumed = false
+    attributes { attribute(Usage.USAGE_ATTRIBUTE, objects.named(Usage.JAVA_RUNTIME)) }
+}
+dependencies { add(fleets.name, project(":argo-fleet")) }
+
+/** The jar that fleets have beside `argo.jar`. */
+val fleetJar by tasks.registering(JavaExec::class) {
+    description = "Packs argo-fleet.jar."
+    val jar = layout.buildDirectory.file("libs/argo-fleet.jar")
+    val beside = files(configurations.runtimeClasspath)
+    val packed = fleets - beside
+    val version = project.version.toString()
+    inputs.files(packed, beside)
+    inputs.property("version", version)
+    outputs.file(jar)
+    classpath(sourceSets.main.map { it.output }, configurations.compileClasspath)
+    mainClass = "argo.packing.MainKt"
+    argumentProviders.add(CommandLineArgumentProvider { listOf(jar.get().asFile.path, version, packed.asPath, beside.asPath) })
+}
+
+tasks.assemble { dependsOn(argoJar, fleetJar) }
 
 tasks.test {
-    dependsOn(argoJar)
+    dependsOn(argoJar, fleetJar)
+    systemProperty("argo.fleet.jar", layout.buildDirectory.file("libs/argo-fleet.jar").get().asFile.path)
     systemProperty("argo.jar", layout.buildDirectory.file("libs/argo.jar").get().asFile.path)
 }

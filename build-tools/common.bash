@@ -29,7 +29,7 @@ need_tools() {
     fail "Maven runs on Java $java, ARGO needs 17 or newer: have JAVA_HOME name such a JDK (now: ${JAVA_HOME:-not set})"
 }
 
-# Shows each line of the input in place of the one before on a terminal, and behind it elsewhere.
+# Shows the lines of the input: on a terminal only the newest one, elsewhere all.
 show_one_line() {
   local line
   while IFS= read -r line; do if [ -t 2 ]; then printf '\r\033[K%s' "$line"; else printf '%s\n' "$line"; fi; done
@@ -39,12 +39,12 @@ show_one_line() {
 maven() {
   local log=$1; shift
   mkdir -p "$logs"
-  : >"$log" # now: the lines of an earlier build would be shown as this one's
+  : >"$log" # emptied now, so that no line of an earlier build is shown
   local status=0
   mvn -B -f "$here/pom.xml" "$@" >"$log" 2>&1 < /dev/null &
   local pid=$!
   tail -n +1 -F --pid=$pid "$log" 2>/dev/null | sed -u -n 's/^\[INFO\] Building \([a-z-]*\) .*\[\(.*\)\]$/  \1 (\2)/p' | show_one_line >&2 &
-  local shown=$! # in the background: a signal interrupts waiting, and nothing else
+  local shown=$! # in the background, since a signal interrupts only waiting
   trap 'kill $pid 2>/dev/null; exit 130' INT
   trap 'kill $pid 2>/dev/null; exit 143' TERM
   wait $pid || status=$?
@@ -74,11 +74,11 @@ property() { sed -n "s|^    <$1>\(.*\)</$1>$|\1|p" "$here/pom.xml"; }
 # The modules' folders.
 modules() { sed -n 's|.*<module>\(.*\)</module>.*|\1|p' "$here/pom.xml"; }
 
-# build MODULE…: builds these modules and what they need, without tests; skips those for which no source has changed since the last time.
+# build MODULE…: builds these modules and those that they need, without tests. Skips a module if no source has changed since its last build.
 build() {
   local all module log=$logs/build.log changed=''
   IFS=$'\n' read -r -d '' -a all < <(modules) || true
-  all=("${all[@]/#/$here/}") # only those: a project that "new" has made may lie beside them
+  all=("${all[@]/#/$here/}") # only those, since a project made by "new" may lie beside them
   local sources=("$here/pom.xml" "${all[@]/%//pom.xml}" "${all[@]/%//src}" "$here/samples" "$here/experiment")
   for module; do
     local stamp=$logs/built-$module
@@ -102,7 +102,7 @@ version() {
 run() {
   local module=$1; shift
   build "$module"
-  # jSerialComm loads a native library, which newer Java machines warn about
+  # newer Java machines warn of jSerialComm's native library
   exec java "-Dargo.build=$(version)" --enable-native-access=ALL-UNNAMED -cp "$here/$module/target/classes:$(cat "$here/$module/target/run.classpath")" "$@"
 }
 

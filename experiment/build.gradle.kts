@@ -5,10 +5,10 @@ application {
     applicationDefaultJvmArgs = listOf("--enable-native-access=ALL-UNNAMED") // jSerialComm loads a native library
 }
 
-// the version and the commit that reports name
+// Reports name this version and commit.
 tasks.jar { manifest { attributes("Implementation-Version" to "$version, of an unknown commit") } }
 
-// as ./argo runs it: a spectator presses Enter, and paths begin in the folder in which Gradle was called
+// As ./argo runs it: a spectator presses Enter, and paths begin in the folder in which Gradle was called.
 tasks.named<JavaExec>("run") {
     standardInput = System.`in`
     workingDir = rootDir

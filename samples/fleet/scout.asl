@@ -27,7 +27,7 @@ trips(0).
     .wait(100);
     !patrol.
 
-// The trip's number makes each formula another: the timer of a .wait runs on after the wait, and would end a later wait for the same.
+// The trip's number makes each formula different. The timer of a .wait runs on after the wait, and would end a later wait for an equal one.
 +!visit(Place) : trips(N) <-
     Trip = N + 1;
     -+trips(Trip);

@@ -31,14 +31,14 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. Options: `[argo_sensing=fresh]` (the default), `every`
- * or `in_cycle`, the policy by which snapshots of the sensors are handed over; `argo_percepts=4096`, the most percepts of a board that are
- * believed at once; and those of observers, such as `argo_view=8080` of the live view.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. It has three kinds of options. `[argo_sensing=fresh]`
+ * (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over. `argo_percepts=4096` is the most
+ * percepts of a board that are believed at once. Others belong to observers, such as `argo_view=8080` to the live view.
  *
- * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents
- * Programming", EMAS 2016. Only under `in_cycle`, which exists for comparison, does a reasoning cycle wait for a line.
+ * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
+ * A reasoning cycle waits for a line only under `in_cycle`, which exists for comparison.
  *
- * The methods of [AgArch] are called by Jason; a project has no reason to call any.
+ * Jason calls the methods of [AgArch]; a project has no reason to call any.
  *
  * @param platform the agent's time, threads and ports; those of the machine if Jason makes the architecture
  */
@@ -48,7 +48,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private var waiting: Int? = null // see Perception.waiting
     private val environment = EnvironmentPercepts(nowMs = platform.nowMs)
 
-    // functions that the boundary calls; they are made once for all cycles
+    // functions for the boundary, made once for all cycles
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
@@ -64,7 +64,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal lateinit var policy: SensingPolicy
         private set
 
-    /** The boundary at which everything enters the agent. Any thread may ask. */
+    /** The boundary through which all inputs reach the agent. Any thread may ask. */
     @Volatile
     internal var boundary: Boundary = Live
         private set
@@ -92,8 +92,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * Returns true if Jason may take no event from its queue: an atomic plan holds all events back, and `events=requeue` puts events
-     * without a plan back for ever.
+     * Returns true if Jason may take no event from its queue. An atomic plan holds all events back; `events=requeue` puts events without a
+     * plan back for ever.
      */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
@@ -113,7 +113,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleStarting()
     }
 
-    /** Returns the percepts if the boards, the ports or the Jason environment have had news since the last call; else null. */
+    /** Returns the percepts if boards, ports or the Jason environment have news since the last call; else null. */
     override fun perceive(): MutableCollection<Literal>? {
         waker.perceives()
         val perception = boundary.perceive(perceiveLive)
@@ -161,7 +161,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.reasoningCycleFinished()
     }
 
-    /** Closes all ports and ends all threads. Never waits for a line. */
+    /** Closes all ports and ends all threads, without waiting for a line. */
     override fun stop() {
         observing.each { it.close() }
         if (::boards.isInitialized) boards.ports.stop()
@@ -169,7 +169,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * True if Jason stops each architecture of this agent, as its Local infrastructure does. Others stop only the first, and some
+     * True if Jason stops each architecture of this agent, like its Local infrastructure. Others stop only the first, and some
      * architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }

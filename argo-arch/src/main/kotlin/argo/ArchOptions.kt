@@ -8,14 +8,11 @@ import java.util.logging.Logger
 
 /**
  * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`.
- *
- * An unknown option or value is reported to [log] and ignored.
+ * Reports unknown options and values to [log] and ignores them.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger) {
-    /** The policy by which snapshots are handed over. */
     val policy: SensingPolicy = sensingPolicy()
 
-    /** The most percepts of a board that are believed at once. */
     val maxPercepts: Int = maxPercepts()
 
     /** The observers that the options ask for, such as a live view. */
@@ -56,7 +53,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
         const val SENSING = "argo_sensing"
         val OWN = setOf(SENSING, PerceptLimit.OPTION)
 
-        /** Modules of this project that add an option, for the message when one is missing. */
+        /** Modules of this project that add an option; a message names a missing one. */
         val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording", "argo_ros" to "argo-ros")
     }
 }

@@ -17,9 +17,8 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 
 /**
- * The base of ARGO's internal actions: finds the agent that a call belongs to, and fails plans.
- *
- * An action either does its work at once, or suspends the intention, never the agent, until another thread has done it.
+ * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
+ * until another thread has done the work. It never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
@@ -50,19 +49,16 @@ abstract class BoardInternalAction internal constructor(private val name: String
         return true
     }
 
-    /** Is never called: the links that an action waits for have time limits of their own. */
+    /** Never called: the links that an action waits for have their own time limits. */
     final override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
 
-    /** A call of the action in a plan. */
     internal inner class Call(val ts: TransitionSystem, val args: Array<Term>) {
-        /** The call as the agent wrote it, for messages. */
+        /** The call in the agent's words, for messages. */
         val text: String get() = "$name(${args.joinToString(",")})"
 
-        /** The agent's [Arch]. */
         val arch: Arch
             get() = archOf(ts) ?: throw notArgo(ts).of(text)
 
-        /** Returns the exception that fails the plan now. */
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
@@ -102,13 +98,12 @@ private fun counted(arguments: IntRange) = when {
     else -> "${arguments.first} to ${arguments.last} arguments"
 }
 
-/** Returns all architectures of the agent of [ts], the first one first. */
+/** Returns all architectures of the agent of [ts], in their order. */
 internal fun architectures(ts: TransitionSystem): Sequence<AgArch> = generateSequence(ts.agArch) { it.nextAgArch }
 
 /** Returns the [Arch] of the agent of [ts]; null: it has none. */
 internal fun archOf(ts: TransitionSystem): Arch? = ts.agArch as? Arch ?: architectures(ts).filterIsInstance<Arch>().firstOrNull()
 
-/** The boundary of the agent of this transition system. */
 internal val TransitionSystem.boundary: Boundary get() = archOf(this)?.boundary ?: Live
 
 /** Returns the failure of an action if the agent of [ts] has no [Arch]. */

@@ -12,7 +12,7 @@ import jason.asSyntax.PlanBody
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
-/** The base of ARGO's internal actions that only ask something, so that contexts of plans may have them too. */
+/** The base of ARGO's internal actions that only ask, so contexts of plans may contain them too. */
 abstract class BoardQuery internal constructor(private val name: String, private val arguments: Int) : DefaultInternalAction() {
     final override fun getMinArgs() = arguments
 
@@ -27,21 +27,21 @@ abstract class BoardQuery internal constructor(private val name: String, private
     /** Returns the result: see [jason.asSemantics.InternalAction.execute]. Called by the agent's thread. */
     internal abstract fun answer(call: Call): Any
 
-    /** One call of the action. */
     internal inner class Call(val ts: TransitionSystem, val un: Unifier, val args: Array<Term>) {
-        /** The agent's [Arch]. */
         val arch: Arch get() = archOf(ts) ?: throw failure(notArgo(ts))
 
         /** Returns the exception for an argument of a wrong kind. */
         fun wrong(cause: String): JasonException = failure(wrongArgument(cause))
 
-        /** Returns the result if there is no answer: in a context false; a call that is a step of a plan fails it for the reason [why]. */
+        /**
+         * Returns the result without an answer. In a context it is false; as a step of a plan the call fails the plan for the reason [why].
+         */
         inline fun unanswered(why: () -> Failure): Boolean = if (isStep()) throw failure(why()) else false
 
         /** Returns the exception that fails the plan for the reason [failure]. */
         fun failure(failure: Failure): JasonException = failure.of("$name(${args.joinToString(",")})")
 
-        /** Returns true if the call is a step of a plan: then Jason passes the plan's unifier, while a context has a unifier of its own. */
+        /** Returns true if the call is a step of a plan. Such a call has the plan's unifier; in a context it has its own. */
         fun isStep(): Boolean {
             val means = ts.c.selectedIntention?.takeUnless { it.isFinished }?.peek() ?: return false
             val step = means.currentStep ?: return false

@@ -19,22 +19,21 @@ import jason.bb.BeliefBase
 import kotlin.io.path.Path
 
 /**
- * Finds the board among [boards] for a command of the agent, and sends it there. Belongs to the agent's thread.
+ * Finds the board for a command of the agent among [boards], and sends the command there. Belongs to the agent's thread.
  *
- * A command names its board by its namespace, or by a port in its options. A command that does neither is for the board of its plan's
- * module, unless that board's description lacks it; else for the only board whose description has it; else, if no description has it, for
- * the board on the port in use.
+ * A command may name its board by a namespace, or by a port in its options. Any other command goes to the first of these that exists: the
+ * board of its plan's module, unless that board's description lacks the command; the only board whose description has it; if no description
+ * has it, the board on the port in use.
  */
 internal class CommandRouter(private val boards: AgentBoards) {
-    /** The port of a board, or the reason why there is none. */
     private sealed interface Route {
         data class To(val port: OpenPort) : Route
         data class Nowhere(val failure: Failure) : Route
     }
 
     /**
-     * Sends [command], a literal or a string. One board's snapshots wait for it: those of the board whose percept caused it or, if none
-     * did, of the board that gets it.
+     * Sends [command], a literal or a string. The snapshots of one board wait for the command: of the board whose percept caused it, else
+     * of the board that gets it.
      *
      * @param module the namespace of the module in which the command is; null: it is in none
      * @param cause returns the percept that made the agent send it, or null; called once it is under way, before [outcome]
@@ -97,7 +96,7 @@ internal class CommandRouter(private val boards: AgentBoards) {
         return if (isKnown) within(module, command, inUse) else null
     }
 
-    /** Returns the board among [some] whose description has [command]; null: there is none. */
+    /** Returns the board among [some] whose description has [command]; null: none has it. */
     private fun among(some: List<Board>, command: Literal, inUse: OpenPort): Route? {
         val knowing = some.filter { it.knows(command) }
         return when (knowing.size) {
@@ -134,21 +133,21 @@ private fun literalOf(command: Term): Literal? = try {
     null
 }
 
-/** Returns the namespace of the module with the plan that the agent of [ts] is carrying out; null: the plan is in no module. */
+/** Returns the namespace of the module of the plan that the agent of [ts] is carrying out; null: the plan is in no module. */
 internal fun moduleOf(ts: TransitionSystem): String? {
     val plan = intentionOf(ts)?.peek()?.plan ?: return null
     val namespace = plan.trigger.literal.ns.takeIf { it != Literal.DefaultNS } ?: return null
     return namespace.functor.takeIf { !isSameFile(plan.sourceFile, ts.ag.aslSrc) }
 }
 
-/** Returns true if both name one file. Jason names a file by its whole path, a URL or only its name. */
+/** Returns true if both name one file. Jason names a file by its whole path, by a URL or by its last part. */
 private fun isSameFile(one: String?, other: String?): Boolean {
     if (one == null || other == null) return one == other
     val (path, otherPath) = listOf(one, other).map { Path(it.removePrefix("file:")).normalize() }
     return path.endsWith(otherPath) || otherPath.endsWith(path)
 }
 
-/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: none did. */
+/** Returns the percept whose event began the intention that the agent of [ts] is carrying out; null: no percept did. */
 internal fun perceptBehind(ts: TransitionSystem): Literal? = intentionOf(ts)?.bottom?.trigger?.literal
     ?.takeIf { it.hasSource(BeliefBase.APercept) }
 

@@ -80,7 +80,7 @@ internal class ObservedArch(
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Has the agent's own thread do [work] before its next cycle. */
+    /** Has the agent's thread do [work] before its next cycle. */
     private fun later(done: () -> Unit, work: () -> Unit) {
         val isDone = AtomicBoolean()
         arch.ts.runAtBeginOfNextCycle {

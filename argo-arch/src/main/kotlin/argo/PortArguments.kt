@@ -10,10 +10,7 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
-/**
- * Returns the name of the port [term] in the form for a transport.
- * @throws ArgumentException if it names no port
- */
+/** Returns the name of the port [term] in the form for a transport. Throws [ArgumentException] if [term] names no port. */
 internal fun portName(term: Term): String {
     val name = when {
         term is VarTerm -> term.functor
@@ -30,8 +27,8 @@ internal fun portName(term: Term): String {
 internal fun portTerm(written: Term, name: String): Term = if (written is VarTerm) ASSyntax.createString(name) else written
 
 /**
- * Returns the board that the options of [call] name, in its second argument `[port(P)]`; null: the call has no options.
- * @throws ArgumentException if there are other options, or several ports
+ * Returns the board that the options of [call] name, in its second argument `[port(P)]`; null: the call has no options. Throws
+ * [ArgumentException] for other options or several ports.
  */
 internal fun boardIn(call: BoardInternalAction.Call): Board? {
     val ports = optionsIn(call.args.getOrNull(1) ?: return null, "[port(ttyACM0)]").map(::portIn)

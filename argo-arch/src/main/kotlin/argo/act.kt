@@ -6,25 +6,26 @@ import jason.asSyntax.Term
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
- * quotes. `getPercepts`, with or without arguments, is no command: a board reads it as the request for percepts.
+ * quotes. A board reads `getPercepts`, with or without arguments, as the request for percepts, so it is no command.
  *
- * If the agent perceives several boards, `argo.act(left::stop)` sends `stop` to the one in the namespace `left`, and
- * `argo.act(stop, [port(P)])` to the one on P. `argo.act(stop)` is for the board of the plan's module, unless that board's description
- * lacks `stop`; else for the only board whose description has it; if no description has it, for the board on the port in use.
+ * If the agent perceives several boards, `argo.act(left::stop)` sends `stop` to the board in the namespace `left`, and
+ * `argo.act(stop, [port(P)])` to the board on P. `argo.act(stop)` goes to the first of these that exists: the board of the plan's module,
+ * unless that board's description lacks `stop`; the only board whose description has `stop`; if no description has it, the board on the
+ * port in use.
  *
- * The intention, not the agent, is suspended until the last byte has left the line, or, with a board of version 2 of the protocol, until
- * the board has acknowledged the action. Commands are sent in order.
+ * The intention, not the agent, is suspended until the last byte has left the line. With a board of version 2 of the protocol, it is
+ * suspended until the board has acknowledged the action. Commands are sent in order.
  *
  * `argo.act(W, Options)` takes a list of
- * - `port(P)`: the board is the one on P, a port that the agent has open, perceived or not
- * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. A command that has not begun to go out by then is
- *   withdrawn, never sent, and fails with `error(act_timeout)`. One that has begun fails with `error(act_unconfirmed)`: the board may carry
- *   it out
- * - `urgent`: the command overtakes waiting ones that are not urgent. It never interrupts a command on the line, and with a board of
- *   version 2 it waits for the outcome of that command
- * - `latest`: the command takes the place of the first waiting one of the same functor, whatever the arguments; that one and all others of
- *   the functor that have not begun to go out are never sent, and fail with `error(act_replaced)`. So `argo.act(speed(V), [latest])` sends
- *   the newest speed when the line is free, however often it is called. With `urgent` it waits among the urgent commands
+ * - `port(P)`: the command goes to the board on P, an open port of the agent, perceived or not
+ * - `timeout(Ms)`, 1 to 600,000: the intention resumes at most Ms ms after the call. If the command has not begun to go out by then, it is
+ *   withdrawn, never sent, and fails with `error(act_timeout)`. If it has begun, it fails with `error(act_unconfirmed)`: the board may
+ *   carry it out
+ * - `urgent`: the command overtakes waiting ones that are not urgent. It never interrupts a command on the line; with a board of version 2
+ *   it also waits for that command's outcome
+ * - `latest`: the command replaces all commands of its functor that have not begun to go out, whatever their arguments. They are never sent
+ *   and fail with `error(act_replaced)`; the new one takes the place of the first. So `argo.act(speed(V), [latest])` sends the newest speed
+ *   when the line is free, however often it is called. With `urgent` it waits among the urgent commands
  *
  * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, as its mapping has it
  *

@@ -11,17 +11,17 @@ import jason.asSyntax.UnnamedVar
 import javino.wire.BoardAction.ANY
 
 /**
- * The internal action `argo.can(Action)`: true if a board that the agent perceives has registered Action by its functor and its number of
- * arguments; their values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and `argo.can(B::stop)` binds
- * B to each namespace whose board has the action. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ * The internal action `argo.can(Action)`: true if a perceived board has registered an action with Action's functor and number of arguments.
+ * The arguments' values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and `argo.can(B::stop)` binds B
+ * to each namespace whose board has the action. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
  * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`, or
- * `.findall(left::A, argo.can(left::A), All)` for those of one namespace. An action that takes any number of arguments is given without
- * arguments.
+ * `.findall(left::A, argo.can(left::A), All)` for one namespace. An action with any number of arguments appears without arguments.
  *
- * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. If it is not known (version 1, a
- * sketch without a table of actions, no port in use, or no answer yet), the action is false in a context; as a step of a plan it fails the
- * plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or `error(not_argo)`.
+ * Boards of version 2 describe themselves; ARGO asks for the description at the beginning of a session. The description may be unknown: in
+ * version 1, for a sketch without a table of actions, without a port in use, or before the answer. Then `argo.can` is false in a context;
+ * as a step of a plan it fails the plan with `error(no_vocabulary)`. Fails the plan also with `error(wrong_arguments)` or
+ * `error(not_argo)`.
  */
 @Suppress("ClassName")
 open class can : BoardQuery("argo.can", 1) {

@@ -16,13 +16,14 @@ import java.util.logging.Logger
 
 /**
  * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the name of a
- * filter or of its file; `none` lets everything through. It also works for agents without [Arch], whose percepts come from a Jason
- * environment. `argo.change_filter(F, [port(P)])` changes only the filter of the board on P; without the option, that of all boards.
+ * filter or of its file; `none` lets everything through. Without an option it changes the filter of all boards;
+ * `argo.change_filter(F, [port(P)])` changes only the filter of the board on P. It also works for agents without [Arch], whose percepts
+ * come from a Jason environment.
  *
- * Parts of the filter that have no effect are reported in the log.
+ * The log reports parts of the filter that have no effect.
  *
  * Fails the plan, without a change of the filter, with `error(wrong_arguments)`, `error(unknown_board)`, `error(no_such_filter)` or
- * `error(bad_filter)` for a refused file, with all its problems in the message.
+ * `error(bad_filter)`. The message for a refused file has all its problems.
  */
 @Suppress("ClassName")
 open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
@@ -55,7 +56,7 @@ open class change_filter : BoardInternalAction("argo.change_filter", 1..2) {
         throw call.failure("bad_filter", "the filter $name cannot be read: $unreadable")
     }
 
-    /** Logs the parts of [filter] that have no effect, once for each text of a filter. */
+    /** Logs the parts of [filter] that have no effect, once for each content of a filter. */
     private fun warn(call: Call, filter: PerceptionFilter) {
         if (!reported.add(filter.name to filter)) return
         val log = Logger.getLogger("${Arch::class.java.name}.${call.ts.agArch.agName}")

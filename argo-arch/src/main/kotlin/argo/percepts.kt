@@ -3,8 +3,8 @@ package argo
 import argo.calls.ArgumentException
 
 /**
- * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`,
- * stops it. Perceiving is blocked at the start. Beliefs stay while it is blocked.
+ * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`, stops
+ * perceiving. At the start it is blocked. Beliefs stay while it is blocked.
  *
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
  */

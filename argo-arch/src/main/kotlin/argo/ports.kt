@@ -8,16 +8,16 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The internal action `argo.ports(List)`: the agent perceives the boards on all ports of List, and no others. An element is a port as
- * `argo.port` takes it, or `port(P, Options)` with the options of `argo.port`: `[ttyACM0, port(ttyACM1, [as(left)]), "tcp://arm:4000"]`.
- * The first one is the port in use, which gets commands for which no other board is found.
+ * The internal action `argo.ports(List)`: the agent perceives the boards on all ports of List, and no others. An element is a port as in
+ * `argo.port`, or `port(P, Options)` with the options of `argo.port`: `[ttyACM0, port(ttyACM1, [as(left)]), "tcp://arm:4000"]`. The first
+ * element is the port in use: it gets commands that no other board is found for.
  *
- * Ports that are not open are opened, all at once, and each board is perceived as soon as its port is open. Boards that were perceived
- * before and are in List are not disturbed; those that are not in List are no longer perceived, but their ports stay open.
+ * Closed ports are opened all at once, and each board is perceived as soon as its port is open. A perceived board in List is not disturbed.
+ * A board that is not in List is no longer perceived, but its port stays open.
  *
- * The intention is suspended until each port is open or has failed. If ports cannot be opened, the boards on the others are perceived all
- * the same; a board of List that was perceived before remains so, and is searched for if its device has gone. Then the plan fails with the
- * error of the first that failed, as `argo.port` does, and the message has the reasons of all. If none can be opened nothing changes. Fails
+ * The intention is suspended until each port is open or has failed. If some ports cannot be opened, the boards on the others are still
+ * perceived. If such a board was perceived before, it stays so, and is searched for if its device has gone. Then the plan fails with the
+ * error of the first failed port, like `argo.port`; the message has all reasons. If no port can be opened, nothing changes. Fails the plan
  * also with `error(wrong_arguments)` or `error(not_argo)`.
  */
 @Suppress("ClassName")

@@ -21,8 +21,8 @@ import kotlin.io.path.createDirectories
 import kotlin.io.path.writeText
 
 /**
- * A small agent with one fault that beginners make, and the same agent without it. Both agents are in one file, `planted/NAME.asl`: lines
- * that end in `//-` are the fault; lines behind `//+` take their place once the fault is mended.
+ * A small agent with a fault that beginners make, and the same agent without it. Both agents are in one file, `planted/NAME.asl`. Lines
+ * that end in `//-` are the fault. Lines behind `//+` replace them in the mended agent.
  *
  * @property rule the name of the rule that the fault breaks
  * @property describe the board and the rules, which do not depend on the fault
@@ -85,7 +85,7 @@ private fun Exploration.driver(vararg more: Rule, isVersion2: Boolean = false) {
     )
 }
 
-/** Returns the rules that each of the agents has to keep. */
+/** Returns the rules for every planted agent. */
 private fun any() = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(intentions = 10, beliefs = 30), neverFloods(10),
     neverOscillates(), perceivesAgain(),

@@ -29,8 +29,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * A reasoning cycle of a real Jason agent that perceives a frame in which every value has changed, from the percepts' text to the end of
- * the cycle, without a filter and with one that keeps a single percept.
+ * A reasoning cycle of a real Jason agent, from the percepts' text to the end of the cycle. Every value in the perceived frame has changed.
+ * There is no filter, or one that keeps a single percept.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -48,7 +48,6 @@ public class CycleBenchmark {
     private int frame;
     private TransitionSystem cycle;
 
-    /** Makes the agent. */
     @Setup
     public void start() throws Exception {
         FilterSession<String> session = FilterSession.Companion.ofTexts();

@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** A Jason in this process, whose agents are given as text. One at a time. */
+/** A Jason in this process with agents from texts. There can be one at a time. */
 class Agents : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-bench")
     private val mas = RunLocalMAS()
@@ -25,7 +25,7 @@ class Agents : AutoCloseable {
         mas.start()
     }
 
-    /** Starts agent [name] with [program] and [options] of its `.mas2j` on [arch]; null: Jason's own architecture. */
+    /** Starts agent [name] with [program] and the [options] of its `.mas2j` on [arch]; null: Jason's own architecture. */
     fun start(name: String, program: String, arch: String? = "argo.Arch", options: Map<String, String> = emptyMap()) {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val services = RuntimeServicesFactory.get()
@@ -38,9 +38,9 @@ class Agents : AutoCloseable {
         mas.getAg(name).wake()
     }
 
-    /** Ends the system; returns when its agents have ended. */
+    /** Ends the system. Returns when its agents have ended. */
     override fun close() {
-        mas.finish(0, false, 0) // Jason ends the agents on a thread of its own
+        mas.finish(0, false, 0) // Jason ends the agents on its own thread
         if (!awaitAtMost(LIMIT_S) { mas.ags.isEmpty() }) System.err.println("agents still run after $LIMIT_S s: ${mas.ags.keys}")
         directory.toFile().deleteRecursively()
     }
@@ -63,11 +63,11 @@ internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> 
     }
 }
 
-/** Returns the program of an agent that senses the board at [port] each [intervalMs], followed by its other [plans]. */
+/** Returns the program of an agent that senses the board at [port] each [intervalMs] and has these other [plans]. */
 internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "") =
     "!start.\n+!start <- argo.port(\"$port\", [baud($baud)]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 
-/** Waits until [condition] holds, at most [seconds] s; returns true if it does. */
+/** Waits until [condition] holds, at most [seconds] s. Returns true if it does. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {
     val end = System.nanoTime() + seconds * 1_000_000_000L
     while (!condition()) {

@@ -4,10 +4,9 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * Runs this program with [arguments] in a Java machine of its own, where nothing has run before, and returns the numbers in its last line.
+ * Runs this program with [arguments] in a new Java machine, and returns the numbers in its last line.
  *
- * @param options the options of the Java machine
- * @throws IllegalStateException if it fails, or prints no numbers
+ * @throws IllegalStateException if the program fails, or prints no numbers
  */
 internal fun figuresApart(vararg arguments: String, options: List<String> = emptyList()): List<Double> {
     val process = programApart(*arguments, options = options)
@@ -19,7 +18,7 @@ internal fun figuresApart(vararg arguments: String, options: List<String> = empt
     return figures.filterNotNull()
 }
 
-/** Starts this program with [arguments] in a Java machine of its own; its errors are shown with this program's errors. */
+/** Starts this program with [arguments] in a new Java machine. Errors of the started program appear among this program's errors. */
 internal fun programApart(vararg arguments: String, options: List<String> = emptyList()): Process {
     val java = listOf(File(System.getProperty("java.home"), "bin/java").path, "--enable-native-access=ALL-UNNAMED")
     val program = listOf("-cp", System.getProperty("java.class.path"), "benchmarks.MainKt")

@@ -3,18 +3,17 @@ package benchmarks
 import javino.Protocol
 import java.util.concurrent.atomic.AtomicLong
 
-/** The name by which [crowd] is started as a program of its own. */
+/** The argument that starts [crowd] as a program. */
 internal const val CROWD = "crowd"
 
-/** The number of agents of the [crowd]. */
 internal const val CROWD_AGENTS = 1000
 
-/** The heap that the Java machine of the [crowd] may have, in MB. */
+/** The heap for the Java machine of the [crowd], in MB. */
 internal const val CROWD_HEAP_MB = 400
 
 /**
- * Measures a thousand agents with a board each in one Java machine, sensing twelve percepts at 10 Hz of which one has changed: returns the
- * answers a second that all agents got together, and the largest resident memory of the process, in MB.
+ * Measures a thousand agents with a board each in one Java machine. Each senses twelve percepts at 10 Hz, one of them changed. Returns the
+ * answers a second to all agents, and the largest resident memory of the process, in MB.
  */
 internal fun crowd(): List<Double> {
     val answers = AtomicLong()
@@ -37,7 +36,7 @@ private val BESIDES = SensorBoard.robot(0).substringAfter(';')
 
 private fun percepts(n: Int) = "dist(f,${n % 100});$BESIDES"
 
-/** At this rate the line in memory wakes its reader once a frame, as a driver does, and not for each byte. */
+/** At this rate the line in memory wakes its reader once a frame, like a driver, not for each byte. */
 private const val BAUD = 20_000_000
 private const val WARM_UP_MS = 20_000L
 private const val MEASURED_MS = 10_000L

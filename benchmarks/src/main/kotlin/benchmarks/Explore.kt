@@ -14,10 +14,8 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /**
- * Explores 25 agents with a planted fault each, and the same agents mended, and returns true if at least 20 faults are found within 60 s,
- * shortened to at most five events, and none in the mended agents.
- *
- * @param only the name of the one agent that is explored; null: all
+ * Explores 25 agents with a planted fault each, and the same agents mended. Returns true if at least 20 faults are found within 60 s and
+ * shortened to at most five events, and none is found in the mended agents. [only] is the name of the only explored agent; null: all.
  */
 internal fun explored(only: String? = null): Boolean {
     println("machine: ${machine()}")

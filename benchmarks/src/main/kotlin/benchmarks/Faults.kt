@@ -7,9 +7,9 @@ private const val EXCHANGES = 1_000_000
 private val RATES = listOf(1e-5, 1e-4, 1e-3)
 
 /**
- * Makes a million exchanges in version 2 at each rate of wrong bits, half of them commands and half requests, and prints their outcomes.
- * Virtual time, so the figures are the same on every machine. Returns true if each command was carried out at most once, in order, and if
- * each confirmed one was carried out.
+ * Makes a million exchanges in version 2 at each rate of wrong bits, and prints their outcomes. Half of the exchanges are commands, half
+ * requests. Time is virtual, so the figures are the same on every machine. Returns true if each command was carried out at most once and in
+ * order, and each confirmed command was carried out.
  */
 internal fun faults(): Boolean {
     println("version 2, 115,200 baud, $EXCHANGES exchanges at each rate: half of them commands, half requests with 500 ms for the answer")

@@ -6,8 +6,8 @@ import javino.Transports
 import java.lang.ref.Reference
 
 /**
- * Measures the heap of an idle agent, in bytes: of Jason's own, and the parts that `argo.Arch` and an open port add to it; without the
- * simulated line and board.
+ * Measures the heap of an idle Jason agent, in bytes, and the parts that `argo.Arch` and an open port add to it. The heap of the simulated
+ * line and board does not count.
  */
 internal fun idleHeap(): Map<String, Double> {
     val plain = perAgent("!start.\n+!start.\n", null, line = false)
@@ -35,7 +35,6 @@ private fun perLine(): Double = withBoards(boards()) {
     ((usedHeap() - before).toDouble() / NAMES.size).also { lines.forEach { it.close() } }
 }
 
-/** Collects garbage and returns the heap in use, in bytes. */
 internal fun usedHeap(): Long {
     repeat(3) { System.gc() }
     return Runtime.getRuntime().run { totalMemory() - freeMemory() }

@@ -10,7 +10,7 @@ import jason.asSyntax.Term
 
 /**
  * The internal action `benchmarks.acts(N)`: reports that an intention acts now on the board's nth answer. `benchmarks.acts(N, Agent, What)`
- * also reports the agent's number and the state of its nth action, `begun`, `done` or `failed`.
+ * also reports the agent's number, and whether its nth action is `begun`, `done` or `failed`.
  */
 class acts : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
@@ -19,7 +19,7 @@ class acts : DefaultInternalAction() {
     }
 
     companion object {
-        /** Receives the answer's number, the time in ns and all arguments, from the agent's thread; set by the running benchmark. */
+        /** Receives the answer's number, the time in ns and all arguments, on the agent's thread. The running benchmark sets it. */
         @Volatile
         var heard: (number: Int, nanos: Long, arguments: Array<Term>) -> Unit = { _, _, _ -> }
     }

@@ -11,9 +11,9 @@ private const val ROUNDS = 3
 private val EXCHANGES = Part.entries.maxOf { it.exchanges.last } + 1
 
 /**
- * Measures the time from the last byte of a frame with twelve percepts, written to a pseudo-terminal, to the first byte of the command that
- * it causes, in all rounds. The courses take turns, so that other work of the machine affects all of them, and each starts a Java machine
- * of its own.
+ * Measures, over a pseudo-terminal and in all rounds, the latency of commands. The time runs from the last byte of a frame with twelve
+ * percepts to the first byte of the command that the frame causes. The courses take turns, so that other work of the machine affects all of
+ * them. Each runs in a new Java machine.
  */
 internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     val rounds = List(ROUNDS) { LatencyCourse.entries.associateWith(::measureApart) }
@@ -22,7 +22,7 @@ internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     }
 }
 
-/** The name by which [latencyCourse] is started as a program of its own. */
+/** The argument that starts [latencyCourse] as a program. */
 internal const val LATENCY_COURSE = "latency-course"
 
 private fun measureApart(course: LatencyCourse): List<Long> {
@@ -31,7 +31,6 @@ private fun measureApart(course: LatencyCourse): List<Long> {
     return latencies.map(Double::toLong)
 }
 
-/** Returns the latencies of the course [name], in ns. */
 internal fun latencyCourse(name: String): List<Long> = LatencyCourse.valueOf(name).measure(EXCHANGES).asList()
 
 /** Measures all courses and prints the figures, and the ratio of ARGO's latency to that of the agent on one thread. */

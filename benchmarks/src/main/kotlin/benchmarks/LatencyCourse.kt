@@ -10,8 +10,8 @@ import javino.sim.PseudoTerminals
 import kotlin.concurrent.thread
 
 /**
- * A program that answers the board's frames, in a Java machine of its own: `ping(N)` among twelve percepts by the command `pong(N)`, over a
- * pseudo-terminal with `socat` and jSerialComm, at 50 Hz.
+ * A program that answers the board's frames at 50 Hz: `ping(N)` among twelve percepts by the command `pong(N)`. The program runs in a new
+ * Java machine, over a pseudo-terminal with `socat` and jSerialComm.
  */
 internal enum class LatencyCourse(val title: String) {
     ARGO("an agent with ARGO") {
@@ -27,7 +27,7 @@ internal enum class LatencyCourse(val title: String) {
         }
     },
 
-    /** No agent: a thread that writes the command when it has read the frame. */
+    /** No agent: a thread writes the command when it has read the frame. */
     LINE("the line without an agent") {
         override fun run(port: String, measure: () -> LongArray): LongArray = Transports.open(port, LineSettings(BAUD)).use { computer ->
             thread(isDaemon = true, name = "partner") { answerPings(computer) }
@@ -35,10 +35,10 @@ internal enum class LatencyCourse(val title: String) {
         }
     }, ;
 
-    /** Lets the answers be [measure]d through [port]. */
+    /** Has the program answer at [port] while [measure] runs. Returns the result of [measure]. */
     protected abstract fun run(port: String, measure: () -> LongArray): LongArray
 
-    /** Measures the latencies, in ns, in their order. */
+    /** Returns the latencies, in ns, in their order. */
     fun measure(exchanges: Int): LongArray = PseudoTerminals.open().use { line ->
         val board = PingBoard(line.board(), exchanges)
         run("${line.computer()}", board::measure)

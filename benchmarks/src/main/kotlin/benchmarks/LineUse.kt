@@ -4,8 +4,9 @@ import javino.Protocol
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses: requests and answers a second, multiplied by the
- * time of both on the line. The board answers at once, with twelve percepts; the line is in memory and gives each byte its time.
+ * Measures the share of a line's time, 0 to 1, that an agent with `argo.limit(0)` uses. The share is the number of requests a second,
+ * multiplied by the time of a request and its answer on the line. The board answers at once, with twelve percepts. The line is in memory
+ * and gives each byte its time.
  */
 internal fun lineUse(baud: Int, protocol: Protocol): Double {
     val bytes = AtomicLong()

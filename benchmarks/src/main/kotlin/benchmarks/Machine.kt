@@ -10,8 +10,8 @@ fun machine(): String =
         "${System.getProperty("os.arch")}"
 
 /**
- * Returns the resident memory of this process in MB: `VmRSS` now, `VmHWM` the largest so far. NaN if it is not known, as on systems other
- * than Linux.
+ * Returns the resident memory of this process in MB: `VmRSS` the present one, `VmHWM` the largest so far. NaN if it is not known, as on
+ * systems other than Linux.
  */
 internal fun residentMb(figure: String): Double {
     val status = File("/proc/self/status")
@@ -19,5 +19,4 @@ internal fun residentMb(figure: String): Double {
     return status.readLines().first { it.startsWith(figure) }.filter(Char::isDigit).toDouble() / 1024
 }
 
-/** Returns the processor time of this process so far, in ns. */
 internal fun processNanos(): Long = (ManagementFactory.getOperatingSystemMXBean() as OperatingSystemMXBean).processCpuTime

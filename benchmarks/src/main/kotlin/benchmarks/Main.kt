@@ -14,7 +14,7 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * The benchmarks. Each prints its figures; it takes the file for all its results, which only some write, and further arguments. It returns
+ * The benchmarks. Each prints its figures, and takes further arguments and a file for all results, which only some write. Each returns
  * false if its figures break their bounds.
  */
 private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = mapOf(
@@ -33,7 +33,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "boards-reactions" to { file, _ -> stopThree(file) },
 )
 
-/** The programs of [figuresApart]: each takes arguments, and returns its figures. */
+/** The programs of [figuresApart]. Each takes arguments, and returns its figures. */
 private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
     LATENCY_COURSE to { latencyCourse(it.single()) },
     CROWD to { crowd() },
@@ -42,7 +42,7 @@ private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
     MANY_BOARDS to { manyBoards() },
 )
 
-/** Runs the benchmark that the first argument names and prints its figures; some take a file for all their results. */
+/** Runs the benchmark in the first argument and prints its figures. Some benchmarks take a file for all their results. */
 fun main(args: Array<String>) {
     val name = args.firstOrNull().orEmpty()
     val rest = args.drop(1)

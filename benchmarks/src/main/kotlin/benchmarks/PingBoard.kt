@@ -9,10 +9,10 @@ import java.io.FileOutputStream
 import java.util.concurrent.TimeUnit
 
 /**
- * A board on a pseudo-terminal that answers each request with twelve changing percepts, one of them `ping(N)`, and measures the time until
- * the first byte of the command `pong(N)`.
+ * A board on a pseudo-terminal. The board answers each request with twelve changing percepts, one of them `ping(N)`. It measures the time
+ * until the first byte of the command `pong(N)`.
  *
- * @param exchanges the number of commands that it measures
+ * @param exchanges the number of measured commands
  */
 class PingBoard(device: File, private val exchanges: Int) {
     private val input = FileInputStream(device)
@@ -22,7 +22,7 @@ class PingBoard(device: File, private val exchanges: Int) {
     private var sent = 0
     private var answeredAt = 0L
 
-    /** Runs until all commands have come and returns their latencies in ns. */
+    /** Runs until all commands have come. Returns their latencies in ns. */
     fun measure(): LongArray {
         var readAt = 0L
         val decoder = FrameDecoder(TimeUnit.MILLISECONDS.toNanos(100)) { frame -> handle(frame.text(), readAt) }

@@ -17,7 +17,7 @@ import org.jetbrains.letsPlot.themes.themeMinimal
 private const val WIDTH = 640
 private const val HEIGHT = 400
 
-/** The ages of the snapshots on which intentions acted, with the number of [sensors] and of [plans] for each percept. */
+/** The ages of the snapshots on which intentions acted, with the number of [sensors], and of [plans] for each percept. */
 internal class Ages(val sensors: Int, val plans: Int, val distribution: Distribution)
 
 /** Plots the distribution of the ages in SVG: the share of actions against the age that it does not exceed. */
@@ -37,7 +37,7 @@ internal fun agePlot(measured: List<Ages>): String {
     )
 }
 
-/** Plots the share of the line's time that requests and answers take, by baud rate and version, in SVG. */
+/** Plots the share of the line's time for requests and answers, by baud rate and version, in SVG. */
 internal fun lineUsePlot(shares: Map<Pair<Int, Int>, Double>): String {
     val data = mapOf(
         "baud" to shares.keys.map { "${it.first} baud" },

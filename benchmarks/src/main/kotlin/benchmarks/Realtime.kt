@@ -4,7 +4,7 @@ import javino.Protocol
 import java.io.File
 
 /**
- * Measures the promptness of a robot's agent: prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
+ * Measures the promptness of a robot's agent. Prints a table, writes it to [json], and two plots beside it as `NAME-age.svg` and
  * `NAME-line.svg`.
  */
 internal fun realtime(json: File) {

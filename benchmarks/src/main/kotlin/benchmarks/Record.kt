@@ -11,14 +11,14 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicInteger
 import kotlin.io.path.createTempDirectory
 
-/** The name by which [paces] is started as a program of its own. */
+/** The argument that starts [paces] as a program. */
 internal const val REPLAY = "replay-recordings"
 
 /**
- * Measures the cost of a recording for an agent that perceives twelve percepts 50 times a second, which all change, and answers each time
- * with a command: drives without a recording and with one, in turn. Prints the processor time of the agent's thread for a message, summed
- * over its cycles, since a recorded agent has other cycles, and for a cycle; that of the thread that writes the recording, for which no
- * cycle waits; the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
+ * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
+ * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The second
+ * is needed since a recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle
+ * waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
  */
 internal fun recorded(): Boolean {
     println("machine: ${machine()}")
@@ -43,10 +43,7 @@ internal fun recorded(): Boolean {
     return cost * 100 <= MOST_COST && megabytes <= MOST_MEGABYTES && pace >= LEAST_PACE
 }
 
-/**
- * Returns how many times faster than real time a Java machine of its own replays [file], its start included, as the tool `replay` starts
- * it.
- */
+/** Returns how many times faster than real time a new Java machine replays [file], its start included. Starts it like the tool `replay`. */
 private fun paceApart(file: Path): Double {
     val begin = System.nanoTime()
     figuresApart(REPLAY, "$file", options = listOf("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"))
@@ -55,13 +52,13 @@ private fun paceApart(file: Path): Double {
     return (times.last() - times.first()).toDouble() / elapsedNs
 }
 
-/** Replays [files] in turn, and returns how many times faster than real time each was. */
+/** Replays [files] in turn. Returns how many times faster than real time each was. */
 internal fun paces(files: List<String>): List<Double> = files.map { pace(Path.of(it)) }
 
 private fun pace(file: Path): Double {
     val begin = System.nanoTime()
     return Recording(file).use { recording ->
-        Replay(recording, isChecking = true).use { replay -> // the replay has an architecture of its own
+        Replay(recording, isChecking = true).use { replay -> // the agent has an architecture of this benchmark
             val firstNs = checkNotNull(replay.nextNs) { "$file holds no cycle" }
             replay.run()
             check(replay.differences.isEmpty()) { replay.differences.first() }
@@ -70,7 +67,10 @@ private fun pace(file: Path): Double {
     }
 }
 
-/** The processor times of an agent's cycles in ns, the [messages] of its board in them, and the processor time of the writing thread. */
+/**
+ * The processor times of an agent's cycles in ns, the number of its board's [messages] in them, and the processor time of the writing
+ * thread.
+ */
 private class Drive(val cycles: List<Long>, val messages: Int, val writingNs: Long)
 
 /** Returns the processor time of the thread that writes a recording; 0: there is none. */
@@ -81,8 +81,8 @@ private fun writingNs(): Long {
 }
 
 /**
- * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for [seconds] that are measured; records it to [file];
- * null: it is not recorded.
+ * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for the measured [seconds]. Records it to [file]; null:
+ * without a recording.
  */
 private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVAL_MS): Drive {
     val times = ArrayList<Long>()
@@ -130,7 +130,6 @@ class TimedArch(platform: Platform) : Arch(platform) {
     }
 }
 
-/** A board whose twelve percepts all change each time. */
 private class Changing : Sketch {
     private val requests = AtomicInteger()
 

@@ -9,13 +9,13 @@ import javino.sim.BoardSession
 import javino.sim.SimulatedBoard
 
 /**
- * A board that answers requests at once, in the version in which it is asked, and acknowledges actions.
+ * A board that answers requests at once, in the version of the request, and acknowledges actions.
  *
  * @param speaks the version of the protocol that it reads, or both
  * @param percepts returns its answer to the nth request, n counted from 1
- * @param answered called by the board's thread with n, the time of [System.nanoTime] at which the last byte of the answer leaves the line,
- * and the bytes of request and answer
- * @param acted called by the board's thread with each action that does not repeat the action before
+ * @param answered called by the board's thread with n, the [System.nanoTime] at which the last byte of the answer leaves the line, and the
+ *   bytes of request and answer
+ * @param acted called by the board's thread with each action that does not repeat the previous one
  */
 class SensorBoard(
     private val speaks: Protocol,
@@ -23,7 +23,6 @@ class SensorBoard(
     private val answered: (n: Int, endNanos: Long, bytes: Int) -> Unit = { _, _, _ -> },
     private val acted: (action: String) -> Unit = {},
 ) : SimulatedBoard {
-    /** Runs until [line] is gone. */
     override fun run(line: Transport) = BoardLoop(line, Program(line), speaks, BoardSession.Capacity.FULL, LineClock.system()).run()
 
     private inner class Program(private val line: Transport) : BoardProgram {

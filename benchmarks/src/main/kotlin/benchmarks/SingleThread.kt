@@ -12,9 +12,9 @@ import javino.Transports
 import java.util.concurrent.TimeUnit
 
 /**
- * The plain architecture that ARGO's latency is compared with: reads, decides in Jason and writes on one thread. In its reasoning cycle
- * it requests percepts, waits for the answer and parses it with Jason's parser; [say] writes a command at once. It does nothing else:
- * no filters, no other port, no faults.
+ * The plain architecture for comparison with ARGO's latency: it reads, decides in Jason and writes on one thread. In its reasoning cycle it
+ * requests percepts, waits for the answer and parses it with Jason's parser. [say] writes a command at once. There are no filters, no other
+ * port and no faults.
  *
  * The program sets [port] before Jason makes the agent.
  */
@@ -43,10 +43,10 @@ class SingleThread : AgArch() {
         return messages.removeFirst()
     }
 
-    /** Writes a message, without a time limit, which would take another thread. Called by the agent's thread. */
+    /** Writes a message. There is no time limit, which would take another thread. The agent's thread calls this. */
     fun say(message: String) = Frame.of(message).toBytes().let { line.write(it, 0, it.size, 0) }
 
-    /** The agent never sleeps: it waits in [perceive]. */
+    /** Returns false, since the agent never sleeps: it waits in [perceive]. */
     override fun canSleep() = false
 
     override fun stop() {
@@ -57,7 +57,7 @@ class SingleThread : AgArch() {
     companion object {
         private val INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(LatencyCourse.INTERVAL_MS.toLong())
 
-        /** The port that the next agent opens. */
+        /** The port for the next agent. */
         @Volatile
         var port: String = ""
     }

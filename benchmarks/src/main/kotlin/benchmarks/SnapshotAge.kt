@@ -5,9 +5,9 @@ import java.util.concurrent.atomic.AtomicLongArray
 import kotlin.math.min
 
 /**
- * Measures the age of an agent's newest snapshot when one of its intentions acts on it: from the last byte of the board's answer to the
- * first action of a plan for one of its percepts. All [sensors] change in each answer, each change is an event, and for each event the
- * agent has [plans] plans of which the last applies.
+ * Measures the age of an agent's newest snapshot when an intention acts on it. The age is the time from the last byte of the board's answer
+ * to the first action of a plan for a percept of the answer. All [sensors] change in each answer, and each change is an event. For each
+ * event the agent has [plans] plans; only the last one applies.
  */
 internal fun snapshotAge(sensors: Int, plans: Int): Distribution {
     val receivedAt = AtomicLongArray(MAX_ACTIONS)
@@ -31,7 +31,7 @@ internal fun snapshotAge(sensors: Int, plans: Int): Distribution {
 private fun actsOnEach(plans: Int) =
     (1 until plans).joinToString("") { "+s(I,N) : N == -$it <- benchmarks.acts(0).\n" } + "+s(I,N) <- benchmarks.acts(N).\n"
 
-/** Measures the ages of snapshots; [receivedAt] has the time of each snapshot by its number. */
+/** Measures the ages of snapshots. [receivedAt] has the time of each snapshot by its number. */
 private class AgeMeter(private val receivedAt: AtomicLongArray) {
     private val ages = LongArray(MAX_ACTIONS)
 

@@ -4,19 +4,19 @@ import javino.Protocol
 import java.util.BitSet
 
 /**
- * Checks, with many agents on as many boards in memory that sense at 50 Hz and act on each answer, that neither heap nor threads grow, and
- * that each action is carried out once.
+ * Checks many agents on as many boards in memory. The agents sense at 50 Hz and act on each answer. Neither heap nor threads may grow, and
+ * each action must be carried out once.
  *
- * @param seconds its length, at least 3; neither may grow any more once all agents act and the first minute, or a shorter first third, is
- * over
+ * @param seconds the length of the run, at least 3. Heap and threads may grow until all agents act and the first minute, or a shorter first
+ *   third, is over.
  */
 class Soak(private val agents: Int, private val seconds: Int) {
-    /** The figures of a run; heap in bytes after a collection. */
+    /** The figures of a run. Heap is in bytes after a collection. */
     class Result(
         val heapEarly: Long, val heapLate: Long, val threadsEarly: Int, val threadsLate: Int,
         val answers: Long, val confirmed: Long, val failed: Long, val carriedOut: Long, val twice: Long, val lost: Long,
     ) {
-        /** The faults of the run, in words; empty: all is well. */
+        /** The faults of the run, in words; empty: there are none. */
         val faults: List<String> get() = listOfNotNull(
             "no action was confirmed".takeIf { confirmed == 0L },
             "$twice actions were carried out twice".takeIf { twice > 0 },
@@ -59,7 +59,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         }
     }
 
-    /** Returns the heap that is always in use: acting agents use some 10 MB more for a moment. */
+    /** Returns the heap that is always in use. Acting agents use some 10 MB more for a moment. */
     private fun steadyHeap() = (1..HEAP_SAMPLES).minOf {
         Thread.sleep(HEAP_SAMPLE_MS)
         usedHeap()
@@ -109,11 +109,11 @@ class Soak(private val agents: Int, private val seconds: Int) {
             if (what == "failed") failed++
         }
 
-        /** Returns true if the agent knows the outcome of each action it ordered. */
+        /** Returns true if the agent knows the outcome of each ordered action. */
         @Synchronized
         fun isSettled() = ordered == known
 
-        /** Returns the number of actions that were confirmed and not carried out, or whose outcome the agent does not know. */
+        /** Returns the number of actions that were confirmed but not carried out, or whose outcome the agent does not know. */
         @Synchronized
         fun lost(): Long {
             val unknown = (ordered.clone() as BitSet).apply { andNot(known) }
@@ -126,7 +126,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
         const val BAUD = 2_000_000
         const val LIMIT_S = 60
 
-        /** The number of actions after which every agent has loaded and allocated all that it needs. */
+        /** The number of actions after which every agent has loaded and allocated everything that it needs. */
         const val WARM_UP_ACTIONS = 50L
         const val MB = 1024 * 1024L
         const val SPARE_HEAP = 8 * MB
@@ -139,7 +139,7 @@ class Soak(private val agents: Int, private val seconds: Int) {
     }
 }
 
-/** Runs a hundred agents for ten minutes and prints the figures; returns true if there is no fault. */
+/** Runs a hundred agents for ten minutes and prints the figures. Returns true if there is no fault. */
 internal fun soak(): Boolean {
     val result = Soak(agents = 100, seconds = 600).run()
     println("100 agents at 50 Hz for 600 s: $result")

@@ -13,8 +13,8 @@ import samples.project.SampleProject
 import jason.runtime.Settings as AgentSettings
 
 /**
- * Jason, with as many agents `robot` of the project `experiment` as there are robots at the moment. A program can run only one Jason, since
- * Jason keeps that in a static. Safe for use by several threads.
+ * Runs Jason with as many agents `robot` of the project `experiment` as there are robots at the moment. A program can run only one Jason,
+ * since Jason keeps itself in a static field. Safe for use by several threads.
  */
 internal class AgentHost : RunLocalMAS() {
     private val source: String
@@ -31,7 +31,9 @@ internal class AgentHost : RunLocalMAS() {
         start()
     }
 
-    /** Creates the agent of [trial], whose robot is on [port], puts [witnesses] in front of its architectures, and starts it. */
+    /**
+     * Creates and starts the agent of [trial]. The agent's robot is on [port], and [witnesses] stand in front of the agent's architectures.
+     */
     fun begin(trial: Trial, port: String, witnesses: List<AgArch>): LocalAgArch {
         val settings = AgentSettings().apply { addOption("argo_sensing", trial.condition.sensing) }
         val given = services.createAgent(trial.id, source, null, listOf("argo.Arch"), null, settings, null)
@@ -50,7 +52,7 @@ internal class AgentHost : RunLocalMAS() {
         return others.map(ASSyntax::parseLiteral) + createLiteral("board", createString(port), parseTerm("$options"))
     }
 
-    /** Ends [agent], which closes its port; returns when its thread has ended, or after [END_LIMIT_MS], with a warning in the log. */
+    /** Ends [agent], which closes its port. Returns when its thread has ended, or after [END_LIMIT_MS] with a warning in the log. */
     fun end(agent: LocalAgArch) {
         agent.stopAg()
         agent.thread.join(END_LIMIT_MS)
@@ -58,7 +60,7 @@ internal class AgentHost : RunLocalMAS() {
         delAg(agent.agName)
     }
 
-    /** Ignores `.stopMAS` of one agent: the others go on. */
+    /** Ignores `.stopMAS` of one agent, since the others go on. */
     override fun finish(deadline: Int, stopJVM: Boolean, exitValue: Int) = Unit
 
     private companion object {

@@ -15,29 +15,28 @@ import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 /**
- * The settings of all runs of an experiment. A continued experiment must have the same.
+ * The settings of all runs of an experiment. A continued experiment must have the same settings.
  *
  * @property seed the seed of the order of the runs and of the noise of the sensors
  * @property slowdown the factor by which the agents reason more slowly than this computer
  * @property computer the calibration behind [slowdown], in words
- * @property port the port of a real robot, null for simulated ones
+ * @property port the port of a real robot; null for simulated ones
  */
 @Serializable
 internal data class Settings(val plan: Plan, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
 
-/** An experiment cannot be continued; [message] gives the reason and the remedy. */
+/** An experiment cannot be continued; [message] contains the reason and the remedy. */
 internal class ContinuationException(message: String) : Exception(message)
 
 /**
- * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close] it belongs to only
- * one experiment, among all programs.
+ * The directory with the settings and the records of an experiment: `settings.json` and `runs/`. From [open] to [close] only one experiment
+ * of one program owns it.
  */
 internal class Archive(val directory: Path) : AutoCloseable {
     private val settingsFile = directory.resolve("settings.json")
     private val runs = directory.resolve("runs")
     private var claim: FileChannel? = null
 
-    /** Returns the settings of the experiment that is here, or null if none has been begun. */
     fun settings(): Settings? {
         if (!settingsFile.exists()) return null
         return try {
@@ -51,9 +50,9 @@ internal class Archive(val directory: Path) : AutoCloseable {
     }
 
     /**
-     * Begins an experiment with [asked] here, or continues the one that is here.
+     * Begins an experiment with the settings [asked], or continues the one in this directory.
      *
-     * @throws ContinuationException if the one here has other settings, or is being made by another program
+     * @throws ContinuationException if the present one has other settings, or another program is making it
      * @throws IOException if the directory cannot be written to
      */
     fun open(asked: Settings) {
@@ -67,14 +66,14 @@ internal class Archive(val directory: Path) : AutoCloseable {
         if (present == null) begin(asked)
     }
 
-    /** Locks the directory; the operating system ends the lock with the program, however that ends. */
+    /** Locks the directory. The operating system ends the lock with the program, however that ends. */
     private fun claimed(): FileChannel {
-        // no other code opens this file: closing it would end the lock
+        // No other code opens this file, since closing it would end the lock.
         val channel = FileChannel.open(directory.resolve(".lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE)
         val lock = try {
             channel.tryLock()
         } catch (_: OverlappingFileLockException) {
-            null // another experiment of this program holds the lock
+            null // another experiment of this program has the lock
         }
         if (lock != null) return channel
         channel.close()
@@ -83,7 +82,7 @@ internal class Archive(val directory: Path) : AutoCloseable {
         )
     }
 
-    /** Writes all settings or none: a program that is killed meanwhile leaves no half of the settings. */
+    /** Writes all settings or none, even if the program is killed. */
     private fun begin(asked: Settings) {
         val whole = settingsFile.resolveSibling("settings.json.new")
         whole.writeText(JSON.encodeToString(Settings.serializer(), asked) + "\n")
@@ -105,18 +104,17 @@ internal class Archive(val directory: Path) : AutoCloseable {
     private fun difference(what: String, present: Any, asked: Any) =
         if (present == asked) null else "$what is $present there and $asked was asked for"
 
-    /** Returns the file of the record of [trial], which may not exist yet. */
+    /** Returns the file for the record of [trial], which may not exist yet. */
     fun file(trial: Trial): Path = runs.resolve("${trial.id}.jsonl")
 
     private fun records(): List<Path> = if (runs.exists()) runs.listDirectoryEntries("*.jsonl") else emptyList()
 
-    /** Returns the runs that are over, in no order. Records that are not whole do not count: their runs have to be made anew. */
+    /** Returns the finished runs, in no order. A run whose record is not whole has to be made anew. */
     fun finished(): List<Finished> = records().mapNotNull { file ->
         val record = readRecord(file)
         val trial = (record?.first() as Entry.Begin?)?.trial
         if (record == null || trial?.id != file.nameWithoutExtension) null else Finished(trial, record.last() as Entry.Result)
     }
 
-    /** Returns the number of records that do not count in [finished]. */
     fun unusable(): Int = records().size - finished().size
 }

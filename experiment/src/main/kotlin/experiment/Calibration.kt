@@ -8,13 +8,14 @@ import kotlin.math.sqrt
  * Compares the speed of this computer with a single-board computer of 2016, by the work of `sysbench cpu`: counting the primes up to 10,000
  * by trial division.
  *
- * It compares one thing, the division of whole numbers by compiled code in one thread, and not caches and memory. So
- * the factor is a stated assumption, and a parameter of the experiment.
+ * Only whole-number division by compiled code in one thread is compared, not caches and memory. So the factor is a stated assumption, and a
+ * parameter of the experiment.
  */
 internal object Calibration {
     /**
-     * Events a second of a Raspberry Pi 3 Model B (February 2016, Cortex-A53 at 1.2 GHz). Published is 687.45 for the 3 Model B+, the same
-     * core at 1.4 GHz, one thread, sysbench 1.0.20 (https://leoncode.co.uk/articles/raspberry-pi-benchmarks); this is 1.2 / 1.4 of it.
+     * Events a second of a Raspberry Pi 3 Model B (February 2016, Cortex-A53 at 1.2 GHz). The published figure is 687.45 for the 3 Model
+     * B+, the same core at 1.4 GHz, one thread, sysbench 1.0.20 (https://leoncode.co.uk/articles/raspberry-pi-benchmarks). This constant is
+     * 1.2 / 1.4 of that figure.
      */
     const val REFERENCE_EVENTS_PER_S = 589.2
 
@@ -35,10 +36,8 @@ internal object Calibration {
     }
 
     /**
-     * Measures the events a second of this computer: the best of some rounds, since other programs make it slower and nothing makes it
-     * faster. Takes 1.5 s.
-     *
-     * @param nanoTime the time that the calling thread has worked, in ns, without the time of other threads
+     * Measures the events a second of this computer in 1.5 s. Takes the best of some rounds, since other programs only slow it down.
+     * [nanoTime] is the time that the calling thread has worked, in ns, without the time of other threads.
      */
     fun eventsPerSecond(nanoTime: () -> Long = ManagementFactory.getThreadMXBean()::getCurrentThreadCpuTime): Double = (1..ROUNDS).maxOf {
         val start = nanoTime()
@@ -52,7 +51,7 @@ internal object Calibration {
 
     private const val PRIMES = 1229
 
-    /** Returns the factor by which reasoning is to be slowed on a computer with [eventsPerSecond]; 1 on one that is not faster. */
+    /** Returns the factor for slowing the reasoning on a computer with [eventsPerSecond]; 1 on one that is not faster. */
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 

@@ -7,10 +7,10 @@ import java.util.concurrent.Future
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Makes the runs of an experiment that have not been made, [jobs] at a time in their order, and keeps their records.
+ * Makes the missing runs of an experiment, [jobs] at a time in their order, and keeps their records.
  *
- * A run in which this machine was too late for its own simulation, by [maxLateMs], is repeated, until it was made [MAX_TRIES] times; the
- * last one counts, and its result records the delay.
+ * A run is repeated if this machine was later than [maxLateMs] for its own simulation, until it was made [MAX_TRIES] times. The last one
+ * counts, and its result records the delay.
  */
 internal class Campaign(
     private val archive: Archive,
@@ -21,8 +21,8 @@ internal class Campaign(
     private val report: (Status) -> Unit,
 ) {
     /**
-     * The progress: [done] of [all] runs are over, [collisions] of them at the wall; [left] ms is an estimate for those that have not
-     * begun, 0 if all have. Runs were repeated [repeated] times because this machine was late; the estimate expects that to go on.
+     * The progress: [done] of [all] runs are over, [collisions] of them at the wall. The others will take about [left] ms; 0: all have
+     * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects more of that.
      */
     internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
         /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
@@ -40,13 +40,13 @@ internal class Campaign(
 
     private val repeated = AtomicInteger()
 
-    /** Runs that had to be made anew because the machine was late. */
+    /** The number of runs that were repeated because the machine was late. */
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes the missing runs of [trials]; returns all that are over. Ends early if it is given up.
+     * Makes the missing runs of [trials]. Returns all finished ones. Ends early if the experiment is given up.
      *
-     * @throws java.io.IOException if a record cannot be written; then the experiment is given up
+     * @throws java.io.IOException if a record cannot be written; the experiment is then given up
      */
     fun run(trials: List<Trial>): List<Finished> {
         val wanted = trials.toSet()
@@ -55,7 +55,7 @@ internal class Campaign(
         val pool = Executors.newFixedThreadPool(jobs)
         val workers = List(jobs) { pool.submit { work(missing, over, trials.size) } }
         pool.shutdown()
-        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only when all workers have come to their end
+        workers.mapNotNull(::failure).firstOrNull()?.let { throw it } // thrown only when all workers have ended
         return over.toList()
     }
 
@@ -72,7 +72,7 @@ internal class Campaign(
             makeAll(missing, over, all)
             isDone = true
         } finally {
-            if (!isDone) given.giveUp() // else the other workers would run for an hour before the failure is reported
+            if (!isDone) given.giveUp() // otherwise the failure is reported an hour later
         }
     }
 
@@ -101,15 +101,14 @@ internal class Campaign(
     }
 
     companion object {
-        /** The largest number of times that a run is made. */
         const val MAX_TRIES = 3
 
         private const val MINUTE_MS = 60_000L
 
-        /** The longest time of a run, in ms, unless it fails: from the start to the wall. */
+        /** The longest time of a run, in ms, from the start to the wall, unless the run fails. */
         private const val LONGEST_MS = 21_000L
 
-        /** Estimates the time of [trial], in ms: to the limit and a little further, or to the wall if that is to be expected. */
+        /** Estimates the time of [trial], in ms: a little further than to the limit, or to the wall if a collision is expected. */
         fun expectedMs(trial: Trial): Long {
             val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
             return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L

@@ -87,7 +87,7 @@ internal class ExperimentCommand : ToolCommand() {
         return Archive(directory).use { make(it, conditions) }
     }
 
-    /** Asks the robot on [port] for its percepts, before a person moves it: a wrong port or robot is refused at once. */
+    /** Asks the robot on [port] for its percepts before a user moves it, so that a wrong port or robot is refused at once. */
     private fun tryRobot(port: String) {
         val answer = try {
             Link.open(port, LinkSettings.defaults(), "the experiment").use(::firstSight)
@@ -100,7 +100,7 @@ internal class ExperimentCommand : ToolCommand() {
         println("the robot on $port answers: $answer")
     }
 
-    /** Returns the robot's first answer with the front distance, for which a sensor may need some time; the last answer if none has it. */
+    /** Returns the robot's first answer with the front distance, since a sensor may need some time; the last answer if none has it. */
     private fun firstSight(robot: Link): String {
         var answer = ""
         for (attempt in 1..MAX_REQUESTS) {
@@ -188,7 +188,7 @@ internal class ExperimentCommand : ToolCommand() {
         listOf("os.name", "os.arch", "java.vm.name", "java.version").joinToString(" ", transform = System::getProperty)
             .let { "At most $workers robots at once on ${Runtime.getRuntime().availableProcessors()} processors, $it." }
 
-    /** Returns the version and the commit of ARGO; the property `argo.build` has them if there is no jar. */
+    /** Returns the version and the commit of ARGO. The property `argo.build` has them if there is no jar. */
     private fun build(): String =
         System.getProperty("argo.build") ?: javaClass.`package`.implementationVersion ?: "of an unknown version"
 
@@ -205,7 +205,7 @@ internal class ExperimentCommand : ToolCommand() {
     }
 }
 
-/** Makes the runs of an experiment with a line of progress, until they are over or somebody presses Ctrl-C. */
+/** Makes the runs of an experiment with a line of progress, until they are over or the user presses Ctrl-C. */
 internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
     private val given = GivenUp()
 

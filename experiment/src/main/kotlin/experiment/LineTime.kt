@@ -13,23 +13,23 @@ import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** Returns the answer timeout: a second, or three times the time of the longest answer on the line, the first of a session in version 2. */
+/** Returns the answer timeout: a second, or three times the longest answer, which is the first of a session in version 2. */
 internal fun answerLimitMs(trial: Trial): Int =
     maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 
 /**
  * Returns the time of a request and its whole answer on the line, in ns. A version 2 board answers with the percepts that the filter keeps,
- * whose texts are known.
+ * and the computer knows their texts.
  */
 internal fun exchangeNanos(trial: Trial): Long = exchangeBytes(trial, MAX_KNOWN) * byteNanos(trial)
 
 /**
- * Returns the largest lateness of this machine that a run of [condition] allows, in ms: a third of the time that a request and the answer
- * of the twelve sensors take under it at 9600 baud.
+ * Returns how late this machine may be in a run of [condition], in ms. The limit is a third of the time for a request and the answer of the
+ * twelve sensors at 9600 baud.
  */
 internal fun maxLateMs(condition: Condition): Double = exchangeNanos(Trial(condition, View.NONE, 0, 0, 1)) / 3e6
 
-/** Returns the number of bytes of a request and its answer; in version 2 the computer knows [known] texts. */
+/** Returns the number of bytes of a request and its answer. In version 2 the computer knows [known] texts. */
 private fun exchangeBytes(trial: Trial, known: Int): Int {
     val all = Sensors(Random(0), trial.sensors / Sensors.PER_SET).frame(Course.START_CM).map { "$it;" }
     if (!trial.condition.isVersion2) {
@@ -40,21 +40,20 @@ private fun exchangeBytes(trial: Trial, known: Int): Int {
     val asked = trial.view.functors
     val texts = all.filter { asked == null || it.substringBefore('(') in asked }
     val writer = PerceptWriter(MAX_KNOWN)
-    writer.items(texts, 0) // from then on the writer knows the shapes of the texts
+    writer.items(texts, 0) // the writer then knows the shapes of the texts
     val items = writer.items(texts, known)
     val parts = if (trial.condition == Condition.REFLEX) AnswerPart.split(1, items, PART_WITH_RULES) else AnswerPart.split(1, items)
     val request = WireFrame.of(FrameKind.ASK, 1, Char(known) + asked?.joinToString(",", "(", ")").orEmpty())
     return request.length() + parts.sumOf { WireFrame.of(it.kind, 0, it.payload).length() }
 }
 
-/** The largest number of texts that a board numbers. */
 private const val MAX_KNOWN = 126
 
 /**
- * Returns the worst-case delay of line and sensors, in ns, from the instant at which the robot crosses its limit to the effect of `stop` on
- * its board, whatever program drives it: the reading below the limit comes as late as the sensor's noise allows, just after the board has
- * begun an answer without it; it is in the answer to the next request, which starts at the end of that exchange or of the sensing interval;
- * then follows the command. A board that stops the robot itself reads its sensors within 5 ms, or when the frame that it is sending is out.
+ * Returns the worst-case delay of line and sensors, in ns, for any program: from crossing the limit to the effect of `stop` on the board.
+ * The delay has four parts. The reading below the limit is late by the sensor's noise. An answer without that reading has just begun. The
+ * next request, at the end of that exchange or of the sensing interval, has the reading in its answer. The command follows. A board that
+ * stops the robot itself reads its sensors within 5 ms, or when its present frame is out.
  */
 internal fun leastStopNanos(trial: Trial): Long {
     val reading = (Sensors.DISTANCE_NOISE / Course.SPEED_CM_S).seconds.inWholeNanoseconds
@@ -66,13 +65,12 @@ internal fun leastStopNanos(trial: Trial): Long {
 /** The interval at which a board compares its sensors with its rules, in ns. */
 private const val LOOK_NANOS = 5_000_000L
 
-/** The longest frame in an answer of a board that watches rules, with the numbers of request and part in front. */
+/** The longest frame in an answer of a board that watches rules. The numbers of request and part stand before the percepts. */
 private val longestPart = WireFrame.of(FrameKind.PERCEPTS_PART, 0, " ".repeat(2 + PART_WITH_RULES))
 
-/** Returns the time that the robot drives from its limit to the wall, in ns. */
 internal fun limitNanos(trial: Trial): Long = (trial.limit / Course.SPEED_CM_S).seconds.inWholeNanoseconds
 
-/** Returns true if the limit leaves the physical time to stop: no less than [leastStopNanos]. */
+/** Returns true if the limit leaves at least the physical time to stop, [leastStopNanos]. */
 internal fun leavesTime(trial: Trial): Boolean = limitNanos(trial) >= leastStopNanos(trial)
 
 /** Returns the number of bytes of the command `stop`, which version 2 sends by its number. */

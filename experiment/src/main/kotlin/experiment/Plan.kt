@@ -9,7 +9,6 @@ import kotlin.random.Random
  *
  * @property limits the levels of the distance limit, in cm
  * @property intervals the levels of the sensing interval, in ms
- * @property replications the runs of each combination
  */
 @Serializable
 internal enum class Plan(
@@ -23,12 +22,11 @@ internal enum class Plan(
     @SerialName("quick")
     QUICK(listOf(80, 120), listOf(20, 50), 2, listOf(12, 192), listOf(9_600, 115_200)),
 
-    /** A combination for each filter, to try the experiment itself; replicated, so that there is an error term. */
+    /** A combination for each filter, to try the experiment itself, with replications for an error term. */
     @SerialName("smoke")
     SMOKE(listOf(185, 190), listOf(20), 2, listOf(12), listOf(115_200)),
     ;
 
-    /** Returns the runs of the factorial design under [condition]. */
     fun trials(condition: Condition): List<Trial> = buildList {
         for (view in View.entries) for (limit in limits) for (interval in intervals) for (replication in 1..replications) {
             add(Trial(condition, view, limit, interval, replication))
@@ -36,8 +34,8 @@ internal enum class Plan(
     }
 
     /**
-     * Returns the runs beyond the factorial design: more sensors and faster lines, with all sensors and with the front distance, at one
-     * limit and interval.
+     * Returns the runs beyond the factorial design, at one limit and interval. The design is extended by more sensors and faster lines,
+     * each with all sensors and with only the front distance.
      */
     fun scaling(condition: Condition): List<Trial> = buildList {
         for (view in listOf(View.NONE, View.FRONT_DISTANCE)) for (count in sensors) for (baud in bauds) {
@@ -46,8 +44,7 @@ internal enum class Plan(
     }.filter { it.isScaled }
 }
 
-/** Returns [trials] in an order that depends only on [seed]. */
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
-/** Returns the seed of the noise of a robot's sensors in [trial]: each run has a seed of its own, also when it is made again. */
+/** Returns the seed of the sensors' noise in [trial]. A repeated run has the same seed, any other run another one. */
 internal fun noiseSeed(trial: Trial, seed: Long): Long = 31 * seed + trial.id.hashCode()

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport
 import kotlin.concurrent.thread
 
 /**
- * Watches whether this machine keeps up with the time of its simulation: a thread asks to be woken every [STEP_NANOS] ns and notes by how
- * much it was woken late. The same causes delay boards and agents.
+ * Watches whether this machine keeps up with the time of its simulation. A thread asks to be woken every [STEP_NANOS] ns and notes how late
+ * it was woken. The same causes delay boards and agents.
  */
 internal class Punctuality : AutoCloseable {
     private class Delay(val at: Long, val nanos: Long)
@@ -25,7 +25,7 @@ internal class Punctuality : AutoCloseable {
         }
     }
 
-    /** Returns the largest lateness of this machine since [start], by [System.nanoTime], in ms; 0 if less than one. */
+    /** Returns the largest lateness of this machine since [start], a [System.nanoTime], in ms; 0 if it was less than one. */
     fun worstSinceMs(start: Long): Double = delays.filter { it.at + it.nanos - start >= 0 }.maxOfOrNull { it.nanos / 1e6 } ?: 0.0
 
     override fun close() {

@@ -10,9 +10,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * Asks a person to put a real robot back. The answer is a line of [keyboard]; the end of its lines aborts the experiment. For one thread.
- *
- * @param tell receives the instruction for the person
+ * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of the lines aborts the experiment. For one
+ * thread.
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
     private val answers = LinkedBlockingQueue<Boolean>() // false: no more answers come
@@ -23,7 +22,7 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
         }
     }
 
-    /** Has the robot put at the start for [trial]; returns false if the experiment is aborted. */
+    /** Has the user put the robot at the start for [trial]; returns false if the experiment is aborted. */
     fun ready(trial: Trial): Boolean {
         tell("put the robot ${Course.START_CM.toInt()} cm from the wall for ${trial.id}, then press Enter")
         reader.value
@@ -37,11 +36,10 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port]; one run at a time. The front sensor is the only source of its position: both times begin as in a [Sighting] and
- * end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. The laboratory ends a run with
- * `stop` if the agent does not.
- *
- * @param ready has the robot put at the start for a run; returns false if the experiment is aborted
+ * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times begin as in a
+ * [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the agent
+ * does not send `stop`, the laboratory sends it. [ready] has the robot put at the start for a run; returns false if the experiment is
+ * aborted.
  */
 internal class RealLaboratory(
     private val host: AgentHost,
@@ -62,7 +60,7 @@ internal class RealLaboratory(
                 val now = clock.nanos()
                 val outcome = outcome(witness.beliefs, now - begin) ?: continue
                 halt(witness)
-                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings are of the robot at rest
+                pause.await(SETTLE_MS, TimeUnit.MILLISECONDS) // the newest readings then show the robot at rest
                 val (front, _, trouble) = witness.beliefs
                 val reason = if (outcome != Outcome.FAILED) null else trouble
                     ?: "the agent has not stopped the robot on $port within $MAX_S s; the front sensor says $front"
@@ -87,8 +85,8 @@ internal class RealLaboratory(
     }
 
     /**
-     * Stops the robot, since a board's motors keep their last command; does nothing if the agent is in trouble, since it has no board for a
-     * command then.
+     * Stops the robot, since a board's motors keep their last command. Does nothing if the agent is in trouble, since it then has no board
+     * for a command.
      */
     private fun halt(witness: Witness) {
         if (!witness.beliefs.isStopped && witness.beliefs.trouble == null) witness.haltRobot()

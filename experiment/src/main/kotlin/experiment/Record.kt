@@ -10,7 +10,7 @@ import java.nio.file.Path
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A line of a run's record. Times are nanoseconds of a steady clock since the run began, distances cm. */
+/** A line of a run's record. Times are ns of a steady clock since the run began, distances cm. */
 @Serializable
 internal sealed interface Entry {
     /** The first line: the run, and its [settings]. */
@@ -18,7 +18,7 @@ internal sealed interface Entry {
     @SerialName("trial")
     data class Begin(val trial: Trial, val settings: Settings) : Entry
 
-    /** The board began to send its percepts [text]. [distance]: the robot's true place, null if it is not known. */
+    /** The board began to send its percepts [text]. [distance] is the robot's true place; null: not known. */
     @Serializable
     @SerialName("frame")
     data class Frame(val nanos: Long, val text: String, val distance: Double?) : Entry
@@ -28,7 +28,7 @@ internal sealed interface Entry {
     @SerialName("command")
     data class Command(val nanos: Long, val text: String, val distance: Double?) : Entry
 
-    /** The agent came to believe another front distance; it had [events] events and [intentions] intentions left. */
+    /** The agent came to believe another front distance, while [events] events and [intentions] intentions remained. */
     @Serializable
     @SerialName("belief")
     data class Belief(val nanos: Long, val front: Double?, val events: Int, val intentions: Int) : Entry
@@ -41,22 +41,21 @@ internal sealed interface Entry {
         /** The final place of the robot; 0 if it ran into the wall. */
         val distance: Double,
         /**
-         * The time from crossing the limit to stopping, or to running into the wall, in ms; estimated for a real robot, see
-         * [Sighting.crossed].
+         * The time from crossing the limit to stopping or to the wall, in ms. For a real robot it is an estimate, see [Sighting.crossed].
          */
         val sinceLimitMs: Double = 0.0,
         /**
          * The time to the same end from the first believed reading at or below the limit, in ms. Negative: the board had stopped the robot
-         * before that. Null: the agent believed no such reading.
+         * before. Null: the agent believed no such reading.
          */
         val sincePerceivingMs: Double? = null,
-        /** The number of commands that took effect; 0 for a real robot, as are the next two. */
+        /** The number of commands that took effect; 0 for a real robot. */
         val commands: Int = 0,
-        /** The number of the board's answers. */
+        /** The number of the board's answers; 0 for a real robot. */
         val frames: Int = 0,
-        /** The largest lateness of this machine in the run, in ms. */
+        /** The largest lateness of this machine in the run, in ms; 0 for a real robot. */
         val lateMs: Double = 0.0,
-        /** The reason why there is nothing to measure, for [Outcome.IDLE] and [Outcome.FAILED]. */
+        /** For [Outcome.IDLE] and [Outcome.FAILED]: the reason why there is nothing to measure. */
         val reason: String? = null,
     ) : Entry
 }
@@ -70,11 +69,11 @@ internal enum class Outcome {
     @SerialName("collided")
     COLLIDED,
 
-    /** The robot never drove: no command to drive reached its board. */
+    /** The robot never drove, since no command to drive reached its board. */
     @SerialName("idle")
     IDLE,
 
-    /** There was nothing to measure: the agent or its board came to an end. */
+    /** There was nothing to measure, since the agent or its board failed. */
     @SerialName("failed")
     FAILED,
 }
@@ -82,20 +81,19 @@ internal enum class Outcome {
 internal val JSON = Json { encodeDefaults = true }
 
 /**
- * Writes the record of one run to [file], line by line; safe on any thread. Overwrites an existing file.
+ * Writes the record of one run to [file], line by line. Safe on any thread. Overwrites an existing file.
  *
- * The writers are an agent and its board in the middle of a run, so a full disk does not throw there: the record ends, and
- * [requireWhole] reports it.
+ * An agent and its board write in the middle of a run, so a full disk throws nothing there. The record ends, and [requireWhole] reports it.
  */
 internal class RecordWriter(private val file: Path) : AutoCloseable {
     private val lock = ReentrantLock()
-    private val out = Files.newOutputStream(file) // not buffered: a line that a full disk has refused must not come later
+    private val out = Files.newOutputStream(file) // not buffered, since a refused line must not come later
     private var isEnded = false
     private var trouble: IOException? = null
 
     /**
-     * Adds [entry] as one whole line; adds none after the result, after [close], or after a line that could not be written: a board may
-     * still be answering when its run is over.
+     * Adds [entry] as one whole line. Adds none after the result, after [close], or after a failed line. A board may still answer when its
+     * run is over.
      */
     fun write(entry: Entry) = lock.withLock {
         if (!isEnded && trouble == null) {
@@ -126,16 +124,14 @@ internal fun readRecord(file: Path): List<Entry>? {
     val entries = try {
         Files.readAllLines(file).map { JSON.decodeFromString(Entry.serializer(), it) }
     } catch (_: SerializationException) {
-        return null // the line is cut off, or from another version of this program
+        return null // the line is cut off, or another version of this program wrote it
     } catch (_: java.nio.charset.CharacterCodingException) {
         return null
     }
     return entries.takeIf { it.firstOrNull() is Entry.Begin && it.lastOrNull() is Entry.Result }
 }
 
-/** A run that is over. */
 internal data class Finished(val trial: Trial, val result: Entry.Result) {
-    /** True if there is something to measure. */
     val isMeasured: Boolean get() = result.outcome == Outcome.STOPPED || result.outcome == Outcome.COLLIDED
 
     /** True if this machine was later than its condition allows, see [maxLateMs]. */

@@ -6,7 +6,7 @@ import argo.filters.RuleList
 import argo.filters.dropFilter
 import argo.filters.keepFilter
 
-/** Makes the filter of [view] with a critical rule: its reflex is `stop` if the front distance is at most [limit] cm. */
+/** Makes the filter of [view] with a critical rule. The rule's reflex is `stop` if the front distance is at most [limit] cm. */
 internal fun reflexFilter(view: View, limit: Int): PerceptionFilter {
     val name = "${view.word}Reflex$limit"
     val functors = view.functors ?: return dropFilter(name) { stopAt(limit) }
@@ -23,8 +23,8 @@ private fun RuleList.stopAt(limit: Int) = critical("dist") {
 }
 
 /**
- * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View], once an experiment has begun: agents of
- * other samples in the same program, and their live views, do not have them.
+ * Offers the filters of [Condition.REFLEX] to agents, one for each limit of a plan and each [View]. Before an experiment begins, there are
+ * no such filters. So agents of other samples in the same program, and their live views, do not have them.
  */
 internal class ReflexFilters : FilterProvider {
     override val filters get() = offered
@@ -33,7 +33,6 @@ internal class ReflexFilters : FilterProvider {
         @Volatile
         private var offered: List<PerceptionFilter> = emptyList()
 
-        /** Offers the filters from now on: an experiment begins. */
         fun offer() {
             offered = Plan.entries.flatMap { it.limits }.distinct().flatMap { limit -> View.entries.map { reflexFilter(it, limit) } }
         }

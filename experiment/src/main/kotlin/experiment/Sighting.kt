@@ -5,14 +5,14 @@ import samples.collision.Witness
 
 /**
  * Notes when an agent perceives that its robot is at most [limit] cm from the wall. The agent's thread writes, any thread reads. Instants
- * are nanoseconds of one steady clock.
+ * are ns of one steady clock.
  */
 internal class Sighting(private val limit: Int) {
     private var above: Pair<Double, Long>? = null
 
     /**
-     * The instant at which the believed readings crossed the limit, between the last one above it and the first one at or below it, as if
-     * the robot drove at a constant speed between the two; null until then. It does not include the time that a reading takes on its way.
+     * The instant at which the believed readings crossed the limit; null until then. The instant is interpolated between the last reading
+     * above the limit and the first one at or below it, for a constant speed. The time that a reading takes on its way is left out.
      */
     @Volatile
     var crossed: Long? = null
@@ -34,7 +34,6 @@ internal class Sighting(private val limit: Int) {
         perceived = now
     }
 
-    /** Returns a witness that notes each belief here and writes it to [record], with the time since [begin] by [clock]. */
     fun witness(record: RecordWriter, begin: Long, clock: LineClock) = Witness { front, events, intentions ->
         val now = clock.nanos()
         see(front, now)

@@ -9,9 +9,8 @@ import samples.collision.Sensors
  * The way in which agent and board work together in a run.
  *
  * @property letter the condition's name on the command line and in records
- * @property title the condition's name in the report
  * @property sensing the agent's sensing policy
- * @property protocol the version of Javino with which the port is opened, null for the default
+ * @property protocol the version of Javino for the port; null: the default
  */
 @Serializable
 internal enum class Condition(val letter: String, val title: String, val sensing: String, val protocol: String?) {
@@ -19,28 +18,23 @@ internal enum class Condition(val letter: String, val title: String, val sensing
     @SerialName("a")
     PUBLISHED("a", "as published", "in_cycle", "1"),
 
-    /** ARGO's defaults, with a board of version 1. */
     @SerialName("b")
     DEFAULTS("b", "this project's defaults", "fresh", null),
 
-    /** Version 2, with filters whose kept percepts the board can be asked for. */
+    /** Version 2, with filters whose kept percepts the agent can request from the board. */
     @SerialName("c")
     VERSION_2("c", "version 2 with subscription", "fresh", "2"),
 
-    /** As [VERSION_2]; also, the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
+    /** Like [VERSION_2]. In addition the board watches a critical rule at the limit, and the rule's reflex stops the robot. */
     @SerialName("d")
     REFLEX("d", "version 2, reflex on the board", "fresh", "2"),
     ;
 
-    /** True if agent and board speak version 2, so that the board can be asked for the percepts that the filter keeps. */
+    /** True if agent and board speak version 2, so that requests can name the percepts that the filter keeps. */
     val isVersion2: Boolean get() = protocol == "2"
 }
 
-/**
- * The part of the percepts that the agent perceives.
- *
- * @property word the view's name on the command line and in records
- */
+/** The part of the percepts that the agent perceives. [word] is the view's name on the command line and in records. */
 @Serializable
 internal enum class View(val word: String) {
     /** The agent perceives all sensors. */
@@ -56,7 +50,7 @@ internal enum class View(val word: String) {
     FRONT_DISTANCE("frontDistance"),
     ;
 
-    /** The functors of the kept percepts, which a board of version 2 is asked for; null: all. */
+    /** The functors of the kept percepts, for requests to a board of version 2; null: all. */
     val functors: List<String>?
         get() = when (this) {
             NONE -> null
@@ -65,8 +59,8 @@ internal enum class View(val word: String) {
         }
 
     /**
-     * Returns the agent's filter under [condition], to stop at [limit] cm: with version 2 a keep filter, whose percepts the board can be
-     * asked for.
+     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 it is a keep filter, so that requests can
+     * name its percepts.
      */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name
@@ -80,9 +74,7 @@ internal enum class View(val word: String) {
  * One run: a cell of the experiment and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
- * @property interval the sensing interval in ms
  * @property replication the number of the replication, from 1
- * @property baud the line's rate
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */
 @Serializable
@@ -95,9 +87,9 @@ internal data class Trial(
     val baud: Int = LineSettings.DEFAULT_BAUD,
     val sensors: Int = Sensors.PER_SET,
 ) {
-    /** The name of the run's record and board; no two runs of an experiment share it. */
+    /** The name of the run's record and board. No two runs of an experiment share it. */
     val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
 
-    /** True if it is beyond the published design. */
+    /** True if the run is beyond the published design. */
     val isScaled: Boolean get() = baud != LineSettings.DEFAULT_BAUD || sensors != Sensors.PER_SET
 }

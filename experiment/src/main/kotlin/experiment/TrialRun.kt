@@ -16,24 +16,23 @@ import kotlin.random.Random
 
 /** Makes a run and writes its record, without the result. */
 internal fun interface Laboratory {
-    /** Makes the run [trial], until [given] is up; returns its result, or null if it was given up. Called by several threads. */
+    /** Makes the run [trial], until [given] is up. Returns its result; null if it was given up. Several threads call this. */
     fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
 }
 
-/** Signals waiting threads that the whole experiment is aborted. */
+/** Tells waiting threads that the whole experiment is aborted. */
 internal class GivenUp {
     private val latch = CountDownLatch(1)
 
-    /** True if the experiment is aborted. */
     val isUp: Boolean get() = latch.count == 0L
 
     fun giveUp() = latch.countDown()
 
-    /** Waits [millis] ms at most; returns true if the experiment is aborted. */
+    /** Waits [millis] ms at most. Returns true if the experiment is aborted. */
     fun await(millis: Long): Boolean = latch.await(millis, TimeUnit.MILLISECONDS)
 }
 
-/** Simulated robots, in real time; as many at once as there are threads that call [run]. */
+/** Simulated robots in real time, as many at once as there are threads that call [run]. */
 internal class SimulatedLaboratory(
     private val host: AgentHost,
     private val punctuality: Punctuality,
@@ -64,8 +63,8 @@ internal class SimulatedLaboratory(
     }
 
     /**
-     * Returns true if the run is over. When the board has stopped the robot, a command that is already on its way may start the robot
-     * again; then the agent stops it.
+     * Returns true if the run is over. After the board has stopped the robot, a command on its way may start the robot again. The robot
+     * then drives until the agent stops it.
      */
     private fun isOver(trial: Trial, measured: Entry.Result, beliefs: Witness.Beliefs) = measured.outcome == Outcome.COLLIDED ||
         measured.sincePerceivingMs != null && (trial.condition != Condition.REFLEX || beliefs.isStopped)
@@ -94,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course] whose agent was to stop it at [limit] cm, and perceived the wall at [perceived] (null: it has not); null
- * while the robot drives or stands at the start.
+ * Measures a robot on [course]; null while the robot drives or stands at the start. The robot's agent was to stop it at [limit] cm and
+ * perceived the wall at [perceived]; null: the agent has not.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -107,7 +106,6 @@ internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): 
     return Entry.Result(outcome, course.distanceAt(now), sinceLimitMs, msSince(perceived, end))
 }
 
-/** Returns the time from [start] to [end] in ms, null if there is no [start]. */
 internal fun msSince(start: Long?, end: Long): Double? = start?.let { (end - it) / 1e6 }
 
 /** A robot whose percepts and actions are recorded, with the robot's true place. */
@@ -116,10 +114,9 @@ internal class RecordedSketch(
 ) : Sketch {
     override fun actions() = robot.actions()
 
-    /** The number of commands that took effect so far; any thread may ask. */
+    /** The number of commands that took effect so far. Any thread may ask. */
     val commands = AtomicInteger()
 
-    /** The number of answers so far. */
     val frames = AtomicInteger()
 
     override fun percepts(): List<String> {
@@ -130,7 +127,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors() = robot.percepts() // several percepts a frame; no computer receives them here
+    override fun sensors() = robot.percepts() // several percepts a frame, which no computer receives here
 
     override fun act(command: String) = robot.act(command).also {
         commands.incrementAndGet()

@@ -8,13 +8,13 @@ import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Finds the frames that a computer sends to a board on a line that both versions of the protocol may share. Times are nanoseconds of any
- * one clock. One thread at a time.
+ * Finds the frames that a computer sends to a board, in both versions of the protocol. Times are nanoseconds of one clock. One thread at a
+ * time.
  */
 public final class BoardReceiver {
     /** A frame of one version; the field of the other version is null. */
     public record Found(Frame version1, WireFrame version2) {
-        /** The nonce of the session that the frame begins; 0: the frame ends the session; empty: it does neither. */
+        /** Returns the nonce of the session that this frame begins; 0: the frame ends the session; empty: the session stays. */
         public OptionalInt nonceBehind() {
             if (version2 == null) {
                 return OptionalInt.of(0);
@@ -34,8 +34,8 @@ public final class BoardReceiver {
      * @param reads the version whose frames are found, or both
      * @param timeoutNanos silence that ends a frame
      * @param longestPayload bytes of payload of version 2
-     * @param nonce gives the nonce of the present session of version 2, in which a frame of version 1 counts only behind a silence; 0:
-     *     there is no session
+     * @param nonce gives the nonce of the session of version 2; 0: there is no session. In a session a frame of version 1 counts only
+     *     behind a silence
      */
     public BoardReceiver(
             Protocol reads, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<Found> found) {
@@ -54,11 +54,7 @@ public final class BoardReceiver {
         version1.anywhere(nonce.getAsInt() == 0);
     }
 
-    /**
-     * Takes a byte that has arrived at {@code now}.
-     *
-     * @param silenceNanos silence before the byte
-     */
+    /** Takes a byte that has arrived at {@code now}, behind {@code silenceNanos} of silence. */
     public void accept(byte octet, long now, long silenceNanos) {
         idle(now);
         lastNanos = now;
@@ -96,7 +92,7 @@ public final class BoardReceiver {
         }
     }
 
-    /** Takes the bytes that the decoder of version 1 has left. The first of them begins a frame of version 2. */
+    /** Takes the bytes that the decoder of version 1 has left; the first one begins a frame of version 2. */
     private void readAgain(byte[] rest) {
         for (int i = 0; i < rest.length; i++) {
             if (i == 0) {

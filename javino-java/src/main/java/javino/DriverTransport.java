@@ -5,21 +5,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * A transport over a driver whose calls block. A read calls the driver again until its time is over. Drivers have no time limit for writes,
- * so a thread of this transport writes, until the transport is closed. The caller's thread writes only bytes that the driver certainly
- * takes at once.
+ * A transport over a driver whose calls block. A read calls the driver until the read's time is over. A driver's write has no time limit,
+ * so a thread of this transport writes. The caller's thread writes only bytes that the driver certainly takes at once.
  */
 public abstract class DriverTransport implements Transport {
     private final String name;
     private final LineSettings line;
     private final TimedWriter writer;
     private final AtomicBoolean closed = new AtomicBoolean();
-    private volatile String loss; // reason why the device cannot be reached any more; null while it can
+    private volatile String loss; // null: the device can be reached
 
-    /**
-     * @param name the port's name, for messages
-     * @param line the settings with which the port was opened
-     */
     protected DriverTransport(String name, LineSettings line) {
         this.name = name;
         this.line = line;
@@ -34,11 +29,11 @@ public abstract class DriverTransport implements Transport {
      */
     protected abstract int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException;
 
-    /** Writes all the bytes, however long it takes. Returns how many were written: fewer, or -1, if the device has gone. */
+    /** Writes all the bytes, however long that takes. Returns the number written; if the device has gone, fewer or -1. */
     protected abstract int writeToDriver(byte[] bytes);
 
     /**
-     * Returns whether {@link #writeToDriver} certainly takes a frame at once if no other write is under way; see {@link #isWritableNow}.
+     * Returns whether {@link #writeToDriver} certainly takes a frame at once while no other write is under way; see {@link #isWritableNow}.
      */
     protected boolean hasRoom(long unread) {
         return false;
@@ -102,7 +97,7 @@ public abstract class DriverTransport implements Transport {
         return !closed.get() && loss == null && !writer.isWriting() && hasRoom(unread);
     }
 
-    /** Notes {@code why} the device is lost, unless a reason is known or this was closed. Returns the exception for the caller. */
+    /** Notes {@code why} the device is lost; the first reason stays. Returns the exception for the caller. */
     protected final PortGoneException lost(String why) {
         if (!closed.get() && loss == null) {
             loss = why;

@@ -6,11 +6,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. Version 2 has
- * {@link javino.wire.WireFrame}.
- *
- * <p>A payload is 0 to {@value #MAX_PAYLOAD} bytes. As text it is read as ISO-8859-1, one byte a character, whatever the
- * platform's charset is, so that bytes outside ASCII are carried untouched. Immutable, hence safe on any thread.
+ * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. The payload has
+ * 0 to {@value #MAX_PAYLOAD} bytes. Its text is ISO-8859-1 on every platform, one byte a character. Immutable, hence safe on any thread.
+ * Version 2 has {@link javino.wire.WireFrame}.
  */
 public final class Frame {
     /** The longest payload, in bytes: the length field has two hexadecimal digits. */
@@ -46,8 +44,8 @@ public final class Frame {
     }
 
     /**
-     * Like {@link #of(String)}, for a command. A board that receives a damaged frame, or one that does not fit its memory, searches it for
-     * other frames, so the text of a command must not hold the beginning of a frame.
+     * Like {@link #of(String)}, for a command. Its text must not hold the beginning of a frame: a board searches a damaged or too long
+     * frame for other frames.
      *
      * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or a control character (U+0000 to
      *     U+001F, U+007F)
@@ -89,7 +87,6 @@ public final class Frame {
         return new Frame(new String(payload, StandardCharsets.ISO_8859_1));
     }
 
-    /** The frame that carries a copy of {@code length} bytes of {@code source}. */
     static Frame copyOf(byte[] source, int offset, int length) {
         return new Frame(new String(source, offset, length, StandardCharsets.ISO_8859_1));
     }
@@ -147,7 +144,6 @@ public final class Frame {
         System.arraycopy(text.getBytes(StandardCharsets.ISO_8859_1), 0, bytes, at, text.length());
     }
 
-    /** Returns whether {@code other} is a frame of the same bytes. */
     @Override
     public boolean equals(Object other) {
         return other instanceof Frame frame && text.equals(frame.text);

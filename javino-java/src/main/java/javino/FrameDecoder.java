@@ -6,18 +6,18 @@ import java.util.function.Consumer;
 /**
  * Finds frames of version 1 in any bytes that a line brings.
  *
- * <p>A frame is handed over the moment its last byte is in. Because version 1 has no checksum, a frame whose beginning or end was lost may
- * have swallowed the beginning of the next one; so its bytes are kept until the bytes behind it are known:
+ * <p>A frame is handed over as soon as its last byte is in. Version 1 has no checksum, so a damaged frame may have swallowed the beginning
+ * of the next one. So the decoder keeps a frame's bytes until it knows the bytes behind the frame:
  * <ul>
- *   <li>the header of another frame, or silence, confirms it, and its bytes are forgotten;
- *   <li>anything else puts it in doubt: all but the first of its bytes are read once more, together with those behind it, and intact frames
- *       among them are handed over as well.
+ *   <li>the header of another frame, or silence, confirms the frame, and its bytes are forgotten;
+ *   <li>anything else puts the frame in doubt: the decoder reads the frame's bytes again from the second on, with the bytes behind it, and
+ *       hands over the intact frames that it finds.
  * </ul>
  * So an intact stream gives exactly its frames, whatever text they carry, and a damaged frame does not cost the intact one behind it.
  *
- * <p>A frame that stops half-way is given up when the line has been silent for longer than the inter-byte timeout; complete frames among
- * its bytes are handed over first. Memory is bounded by about two frames and no input makes a decoder throw. Exceptions of the receiver of
- * the frames pass through; the decoder stays usable.
+ * <p>If the line is silent for longer than the inter-byte timeout, an unfinished frame is given up; complete frames among its bytes are
+ * handed over. The decoder holds about two frames at most, and no input makes it throw. Exceptions of the receiver pass through; the
+ * decoder stays usable.
  *
  * <p>Time is a parameter, in nanoseconds of any steady clock. One thread at a time; the receiver must not call back into the decoder.
  */
@@ -27,7 +27,7 @@ public final class FrameDecoder {
     private static final int LONGEST = Frame.HEADER_LENGTH + Frame.MAX_PAYLOAD;
     private static final int PREAMBLE_END = 3;
     private static final int LENGTH_AT = 4;
-    /** Twice the length of a delivered frame with an unfinished header behind it, so that bytes are seldom moved. */
+    /** Twice a delivered frame with an unfinished header behind it: bytes are seldom moved. */
     private static final int CAPACITY = 2 * (LONGEST + Frame.HEADER_LENGTH);
 
     private enum Header {
@@ -44,7 +44,7 @@ public final class FrameDecoder {
     private final byte[] held = new byte[CAPACITY];
     private int start; // held[start..end) are the bytes not yet decided on
     private int end;
-    private int delivered; // length of the frame at start that was handed over but is not confirmed; 0: there is none
+    private int delivered; // length of the frame at start if it was handed over but is not confirmed, else 0
     private long lastByteNanos;
     private long frames;
     private long discarded;
@@ -52,7 +52,7 @@ public final class FrameDecoder {
     private boolean isQuiet = true;
 
     /**
-     * @param interByteTimeoutNanos nanoseconds of silence after which an unfinished frame is given up, at least 1
+     * @param interByteTimeoutNanos the silence that ends an unfinished frame, at least 1 ns
      * @param sink receives each frame, on the thread that feeds the decoder
      */
     public FrameDecoder(long interByteTimeoutNanos, Consumer<Frame> sink) {
@@ -63,8 +63,7 @@ public final class FrameDecoder {
      * A decoder for a line that also carries frames of another protocol. It stops at the first byte of such a frame, which the caller
      * {@link #takeOther takes}.
      *
-     * @param other the byte that begins a frame of the other protocol if it stands in no payload of version 1; -1: there is no other
-     *     protocol
+     * @param other the byte that begins a frame of the other protocol, except within a payload of version 1; -1: there is no other protocol
      */
     FrameDecoder(long interByteTimeoutNanos, int other, Consumer<Frame> sink) {
         if (interByteTimeoutNanos < 1) {
@@ -81,11 +80,7 @@ public final class FrameDecoder {
         return Math.max(LEAST_INTER_BYTE_NANOS, INTER_BYTE_TIMES * line.byteNanos());
     }
 
-    /**
-     * Takes bytes that arrived together.
-     *
-     * @param nowNanos when they arrived
-     */
+    /** Takes bytes that arrived together at {@code nowNanos}. */
     public void accept(byte[] b, int off, int len, long nowNanos) {
         if (len > 0) {
             idle(nowNanos);
@@ -93,9 +88,7 @@ public final class FrameDecoder {
         }
     }
 
-    /**
-     * Takes bytes that may have arrived any time before {@code nowNanos}: a reader that was held up does not know of a silence before them.
-     */
+    /** Takes bytes that arrived at an unknown time up to {@code nowNanos}; no silence is assumed before them. */
     public void acceptUnbroken(byte[] b, int off, int len, long nowNanos) {
         lastByteNanos = nowNanos;
         for (int i = off; i < off + len; i++) {
@@ -108,7 +101,7 @@ public final class FrameDecoder {
         accept(new byte[] {b}, 0, 1, nowNanos);
     }
 
-    /** Says that nothing has arrived up to {@code nowNanos}, so that an unfinished frame can be given up in time. */
+    /** Notes that nothing has arrived up to {@code nowNanos}; an unfinished frame may be given up. */
     public void idle(long nowNanos) {
         if (end > start && nowNanos - lastByteNanos > interByteTimeoutNanos) {
             giveUp();
@@ -116,8 +109,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE} when silence
-     * changes nothing. A thread that waits for bytes wakes by then and calls {@code idle}.
+     * Nanoseconds of silence from {@code nowNanos} after which {@link #idle} has something to decide; {@link Long#MAX_VALUE}: silence
+     * changes nothing. A thread that waits for bytes must wake then and call {@code idle}.
      */
     public long nanosUntilIdle(long nowNanos) {
         return isReading() ? Math.max(0, lastByteNanos + interByteTimeoutNanos + 1 - nowNanos) : Long.MAX_VALUE;
@@ -144,7 +137,6 @@ public final class FrameDecoder {
         isAnywhere = value;
     }
 
-    /** Sets whether a frame may begin with the next byte. */
     void quiet(boolean value) {
         isQuiet = value;
     }
@@ -181,7 +173,7 @@ public final class FrameDecoder {
         decide();
     }
 
-    /** Decides on as many bytes as it can now; the bytes that stay held are the beginning of a frame, or a frame to be confirmed. */
+    /** Decides on as many bytes as possible. The rest is the beginning of a frame, or a frame to be confirmed. */
     private void decide() {
         boolean progress = true;
         while (progress && start < end && !isOtherAt(start)) {
@@ -189,7 +181,7 @@ public final class FrameDecoder {
         }
     }
 
-    /** Returns whether anything was decided, as do the methods that it calls. */
+    /** Returns whether anything was decided; so do the methods called here. */
     private boolean confirmOrDoubt() {
         return switch (isOtherAt(start + delivered) ? Header.COMPLETE : headerAt(start + delivered)) {
             case COMPLETE -> confirm();
@@ -275,7 +267,6 @@ public final class FrameDecoder {
         return digit(held[start + LENGTH_AT]) << 4 | digit(held[start + LENGTH_AT + 1]);
     }
 
-    /** The value of a hexadecimal digit in either case, or -1. */
     private static int digit(byte b) {
         return Character.digit(b & 0xFF, 16);
     }

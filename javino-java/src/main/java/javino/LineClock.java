@@ -13,7 +13,7 @@ public interface LineClock {
 
     /**
      * Waits until {@code condition} is signalled or {@code nanos} of this clock have passed; may return early. The caller holds the
-     * condition's lock. A clock other than the machine's has waits of its own.
+     * condition's lock. Clocks other than the machine's override this.
      *
      * @throws InterruptedException if the thread is interrupted
      */
@@ -22,8 +22,8 @@ public interface LineClock {
     }
 
     /**
-     * Returns a new reentrant lock for code that uses this clock; {@link #await} takes only conditions of such locks. A clock of virtual
-     * time, which moves only while all its threads wait, returns locks of its own kind.
+     * Returns a new reentrant lock; {@link #await} takes only conditions of such locks. A clock of virtual time moves only while all its
+     * threads wait, so it returns locks of its own kind.
      *
      * @param fair whether waiting threads get the lock in the order in which they asked for it
      */

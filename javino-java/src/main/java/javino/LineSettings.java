@@ -1,12 +1,12 @@
 package javino;
 
 /**
- * Settings of a serial line: 8 data bits, no parity, 1 stop bit, no flow control, {@code baud} bits a second.
+ * Settings of a serial line: 8 data bits, no parity, 1 stop bit, no flow control.
  *
  * @param baud bits a second, at least 1; boards in the field use 9600
  */
 public record LineSettings(int baud) {
-    /** The rate of a board for which no other one is given. */
+    /** The rate of a board whose settings name none. */
     public static final int DEFAULT_BAUD = 9600;
 
     private static final long BITS_PER_BYTE = 10; // a start bit, eight of data, a stop bit

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What a board says about one argument of a {@linkplain PerceptKind kind of percepts}. Its text is what {@link #parse} reads. */
+/** A board's description of one argument of a {@linkplain PerceptKind kind of percepts}. {@link #parse} reads its text. */
 public sealed interface PerceptArgument {
     /** The argument may be anything: {@code _}. */
     record Anything() implements PerceptArgument {
@@ -101,7 +101,6 @@ public sealed interface PerceptArgument {
                     : Optional.empty();
         }
 
-        /** The number in the text of an argument; empty: the text is no number. */
         private static Optional<Double> numberIn(String value) {
             return NUMERAL.matcher(value).matches() ? Optional.of(Double.valueOf(value)) : Optional.empty();
         }

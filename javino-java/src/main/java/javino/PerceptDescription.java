@@ -24,7 +24,7 @@ public record PerceptDescription(List<PerceptKind> kinds, List<String> problems)
         return kinds.stream().map(kind -> MARK + kind + ";").toList();
     }
 
-    /** Reads an answer. Percepts in it, of a board that has not understood the question, describe nothing. */
+    /** Reads an answer. A board that does not understand the question answers with percepts; these describe nothing. */
     public static PerceptDescription read(String answer) {
         List<PerceptKind> kinds = new ArrayList<>();
         List<String> problems = new ArrayList<>();
@@ -40,7 +40,7 @@ public record PerceptDescription(List<PerceptKind> kinds, List<String> problems)
         return new PerceptDescription(kinds, problems);
     }
 
-    /** Returns the kind that {@code text} describes; refuses more than an agent's log or a page has room for. */
+    /** Returns the kind that {@code text} describes; refuses too many kinds and too long texts. */
     private static PerceptKind kindIn(String text, int kinds) {
         if (kinds == MAX_KINDS) {
             throw new IllegalArgumentException("a board describes at most " + MAX_KINDS + " kinds");

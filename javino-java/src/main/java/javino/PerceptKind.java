@@ -86,7 +86,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return kinds;
     }
 
-    /** The reason why a percept is none of this kind, as "argument 2 is 512, more than 400"; empty: it is one. */
+    /** Returns why a percept does not belong to this kind, as "argument 2 is 512, more than 400"; empty: it belongs to it. */
     public Optional<String> deviationOf(PerceptTerm percept) {
         if (!isAlike(percept)) {
             return Optional.of(percept.indicator() + " is not " + functor + "/" + arguments.size());
@@ -101,7 +101,7 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
         return Optional.empty();
     }
 
-    /** Returns the first of {@code kinds} that the percept is of; if it is of none, the first with its functor and number of arguments. */
+    /** Returns the first of {@code kinds} to which the percept belongs; else the first with its functor and number of arguments. */
     public static Optional<PerceptKind> of(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =
                 kinds.stream().filter(kind -> kind.isAlike(percept)).toList();
@@ -112,8 +112,8 @@ public record PerceptKind(String functor, List<PerceptArgument> arguments) {
     }
 
     /**
-     * The reason why a percept is of none of several kinds; empty: it is of one. If one kind has the percept's functor and number of
-     * arguments, the reason is that of this kind; else it names the kinds.
+     * Returns why a percept belongs to none of several kinds; empty: it belongs to one. If only one kind has the percept's functor and
+     * number of arguments, the reason is about this kind; else it names the kinds.
      */
     public static Optional<String> deviationOf(PerceptTerm percept, List<PerceptKind> kinds) {
         List<PerceptKind> alike =

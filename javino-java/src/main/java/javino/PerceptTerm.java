@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text taken apart, as far as a board needs it: nothing is refused.
+ * A percept's text, taken apart into functor and arguments. No text is refused.
  *
  * @param functor the text in front of the arguments, with a {@code ~} if it is negated
  * @param arguments the texts of the arguments, without the blanks around them
@@ -14,7 +14,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         arguments = List.copyOf(arguments);
     }
 
-    /** Takes a percept apart; {@code text} may end with {@code ;}, and what stands behind the arguments is passed over. */
+    /** Takes a percept apart. {@code text} may end with {@code ;}; text behind the arguments is passed over. */
     public static PerceptTerm of(String text) {
         int end = 0;
         while (end < text.length() && "([;".indexOf(text.charAt(end)) < 0) {
@@ -78,7 +78,7 @@ public record PerceptTerm(String functor, List<String> arguments) {
         return arguments;
     }
 
-    /** Counts the open brackets, and knows whether it is in a text in quotes. */
+    /** Counts the open brackets outside of quotes. */
     private static final class Nesting {
         private int depth;
         private char quote; // 0: none

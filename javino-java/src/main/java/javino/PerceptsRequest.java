@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The request for percepts: {@code getPercepts} for all, and to a board of version 2 {@code getPercepts(dist,light)} for those of some
+ * The request for percepts: {@code getPercepts} asks for all, {@code getPercepts(dist,light)} asks a board of version 2 for those of some
  * functors.
  */
 public final class PerceptsRequest {

@@ -9,18 +9,17 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Finds services by the class loader of the calling thread and by that of this library, which may differ in a Jason project. A service that
- * cannot be loaded is reported once, and the others are still found.
+ * Finds services with two class loaders, that of the calling thread and that of this library: they may differ in a Jason project. A service
+ * that cannot be loaded is reported once.
  */
 public final class Services {
     private static final System.Logger LOG = System.getLogger(Services.class.getName());
 
-    /** Services are looked for again and again; one that cannot be used is reported once. */
     private static final Set<String> TOLD = ConcurrentHashMap.newKeySet();
 
     private Services() {}
 
-    /** The providers of {@code service}; none creates its service yet. A provider that both class loaders see comes twice. */
+    /** Returns the providers of {@code service} without creating a service. A provider that both class loaders see comes twice. */
     public static <T> List<ServiceLoader.Provider<T>> providers(Class<T> service) {
         List<ServiceLoader.Provider<T>> found = new ArrayList<>();
         addAll(found, ServiceLoader.load(service));

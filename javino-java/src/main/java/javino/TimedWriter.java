@@ -14,10 +14,9 @@ import java.util.function.Function;
 import java.util.function.ToIntFunction;
 
 /**
- * Gives blocking writes a time limit. The operating system's write has none: it waits for as long as the far end does not read. So this
- * writer has a thread that writes while the caller waits. A caller that knows that the driver takes the bytes at once writes by itself.
- *
- * <p>Safe on any thread; writes go out in the order in which they are called, each as a whole.
+ * Gives blocking writes a time limit. The operating system's write has none: it waits until the far end reads. So a thread of this writer
+ * writes while the caller waits. If the driver certainly takes the bytes at once, the caller writes by itself. Safe on any thread; writes
+ * go out whole, in the order of the calls.
  */
 final class TimedWriter {
     private static final System.Logger LOG = System.getLogger(TimedWriter.class.getName());
@@ -35,10 +34,7 @@ final class TimedWriter {
             new AtomicInteger(); // writes of its thread that have not returned, or not begun
     private final CompletableFuture<Outcome> closed = new CompletableFuture<>();
 
-    /**
-     * @param port the port's name, for the name of the thread
-     * @param driver the write that has no time limit: returns how many of the bytes were written, fewer than all or -1 on an error
-     */
+    /** @param driver writes without a time limit; returns the number of written bytes: all, fewer, or -1 on an error */
     TimedWriter(String port, ToIntFunction<byte[]> driver) {
         this.driver = driver;
         thread = Executors.newSingleThreadExecutor(work -> {
@@ -48,10 +44,7 @@ final class TimedWriter {
         });
     }
 
-    /**
-     * Writes the bytes, waiting at most {@code timeoutMillis} milliseconds. After {@link Outcome#TOO_LATE} they will never leave, or are
-     * still on their way out.
-     */
+    /** Writes the bytes within {@code timeoutMillis}. After {@link Outcome#TOO_LATE} they never leave, or are still on their way out. */
     Outcome write(byte[] b, int off, int len, int timeoutMillis) throws InterruptedException {
         byte[] bytes = Arrays.copyOfRange(b, off, off + len);
         // set by the thread when it begins to write, or by the caller when it gives up
@@ -90,7 +83,6 @@ final class TimedWriter {
         }
     }
 
-    /** Writes the bytes on the calling thread, for as long as the driver takes. */
     Outcome writeHere(byte[] bytes) {
         return driver.applyAsInt(bytes) == bytes.length ? Outcome.WRITTEN : Outcome.FAILED;
     }

@@ -3,10 +3,9 @@ package javino;
 /**
  * An open line that carries bytes both ways.
  *
- * <p>One thread may read while another writes. {@link #close()} may be called from any thread, also while others wait.
- * Once closed, and once the device at the other end has gone, every call but {@code close} throws {@link PortGoneException} at once. A
- * thread that is interrupted while it waits gets {@link PortInterruptedException} and stays interrupted; the bytes that it was writing may
- * still leave.
+ * <p>One thread may read while another writes. {@link #close()} may be called from any thread, also while others wait. If the line is
+ * closed or its device has gone, every call but {@code close} throws {@link PortGoneException} at once. A waiting thread that is
+ * interrupted gets {@link PortInterruptedException} and stays interrupted; bytes that it was writing may still leave.
  */
 public interface Transport extends AutoCloseable {
     /** The port's name as a person would give it, for messages: {@code ttyACM0}, {@code sim:robot}. */
@@ -15,7 +14,7 @@ public interface Transport extends AutoCloseable {
     /** The rate this line was opened with. */
     LineSettings line();
 
-    /** Returns whether the far end may vanish unnoticed, as in a network; then it pays to reopen a line that is silent for long. */
+    /** Returns whether the far end may vanish unnoticed, as in a network. Such a line is worth reopening after a long silence. */
     default boolean mayVanish() {
         return false;
     }
@@ -40,24 +39,25 @@ public interface Transport extends AutoCloseable {
     int read(byte[] b, int off, int len, int timeoutMillis) throws PortException;
 
     /**
-     * Hands bytes to the line and returns when the driver has taken them all, which may be before they have left.
+     * Hands bytes to the line and returns when the driver has taken them all. The bytes may leave later.
      *
-     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the caller has found that the line
-     *     {@linkplain #isWritableNow takes a frame now}, so the driver is called on the calling thread
+     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread calls the driver, after it
+     *     has found that the line {@linkplain #isWritableNow takes a frame now}
      * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
      * @throws PortGoneException if the line is closed, or its device gone
      */
     void write(byte[] b, int off, int len, int timeoutMillis) throws PortException;
 
-    /** Bytes of the longest frame, each of which may be escaped. */
+    /** Bytes of the longest frame, with every byte escaped. */
     int LONGEST_FRAME = 600;
 
     /**
-     * Returns whether {@link #write} would hand a frame of {@value #LONGEST_FRAME} bytes to the driver without waiting for anything, while
-     * no other thread writes. True only if that is certain: because the line knows its room, or because {@code unread} leaves room in the
-     * smallest buffer that it may have. Messages that the far end sends unasked prove nothing. Safe on any thread; does not wait.
+     * Returns whether {@link #write} certainly hands a frame of {@value #LONGEST_FRAME} bytes to the driver without a wait, while no other
+     * thread writes. The line knows its room, or {@code unread} leaves room in the smallest buffer that the line may have. Safe on any
+     * thread; does not wait.
      *
-     * @param unread how many of the last bytes written the far end has not proved to have read
+     * @param unread how many of the last bytes written the far end has not proved to have read; messages that it sends unasked prove
+     *     nothing
      */
     default boolean isWritableNow(long unread) {
         return false;

@@ -6,8 +6,8 @@ import java.util.List;
  * Opens transports of one kind. Programs add other kinds through {@link java.util.ServiceLoader}: a class with a public constructor without
  * arguments, named in {@code META-INF/services/javino.TransportProvider}.
  *
- * <p>A port is written {@code scheme:address}; {@link Transports} hands what follows the colon to the provider of that scheme.
- * Providers are called from any thread.
+ * <p>A port is written {@code scheme:address}; {@link Transports} hands the text behind the colon to the provider of the scheme. Providers
+ * are called from any thread.
  */
 public interface TransportProvider {
     /** The scheme, two or more letters, digits, {@code +}, {@code .} or {@code -}, the first a letter: {@code sim}. */
@@ -41,8 +41,8 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns one name for all the names of one device, whatever their schemes. For a device of another provider it is the name that the
-     * other provider gives.
+     * Returns one name for all the names of one device, whatever their schemes. For a device of another provider, it returns that
+     * provider's name.
      *
      * @return the scheme and the {@linkplain #canonicalAddress canonical address}, unless the provider knows better
      */
@@ -51,8 +51,8 @@ public interface TransportProvider {
     }
 
     /**
-     * Returns whether there is something that {@link #open} could open now. Called again and again while a device is missing, so it is
-     * cheap, and opens nothing.
+     * Returns whether {@link #open} would find something to open. Callers repeat this while a device is missing, so it is cheap and opens
+     * nothing.
      *
      * @return true also if only opening the port could tell, as by default
      */

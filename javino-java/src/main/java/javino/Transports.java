@@ -11,8 +11,8 @@ import java.util.function.BiFunction;
 /**
  * Opens ports by name: {@code scheme:address} through the {@link TransportProvider} of that scheme, anything else as a serial device.
  *
- * <p>Providers are found through {@link ServiceLoader}: {@code serial}, {@code usb}, {@code tcp}, {@code tls}, {@code sim} and
- * {@code replay} of this library, and those that programs add, which do not replace these. All methods are safe on any thread.
+ * <p>{@link ServiceLoader} finds the providers: {@code serial}, {@code usb}, {@code tcp}, {@code tls}, {@code sim} and {@code replay} of
+ * this library, and those that programs add. A program cannot replace one of this library. All methods are safe on any thread.
  */
 public final class Transports {
     /** The scheme of a name without one: serial devices. */

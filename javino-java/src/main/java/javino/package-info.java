@@ -12,7 +12,7 @@
  *
  * <p>{@link javino.Transports} finds a transport by the port's name: a serial device ({@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}), a
  * serial device by its USB identity ({@code usb:2341:0043}), a board on the network ({@code tcp://robot:4000}), a
- * {@link javino.sim.SimulatedBoard} of this program ({@code sim:robot}), or what a {@link javino.TransportProvider} adds.
+ * {@link javino.sim.SimulatedBoard} of this program ({@code sim:robot}), or a kind of port that a {@link javino.TransportProvider} adds.
  * {@code javino.sim.FakeBoard}, in the library {@code argo-testkit}, is a simulated board for tests.
  *
  * <table>

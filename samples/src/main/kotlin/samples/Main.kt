@@ -14,15 +14,14 @@ import samples.turtle.TurtleCommand
 import kotlin.system.exitProcess
 
 /**
- * Runs the sample that the arguments name and ends the program with its exit status; 2 for wrong arguments. `demo` runs the sample
- * `collision`. The property `argo.command` has the words that the user has typed before the name of the command.
+ * Runs the sample in the arguments and ends the program with its exit status, 2 for wrong arguments. `demo` runs the sample `collision`.
+ * The property `argo.command` contains the user's words before the name of the command.
  */
 fun main(args: Array<String>) {
     val (commands, arguments) = program(args)
     exitProcess(commands.execute(*arguments))
 }
 
-/** Returns the program that [args] name, and its own arguments. */
 internal fun program(args: Array<String>): Pair<CommandLine, Array<String>> {
     val rest = args.drop(1).toTypedArray()
     return when (args.firstOrNull()) {

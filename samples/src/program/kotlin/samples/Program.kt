@@ -5,7 +5,7 @@ import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
-/** A Java program in a process of its own, with the class path of the tests; its output is read line by line. */
+/** A Java program in another process, with the class path of the tests. The program's output is read line by line. */
 internal class Program private constructor(private val process: Process) : AutoCloseable {
     private val unread = LinkedBlockingQueue<String>()
     private val printed = StringBuffer()
@@ -16,7 +16,7 @@ internal class Program private constructor(private val process: Process) : AutoC
         }
     }
 
-    /** Reads on until a line holds [text]. */
+    /** Reads on until a line contains [text]. */
     fun awaitLine(text: String): String {
         val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_S)
         while (true) {
@@ -26,7 +26,7 @@ internal class Program private constructor(private val process: Process) : AutoC
         }
     }
 
-    /** Waits until it has ended, and returns its exit status and its output. */
+    /** Waits until the program has ended. Returns its exit status and its output. */
     fun awaitEnd(): Pair<Int, String> {
         if (!process.waitFor(DEADLINE_S, TimeUnit.SECONDS)) throw AssertionError("it still runs after $DEADLINE_S s; it printed:\n$printed")
         reader.join()
@@ -39,7 +39,7 @@ internal class Program private constructor(private val process: Process) : AutoC
         flush()
     }
 
-    /** Asks it to end, as Ctrl-C does. */
+    /** Asks the program to end, like Ctrl-C. */
     fun interrupt() = process.destroy()
 
     override fun close() {
@@ -49,11 +49,10 @@ internal class Program private constructor(private val process: Process) : AutoC
     companion object {
         private const val DEADLINE_S = 300L
 
-        /** Java as the tests themselves run on it: a program that ends soon does not pay for an optimizing compiler. */
+        /** The Java of the tests. A program that ends soon does not pay for an optimizing compiler. */
         private val java =
             listOf("${Path.of(System.getProperty("java.home"), "bin", "java")}", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-        /** Starts [mainClass] in [directory]. */
         fun start(mainClass: String, vararg arguments: String, directory: Path = Path.of("")): Program {
             val command = java + listOf("-cp", System.getProperty("java.class.path"), mainClass) + arguments
             return Program(ProcessBuilder(command).directory(directory.toAbsolutePath().toFile()).redirectErrorStream(true).start())
@@ -70,13 +69,12 @@ internal class Program private constructor(private val process: Process) : AutoC
             return Program(builder.start())
         }
 
-        /** Starts the sample program with [arguments]. */
         fun samples(vararg arguments: String) = start("samples.MainKt", *arguments)
 
         /** Runs the sample program with [arguments] to its end. */
         fun run(vararg arguments: String): Pair<Int, String> = samples(*arguments).use { it.awaitEnd() }
 
-        /** Starts the project [name] as any Jason project is started, without ARGO's own programs. */
+        /** Starts the project [name] like any Jason project, without ARGO's own programs. */
         fun jason(name: String) =
             start("jason.infra.local.RunLocalMAS", "$name.mas2j", "--no-net", directory = Path.of(name))
     }

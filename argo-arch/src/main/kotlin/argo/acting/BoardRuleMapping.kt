@@ -11,10 +11,9 @@ import javino.wire.BoardRule.Condition
 import java.math.BigDecimal
 
 /**
- * Returns the rule of boards that decides as [critical] does; null: there is none.
- *
- * A board compares texts and decimal numbers, so this holds for percepts as boards write them: no namespaces, comments, variables or
- * expressions, and numbers of at most 15 digits without an exponent.
+ * Returns the board rule that decides like [critical]; null: there is none.
+ * A board compares texts and decimal numbers. So this holds for percepts as boards write them: without namespaces, comments, variables and
+ * expressions, and with numbers of at most 15 digits without an exponent.
  */
 internal fun boardRuleOf(critical: CriticalRule): BoardRule? {
     val rule = critical.rule
@@ -32,8 +31,8 @@ private fun conditionOf(condition: Argument): Condition? {
 }
 
 /**
- * Returns true if a board decides this condition exactly as a filter does. If an argument is missing, a filter's `NE` is false and a
- * board's is true, so another condition must require this argument or a later one.
+ * Returns true if a board decides this condition exactly like a filter. For a missing argument a filter's `NE` is false and a board's is
+ * true. So another condition must require this argument or a later one.
  */
 private fun Condition.isExact(all: List<Condition>) =
     operator() != BoardRule.Operator.DIFFERENT || all.any { it.operator() != BoardRule.Operator.DIFFERENT && it.place() >= place() }
@@ -53,7 +52,7 @@ private fun valueOf(value: GroundTerm): String? = when (value) {
     is GroundTerm.Text, is GroundTerm.Sequence -> null
 }
 
-/** Returns [value] as a decimal; null: it has too many digits for decimals to compare as doubles do. */
+/** Returns [value] as a decimal; null: it has too many digits, so decimals and doubles may compare differently. */
 private fun decimalOf(value: Double): String? =
     if (value.isInfinite()) null
     else BigDecimal(value.toString()).stripTrailingZeros().takeIf { it.precision() <= EXACT_DIGITS }?.toPlainString()

@@ -8,33 +8,32 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The critical rules that one board watches itself. Sends the board the rules that the agent wants and a board can watch, in their order,
- * until the board has no more room. Rules that the board holds already are not sent again. Safe for use by several threads.
+ * The critical rules that one board itself watches. Sends the board, in their order, the rules that the agent wants and the board can
+ * watch, until the board is full. Rules that the board holds are not sent again. Safe for use by several threads.
  *
- * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change a reflex may be
- * carried out twice, by the board and by the computer, but no percept is missed by both.
+ * The computer watches a rule until the board has acknowledged it, and again before its removal is sent. So at a change board and computer
+ * may both carry a reflex out, but never do both miss a percept.
  *
- * A command that waits for the line while the board restarts goes out in the board's next session. Therefore each session but the first
- * begins with the removal of all rules, which goes out behind such late commands.
+ * If the board restarts, a waiting command goes out in the board's next session. So each session but the first begins with a removal of all
+ * rules, behind such late commands.
  *
- * @param wanted the critical rules that the agent wants to be watched now; evaluated under the lock of this object, by any thread
- * @param submit queues a command to the board; called outside of the lock; calls its last argument once with the outcome, on any thread
+ * @param wanted returns the critical rules that the agent wants to be watched now; called under this object's lock, by any thread
+ * @param submit queues a command to the board, and calls its last argument once with the outcome, on any thread; called outside of the lock
  */
 internal class BoardRules(
     private val wanted: () -> List<CriticalRule>,
     private val submit: (change: CommandItem.Rule, outcome: (Failure?) -> Unit) -> Unit,
 ) {
-    /** A rule that was sent to the board in this session. */
     private class Held(val number: Int, val rule: CriticalRule) {
         var isAcknowledged = false
     }
 
-    /** A command to the board: it sets the rule [set] or, if that is null, removes rules. */
+    /** A command to the board: sets the rule [set]; null: removes rules. */
     private class Message(val change: CommandItem.Rule, val set: Held? = null)
 
     private val lock = ReentrantLock()
     private val held = LinkedHashMap<CriticalRule, Held>()
-    private val numbered = HashMap<Int, CriticalRule>() // each rule of this session by its number, also those that have been removed
+    private val numbered = HashMap<Int, CriticalRule>() // by its number, each rule of this session, removed ones too
     private val refused = HashSet<CriticalRule>()
     private var wishes: List<CriticalRule> = emptyList()
     private var room = 0
@@ -43,10 +42,9 @@ internal class BoardRules(
     private var isSending = false
     private var hasSent = false
 
-    /** True if the board has been sent rules that it may report. */
     val isEmpty: Boolean get() = lock.withLock { held.isEmpty() }
 
-    /** Notes that a session has begun: the board holds no rule, and has room for as many as [room]. */
+    /** Notes that a session has begun: the board holds no rule, and has room for [room] rules. */
     fun began(room: Int) = changing {
         this.room = room
         held.clear()
@@ -57,25 +55,24 @@ internal class BoardRules(
         adjust()
     }
 
-    /** Sends the board the changes of rules: the agent may want others. */
+    /** Sends the board changed rules; the agent may want others now. */
     fun renew() = changing { if (room > 0) adjust() }
 
     /** Returns true if the board watches [rule]. */
     fun isWatching(rule: CriticalRule): Boolean = lock.withLock { held[rule]?.isAcknowledged == true }
 
-    /** Returns the rule that the board knows by [number], or has known by it in this session; null: there is none. */
+    /** Returns the rule that has or had the [number] in this session; null: none. */
     fun ruleOf(number: Int): CriticalRule? = lock.withLock { numbered[number] }
 
     /** Returns true if the agent wants the board to watch [rule], and the board may be watching it. */
     fun isHeld(rule: CriticalRule): Boolean = lock.withLock { rule in held }
 
-    /** Makes a [change] under the lock, and sends the messages that it queues. */
     private fun changing(change: () -> Unit) {
         lock.withLock(change)
         while (true) submit(nextToSend() ?: return)
     }
 
-    /** Returns the message that this thread is to send; null: none, or another thread is sending. So messages go out in their order. */
+    /** Returns the message that this thread has to send; null: none, or another thread is sending. So messages go out in order. */
     private fun nextToSend(): Message? = lock.withLock {
         if (isSending) return null
         unsent.removeFirstOrNull()?.also {
@@ -112,15 +109,15 @@ internal class BoardRules(
         unsent += Message(boardRule.setting(new.number), new)
     }
 
-    /** Returns the number that has been unused for longest, so that a report under way is not taken for a report of another rule. */
+    /** Returns the number that has been unused for longest: a late report is not taken for a report of another rule. */
     private fun freeNumber(): Int {
         do lastNumber = lastNumber % MAX_NUMBER + 1 while (held.values.any { it.number == lastNumber })
         return lastNumber
     }
 
     /**
-     * Takes the outcome of [entry]. The computer goes on watching a rule that the board has not acknowledged. Unless the board has refused
-     * the rule, it may watch it too.
+     * Takes the outcome of [entry]. The computer goes on watching a rule that is not acknowledged. Unless the board has refused the rule,
+     * it may watch the rule too.
      */
     private fun ended(entry: Held, failure: Failure?) = changing {
         if (held[entry.rule] === entry) {

@@ -7,13 +7,12 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Numbers the commands that a board holds, so that the hand-over of its snapshots can wait for those that were issued before its last
- * hand-over. Commands that it holds although they go to another board count until none has gone there for [ELSEWHERE_MS]. So commands do
- * not pile up on a slow line, which is awaited, and a line that stands still delays nobody. Safe for use by several threads.
- *
+ * Numbers the commands that a board holds. The hand-over of the board's snapshots waits for the commands that were issued before the last
+ * hand-over. Commands that go to another board count until none has gone there for [ELSEWHERE_MS]. So commands do not pile up on a slow
+ * line, and a line that stands still delays no other board. Safe for use by several threads.
  * @param nowMs a clock in ms that never goes back
- * @param countsElsewhere returns whether commands to another port count; they do not while its board does not answer
- * @param port the port of the board itself; any object, always the same one for one open port
+ * @param countsElsewhere returns whether commands to another port count: not while its board does not answer
+ * @param port the port of the board itself; one object for one open port
  */
 internal class CommandLedger(
     private val nowMs: () -> Long = Platform.system.nowMs,
@@ -21,11 +20,10 @@ internal class CommandLedger(
     private val port: () -> Any?,
 ) {
     private val lock = ReentrantLock()
-    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port: the times of issue in ms, by command number
-    private val movedMs = HashMap<Any, Long>() // by port: the time in ms at which a command was last done while others were pending
+    private val pending = HashMap<Any, TreeMap<Long, Long>>() // by port, then by command number: the time of issue in ms
+    private val movedMs = HashMap<Any, Long>() // by port: the time in ms of the last command that was done while others were pending
     private var issued = 0L
 
-    /** Records a new command for [port] and returns the command's number. */
     fun issue(port: Any): Long = lock.withLock { (++issued).also { pending.getOrPut(port, ::TreeMap)[it] = nowMs() } }
 
     /** Notes that command [number] to [port] has gone out, failed or timed out. */
@@ -34,10 +32,10 @@ internal class CommandLedger(
         if (port in pending) movedMs[port] = nowMs() else movedMs -= port
     }
 
-    /** Returns the number of the command issued last, 0 if there is none. */
+    /** Returns the number of the command issued last; 0: none. */
     fun lastIssued(): Long = lock.withLock { issued }
 
-    /** Returns true if every command up to [number] that counts is done. */
+    /** Returns true if no command up to [number] still counts. */
     fun allDoneUpTo(number: Long): Boolean {
         val own = port() ?: return true
         lock.withLock {
@@ -47,15 +45,15 @@ internal class CommandLedger(
         return dueInMs(number) == null
     }
 
-    /** Returns the time in ms for which commands up to [number] to other ports still count; null: none counts. */
+    /** Returns the ms for which commands up to [number] to other ports still count; null: none counts. */
     fun dueInMs(number: Long): Long? {
         val until = lastElsewhere(number).filterKeys(countsElsewhere).values.maxOrNull()?.plus(ELSEWHERE_MS) ?: return null
         return (until - nowMs()).takeIf { it > 0 }
     }
 
     /**
-     * Returns, for each other port with commands up to [number], the time at which the last of them was issued or, if that is later, at
-     * which a command there was last done.
+     * Returns, for each other port with commands up to [number], the later of two times: the issue of the last of these commands, and the
+     * last end of a command there.
      */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()
@@ -66,7 +64,7 @@ internal class CommandLedger(
     }
 
     companion object {
-        /** The time in ms for which commands to another board count although none goes there. */
+        /** The ms for which commands to another port count although none goes there. */
         const val ELSEWHERE_MS = 100L
     }
 }

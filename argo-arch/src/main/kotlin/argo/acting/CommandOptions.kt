@@ -9,8 +9,8 @@ import jason.asSyntax.Term
 /**
  * The options of a command: the second argument of `argo.act`.
  *
- * @property timeoutMs the time in ms from the call after which its outcome is known in any case; null: there is no such limit
- * @property urgent whether it goes before waiting commands that are not urgent
+ * @property timeoutMs ms from the call after which the outcome is known in any case; null: no limit
+ * @property urgent whether the command goes before waiting commands that are not urgent
  * @property latest whether it replaces waiting commands of the same functor
  * @property port the port of its board; null: it is not named
  * @property answer the term with which the board's answer must unify; null: no answer is asked for
@@ -26,10 +26,7 @@ internal data class CommandOptions(
         private const val MAX_MS = 600_000
         private const val KNOWN = "timeout(Ms), urgent, latest, port(P) and answer(R)"
 
-        /**
-         * Reads a list such as `[timeout(200), latest]`.
-         * @throws ArgumentException if it is not a list of known options
-         */
+        /** Reads a list such as `[timeout(200), latest]`. Throws [ArgumentException] if [term] is no list of known options. */
         fun of(term: Term): CommandOptions = withOptions(CommandOptions(), term, "[timeout(200), latest]", KNOWN) { with(it) }
 
         private fun CommandOptions.with(option: Term): CommandOptions? {

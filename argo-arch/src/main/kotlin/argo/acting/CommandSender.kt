@@ -18,12 +18,11 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread, which starts with the
- * first command, writes them until the link is closed. If it ends for another reason, the port is lost. Safe for use by several threads.
+ * Sends an agent's commands through the queue of one link, and reports their outcomes as failures of plans. A thread starts with the first
+ * command, and writes commands until the link is closed. If the thread ends for another reason, the port is lost. Safe for use by several
+ * threads.
  *
- * @param owner the agent's name, a part of the thread's
- * @param platform provides the sending thread
- * @param lost is called, perhaps repeatedly and by any thread, when sending finds that the port has gone; must not wait
+ * @param lost called, perhaps repeatedly and by any thread, if the port turns out to be gone; must not wait
  */
 internal class CommandSender(
     private val link: BoardLink,
@@ -37,7 +36,7 @@ internal class CommandSender(
     fun send(text: String, options: CommandOptions): Transmission =
         transmission("\"$text\"", link.send(text, options.forLink()), options.answer != null)
 
-    /** Sends [change], a command that changes the board's rules, as a text is sent, but ahead of waiting commands. */
+    /** Sends [change], a change of the board's rules, ahead of waiting commands. */
     fun send(change: CommandItem.Rule): Transmission =
         transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()), isAnswered = false)
 
@@ -61,7 +60,7 @@ internal class CommandSender(
         }
     }
 
-    /** Sends [text] on the caller's thread, and returns the reason if it could not be sent; null: it was sent. */
+    /** Sends [text] on the caller's thread. Returns the reason why that failed; null: it was sent. */
     fun sendNow(text: String, options: CommandOptions): Failure? = try {
         link.sendAndAwait(text, options.forLink())
         null
@@ -82,10 +81,10 @@ internal class CommandSender(
         try {
             link.writeCommandsUntilClosed()
         } catch (_: PortGoneException) {
-            // nothing is left to do: the commands that waited for the line have failed
+            // nothing is left to do: the waiting commands have failed
         } catch (_: PortInterruptedException) {
             // the port is closed
-        } catch (unforeseen: Throwable) { // the port is opened anew, with another thread: without one no command would go out
+        } catch (unforeseen: Throwable) { // the port is opened anew with another thread; without a thread no command would go out
             lost(PortFaultException(link.port, "the thread that sends commands ended: $unforeseen", unforeseen))
         }
     }

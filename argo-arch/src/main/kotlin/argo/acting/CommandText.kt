@@ -13,11 +13,7 @@ import jason.asSyntax.Term
 import javino.Frame
 import javino.PerceptsRequest
 
-/**
- * Reads the command that a person has written: a literal, or a string in quotes.
- *
- * @throws ArgumentException if it is neither
- */
+/** Reads a person's command: a literal, or a string in quotes. Throws [ArgumentException] if [command] is neither. */
 internal fun commandTerm(command: String): Term {
     val text = command.trim()
     try {
@@ -44,10 +40,10 @@ internal fun requireCommand(command: Term) {
 }
 
 /**
- * Returns the text to send for [command], which [requireCommand] has let through: a string without its quotes, or a literal without its
- * namespace. A line takes it as Jason writes it; other links read it back, so its strings have their escapes.
+ * Returns the text to send for [command]: a string without its quotes, or a literal without its namespace. [requireCommand] has let the
+ * command through. A line takes the literal as Jason writes it. Other links read the text back, so strings in it have escapes.
  *
- * @param isLine whether it goes out as bytes on a line, see [argo.links.BoardLink.isLine]
+ * @param isLine whether the text goes out as bytes on a line, see [argo.links.BoardLink.isLine]
  * @throws ArgumentException if a line cannot carry it
  */
 internal fun commandText(command: Term, isLine: Boolean): String = when {
@@ -68,8 +64,8 @@ private fun lineText(text: String): String {
 }
 
 /**
- * Returns [literal] as Jason writes it, without its namespace. Jason's own way, through streams, would take a tenth of the time from a
- * percept to its command.
+ * Returns [literal] as Jason writes it, without its namespace. Jason's own way, with streams, would take a tenth of the time from percept
+ * to command.
  */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
@@ -79,7 +75,7 @@ private fun literalText(literal: Literal): String = when {
 private fun withoutNamespace(literal: Literal): Literal =
     if (literal.ns == Literal.DefaultNS) literal else literal.cloneNS(Literal.DefaultNS) as Literal
 
-/** Returns true if [term] is a functor with arguments and nothing besides, so that [writeTo] writes it. */
+/** Returns true if [term] is only a functor with arguments, so that [writeTo] can write it. */
 private fun isPlain(term: Term) = term.javaClass in PLAIN && !(term as Literal).hasAnnot()
 
 private fun Literal.writeTo(text: StringBuilder) {

@@ -3,8 +3,7 @@ package argo.acting
 import argo.filters.Predicate
 
 /**
- * Returns true if [name] is an atom without quotes and dots, the same to Jason and a board: a lower-case letter, then letters, digits and
- * `_`.
+ * Returns true if [name] is a lower-case letter, then letters, digits and `_`: an atom to Jason and to a board, without quotes and dots.
  */
 internal fun isPlainName(name: String): Boolean = PLAIN.matches(name)
 

@@ -18,16 +18,14 @@ import kotlin.concurrent.withLock
 
 /**
  * The reflexes of critical rules, and the beliefs about their outcomes. Safe for use by several threads.
- *
- * For a rule that the computer watches, it sends the reflex when the rule begins to be met, and again with each message that meets it until
- * the command has gone out or, in version 2, the board has acted or refuses it. It does not send the reflex again while the rule stays met.
- *
- * For a rule that the board watches, the board carries the reflex out and reports that. A report can be lost, and a board can read a
- * strange percept differently; so if a second message meets the rule without a report, the computer sends the reflex.
- *
+ * If the computer watches a rule, it sends the reflex when the rule begins to be met. It sends the reflex again with each further message
+ * that meets the rule, until the command has gone out or, in version 2, the board has acted or refuses. After that it sends the reflex only
+ * when the rule begins to be met anew.
+ * If the board watches a rule, the board carries the reflex out and reports that. A report can be lost, and a board can read a strange
+ * percept differently. So if a second message meets the rule without a report, the computer sends the reflex.
  * @param send sends a command to the board on a port before all waiting ones; calls its last argument once with the outcome, on any thread
  * @param isBoards returns whether the board on a port watches a rule
- * @param ended takes each outcome, and the reason if the reflex has failed; on any thread
+ * @param ended takes each outcome: null, or the reason of a failure; on any thread
  * @param warning takes the failures of reflexes
  */
 internal class Reflexes(
@@ -38,7 +36,7 @@ internal class Reflexes(
 ) {
     private enum class Phase { BEGUN, LEFT_TO_BOARD, UNDER_WAY, FAILED, DONE }
 
-    /** One reflex, from the time when its rule begins to be met until the rule is not met any more. */
+    /** One reflex, while its rule is met. */
     private class Run {
         var phase = Phase.BEGUN
 
@@ -53,8 +51,7 @@ internal class Reflexes(
 
     /**
      * Notes that [met] are exactly the rules that the newest percepts of the board on [port] meet.
-     *
-     * @param isMessage true: the percepts are a message, which may meet a rule before the board reports that; false: they are a report
+     * @param isMessage true: the percepts are a message, which may meet a rule before the board's report; false: they are a report
      */
     fun perceived(port: OpenPort, met: Collection<CriticalRule>, isMessage: Boolean = true) {
         val due = lock.withLock {
@@ -73,7 +70,7 @@ internal class Reflexes(
         tell(rule, RuleWatcher.BOARD, if (isDone) null else Failure("act_refused", "the board, which watches the rule, refuses it"))
     }
 
-    /** Forgets which rules are met: they were met at another time or place. */
+    /** Forgets which rules are met, since they were met at another time or place. */
     fun forget() = keepOnly(emptyList())
 
     /** Watches only [rules] from now on. Rules that are met now stay met. */
@@ -83,7 +80,7 @@ internal class Reflexes(
         if (runs.keys.retainAll(rules.toSet())) version++
     }
 
-    /** Returns true if the beliefs have changed since [beliefs] was asked last. */
+    /** Returns true if the beliefs have changed since the last call of [beliefs]. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
     /** Returns the outcomes of the reflexes whose rules are met, as `reflex(stop,done)` or `reflex(stop,failed)`. */
@@ -92,7 +89,7 @@ internal class Reflexes(
         runs.mapNotNull { (rule, run) -> run.isDone?.let { belief(rule, it) } }.distinct()
     }
 
-    /** Returns true if the command of [run], whose rule is met, is to be sent now. */
+    /** Returns true if the command of [run] is due now. Its rule is met. */
     private fun isDue(run: Run, isMessage: Boolean, isBoards: Boolean): Boolean {
         val isDue = when (run.phase) {
             Phase.BEGUN, Phase.FAILED -> !isBoards
@@ -107,7 +104,7 @@ internal class Reflexes(
         val command = rule.reflex ?: return
         try {
             send(port, command) { end(rule, run, it) }
-        } catch (unforeseen: RuntimeException) { // caught, since sensing must go on
+        } catch (unforeseen: RuntimeException) { // sensing must go on
             end(rule, run, failureOf(unforeseen))
         }
     }
@@ -132,12 +129,10 @@ internal class Reflexes(
     }
 
     companion object {
-        /** The functor of the beliefs. */
         const val FUNCTOR = "reflex"
         private const val DONE = "done"
         private const val FAILED = "failed"
 
-        /** The atoms that can be an outcome. */
         val OUTCOMES = setOf(DONE, FAILED)
 
         private fun belief(rule: CriticalRule, isDone: Boolean): Literal =

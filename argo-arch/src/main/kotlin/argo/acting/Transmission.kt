@@ -14,9 +14,9 @@ internal class Transmission(
     private val following: (left: () -> Unit, outcome: (Failure?, String?) -> Unit) -> Unit,
 ) {
     /**
-     * Sets the callbacks for its end. Call it once, on the thread that has sent the command. With a time limit the outcome is known when
-     * the limit is over: `act_timeout` if the command has not begun to go out, and then it never will; `act_unconfirmed` if it has, but is
-     * not known to have been carried out. A command that a later one has replaced fails with `act_replaced`.
+     * Sets the callbacks for the command's end. Call this once, on the thread that has sent the command. At its time limit a command fails
+     * with `act_timeout` if it has not begun to go out: it never will. If it has begun, it fails with `act_unconfirmed`. A replaced command
+     * fails with `act_replaced`.
      *
      * @param left is called once, by any thread, when the command is no longer under way to the board; before [outcome]
      * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board

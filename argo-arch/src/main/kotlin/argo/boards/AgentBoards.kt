@@ -34,17 +34,14 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The ports of one agent, the boards on them, and the agent's wishes to these: whether it perceives them, how often, and through which
+ * The ports of one agent, the boards on them, and the agent's wishes to the boards: whether it perceives them, how often, and through which
  * filter.
  *
- * One thread at a time changes each of these; all others read it here, and keep no copy. After each change waiting threads are woken to
- * read again. Functions may be called by any thread unless they say otherwise.
+ * One thread at a time changes a wish. Other threads read it here and keep no copy. After a change waiting threads are woken to read again.
+ * Any thread may call the functions unless they say otherwise.
  *
- * @property owner the agent's name
  * @property maxPercepts the most percepts of a board that the agent believes at once
- * @param policy when snapshots are handed over
  * @param queues the agent's events and intentions
- * @param observing the agent's observers
  */
 internal class AgentBoards(
     val owner: String,
@@ -56,39 +53,38 @@ internal class AgentBoards(
     private val queues: ReasoningQueues,
     private val observing: () -> Observers,
 ) {
-    /** The boards that the agent perceives, and former ones about which it still has beliefs. Immutable. */
+    /** The boards that the agent perceives, and former ones that it still has beliefs about. Immutable. */
     private class Perceived(val boards: List<Board>, val former: List<Board>)
 
-    /** True if the agent perceives its boards. */
     @Volatile
     var isPerceiving = false
         private set
 
-    /** The sensing interval in ms of boards that have no interval of their own. */
+    /** The sensing interval in ms of boards without their own. */
     @Volatile
     var intervalMs = DEFAULT_INTERVAL_MS
         private set
 
-    /** The filter of boards that have no filter of their own; null: everything is kept. */
+    /** The filter of boards without their own; null: everything is kept. */
     @Volatile
     var filter: PerceptionFilter? = null
         private set
 
-    /** The published coupling; null: boards are sensed, and commands written, by other threads than the agent's. */
+    /** The published coupling. Null: other threads than the agent's sense boards and write commands. */
     private val inCycle = if (policy == SensingPolicy.IN_CYCLE) InCycle(platform, waker) else null
     private val lines = ConcurrentHashMap<OpenPort, BoardLine>()
 
-    /** All boards that were perceived since all ports were last closed. Changes only together with the ports in use. */
+    /** All boards perceived since all ports were last closed. Changes only together with the ports in use. */
     private val boards = CopyOnWriteArrayList<Board>()
     private val perceived = AtomicReference(Perceived(emptyList(), emptyList()))
     private val portLines = ThinnedLog(platform.nowMs, platform::later)
 
-    /** True from a change of the boards that the agent perceives until its next perception. */
+    /** True from a change of the perceived boards until the agent's next perception. */
     @Volatile
     var areOthers = false
         private set
 
-    /** True if a board has, or has had, a namespace of its own. */
+    /** True if a board has or had its own namespace. */
     @Volatile
     var hasNamespaces = false
         private set
@@ -97,24 +93,20 @@ internal class AgentBoards(
 
     val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
 
-    /** Decides which snapshots the agent perceives now. */
     val ready = ReadySnapshots(platform, { perceived.get().boards }, waker::wake)
 
-    /** True if boards watch critical rules themselves as far as they can, and messages are written at the pace of the line. */
+    /** True if boards watch critical rules themselves as far as they can, and messages go out at the pace of the line. */
     val leavesRulesToBoards get() = inCycle == null
 
     val observers: Observers get() = observing()
 
-    /** The boards that the agent perceives. */
     val current: List<Board> get() = perceived.get().boards
 
-    /** The boards about which the agent has beliefs. */
+    /** The boards that the agent has beliefs about. */
     val believed: List<Board> get() = perceived.get().run { boards + former }
 
-    /** True if the agent perceives more than one board. */
     val areSeveral get() = current.size > 1
 
-    /** Returns true if the agent perceives [board] now. */
     fun perceives(board: Board) = isPerceiving && board in current
 
     /** Returns the board on [port], if the agent perceives it now. */
@@ -123,29 +115,27 @@ internal class AgentBoards(
     /** Returns the board on [port], if that is in use. */
     fun inUseOn(port: OpenPort): Board? = current.find { it.port === port }
 
-    /** Returns the board, perceived now or before, on the port that the agent calls [port]; null: there is none. */
+    /** Returns the board, perceived now or before, that the agent calls [port]; null: none. */
     fun named(port: Term): Board? = boards.find { it.term == port || port in it.port.terms }
 
-    /** Returns the perceived boards that have [percept]. */
+    /** Returns the perceived boards with [percept]. */
     fun of(percept: Literal): List<Board> = current.let { boards ->
         boards.filter { one -> one.claims(percept, boards.none { it !== one && it.namespace == one.namespace }) }
     }
 
-    /** Returns the open port that the agent calls [port], or the lost one of a board that it perceives; null: there is none. */
+    /** Returns the open port that the agent calls [port], or the lost port of a perceived board; null: none. */
     fun openPort(port: Term): OpenPort? = (current.map { it.port } + ports.all()).find { port in it.terms }
 
     /** Returns true if the board on [port], an [OpenPort], answers: it is on and not stale. */
     fun answers(port: Any): Boolean =
         port is OpenPort && states.statusOf(port.terms) == PortStatus.ON && inUseOn(port)?.let { port.terms.any(it::isStale) } != true
 
-    /** Returns the kinds of percepts that the board on the port opened as [portName] describes, see [DescribedPercepts.get]. */
+    /** Returns the kinds of percepts that the board on [portName] describes, see [DescribedPercepts.get]. */
     fun perceptKinds(portName: String): List<PerceptKind> =
         lines.entries.find { it.key.link.port == portName }?.value?.described?.get().orEmpty()
 
-    /** Returns true if the board on [port] watches [rule] itself. */
     fun isWatchedBy(port: OpenPort, rule: CriticalRule): Boolean = lines[port]?.rules?.isWatching(rule) == true
 
-    /** Returns a hand-over of [board]'s snapshots to the agent. */
     fun handOverOf(board: Board): HandOver {
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
@@ -160,7 +150,7 @@ internal class AgentBoards(
         }
     }
 
-    /** Returns true if [percept] is a percept of [board], or of no board that the agent perceives. */
+    /** Returns true if [percept] belongs to [board], or to no board that the agent perceives. */
     private fun isOf(board: Board, percept: Literal): Boolean {
         if (!areSeveral) return true
         val claiming = of(percept)
@@ -170,10 +160,9 @@ internal class AgentBoards(
     /** Makes a warning in the agent's log that is not repeated while its cause lasts. */
     fun rateLimitedWarning() = RateLimitedWarning(platform.nowMs) { log.warning(it) }
 
-    /** Wakes the agent, repeatedly if necessary, until [seen] returns true; other threads call [seen]. */
     fun wake(seen: () -> Boolean) = waker.wake(seen)
 
-    /** Starts or stops perceiving. Once stopped, no reflex is sent; a board carries out its own reflexes until its rules are removed. */
+    /** Starts or stops perceiving. After a stop no reflex is sent; a board carries out its own reflexes until its rules are removed. */
     fun perceive(open: Boolean) {
         if (isPerceiving == open) return
         isPerceiving = open
@@ -207,7 +196,7 @@ internal class AgentBoards(
         observers.each { it.boardFilterChanged(board.port.link.port, filter) }
     }
 
-    /** Has each line read the agent's wishes to its board anew. */
+    /** Has each line read the agent's wishes anew. */
     private fun renewLines() = lines.values.forEach(BoardLine::renew)
 
     /** Begins a perception of the agent, on its thread. Returns true if the boards may have changed since the last perception. */
@@ -218,7 +207,7 @@ internal class AgentBoards(
         return wereOthers
     }
 
-    /** Notes that the agent has no more beliefs about boards that it perceived before. */
+    /** Notes that the agent has no more beliefs about former boards. */
     fun forgetFormer() {
         perceived.updateAndGet { Perceived(it.boards, emptyList()) }
     }
@@ -226,7 +215,7 @@ internal class AgentBoards(
     /** Returns the time in ms until there is something to perceive without news from a board; null: never. */
     fun dueInMs(): Long? = current.mapNotNull(Board::dueInMs).minOrNull()
 
-    /** Sends [text] on [port]; no snapshot waits for it. The caller must [follow][Transmission.follow] the command. */
+    /** Sends [text] on [port]; no snapshot waits for this command. The caller must [follow][Transmission.follow] it. */
     fun send(port: OpenPort, text: String, options: CommandOptions): Transmission {
         val issued = observers.commandIssued(port.link.port, text)
         val commands = lines[port]?.commands
@@ -262,7 +251,7 @@ internal class AgentBoards(
             lines[port]?.sensing?.start()
         }
 
-        /** Perceives the boards on the ports in use. Boards perceived before are disturbed only if their ports are opened anew. */
+        /** Perceives the boards on the ports in use. Boards perceived before are undisturbed unless their ports are opened anew. */
         override fun portInUseChanged() {
             val before = current
             val renewed = LinkedHashSet<Board>()
@@ -295,7 +284,7 @@ internal class AgentBoards(
     }
 
     companion object {
-        /** The sensing interval in ms until `argo.limit` sets another. */
+        /** The sensing interval in ms, until `argo.limit` sets another. */
         const val DEFAULT_INTERVAL_MS = 50
     }
 }

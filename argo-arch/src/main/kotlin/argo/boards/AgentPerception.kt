@@ -11,14 +11,14 @@ import jason.bb.BeliefBase
 import java.util.concurrent.TimeUnit
 
 /**
- * The perception of one agent by its [boards]: its beliefs about them, with their ages, and the filters' decisions. Functions belong to the
+ * An agent's perception of its [boards]: the beliefs about them, with their ages, and the filters' decisions. Functions belong to the
  * agent's thread unless they say otherwise.
  */
 internal class AgentPerception(private val boards: AgentBoards) {
     private val platform = boards.platform
     private var newlyCritical: List<Literal> = emptyList()
 
-    /** Takes in all news for the agent since the last call, and returns true if [beliefs] may have changed. */
+    /** Takes in all news since the last call; returns true if [beliefs] may have changed. */
     fun update(): Boolean {
         val areOthers = boards.perceiving()
         if (boards.isPerceiving) boards.current.forEach(Board::putDue)
@@ -30,7 +30,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         return areOthers || snapshots.isNotEmpty() || isBoardNews || boards.states.hasNews()
     }
 
-    /** Returns the new critical percepts of the snapshots that the last [update] handed over; the next call returns none. */
+    /** Returns the new critical percepts of the snapshots of the last [update]. The next call returns none. */
     fun takeNewlyCritical(): List<Literal> = newlyCritical.also { newlyCritical = emptyList() }
 
     /** Returns the beliefs about the boards, about the ports, and about the outcomes of reflexes. */
@@ -41,7 +41,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
     fun hasNews(): Boolean =
         boards.areOthers || boards.states.hasNews() || boards.current.any(Board::hasNews) || boards.ready.areThere()
 
-    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null if there is none. */
+    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and its age in ms; null: none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier): Pair<Literal, Long>? {
         val now = platform.clock.nanos()
         return boards.believed.mapNotNull { it.youngest(beliefs, percept, un, now) }.minByOrNull { (_, seen) -> now - seen }
@@ -49,8 +49,8 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Returns the time in ms between the oldest and the newest reading that the agent believes of its boards; null: there is none. Boards
-     * that are off, time out or are stale do not count. Any thread.
+     * Returns the ms between the oldest and the newest reading that the agent believes of its boards; null: there is none. Boards that are
+     * off, time out or are stale do not count. Any thread.
      */
     fun skewMs(): Long? {
         val readings = boards.current.filter { boards.answers(it.port) }.mapNotNull { it.sensedNanos }
@@ -67,8 +67,8 @@ internal class AgentPerception(private val boards: AgentBoards) {
     }
 
     /**
-     * Explains why the filters of [from] keep or drop the text [percept], and names the side that watches the critical rule that decides.
-     * Any thread.
+     * Explains why the filters of [from] keep or drop the text [percept]. Names the side that watches the deciding critical rule. Any
+     * thread.
      */
     fun explain(percept: String, from: List<Board> = boards.current): String {
         val reasons = from.map { it.term to it.explain(percept) }

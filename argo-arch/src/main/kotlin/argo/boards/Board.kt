@@ -32,35 +32,35 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * A board that an agent perceives or has perceived: the beliefs about it, the snapshots that are still to be perceived, its filter and its
- * interval. These stay when its device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
+ * A board that an agent perceives or has perceived: the beliefs about it, its snapshots, its filter and its interval. All of these stay
+ * when the device goes and comes back. Functions belong to the agent's thread unless they say otherwise.
  *
- * @property term the agent's name for its port
- * @param port the line to it
- * @param former the board whose filter and interval it takes over; null: it has the agent's
+ * @property term the agent's name for the port
+ * @param port the line to the board
+ * @param former the board whose filter and interval this one takes over; null: it has the agent's
  */
 internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoards, former: Board? = null) : PerceivedBoard {
-    /** A filter of its own; null inside it lets everything through. */
+    /** The board's own filter; null inside lets everything through. */
     private class OwnFilter(val filter: PerceptionFilter?)
 
-    /** The namespace of its percepts; null: the default namespace. */
+    /** The namespace of the board's percepts; null: the default namespace. */
     val namespace: String? = port.options.namespace
     private val space: Atom? = namespace?.let(ASSyntax::createAtom)
 
-    /** The line to it; the closed one while its device has gone. Any thread may read. */
+    /** The line to the board; a closed line while the device has gone. Any thread may read. */
     @Volatile
     var port: OpenPort = port
         private set
 
     private val believed = AtomicReference(BelievedPercepts.NONE)
 
-    /** The percepts of this board that the agent believes. Any thread may read. */
+    /** The board's percepts that the agent believes. Any thread may read. */
     override val sensed: List<Literal> get() = believed.get().percepts
 
-    /** The time at which the readings in [sensed] came, by the platform's clock; null: there are none. Any thread may read. */
+    /** The arrival time of the readings in [sensed], by the platform's clock; null: there are none. Any thread may read. */
     val sensedNanos: Long? get() = believed.get().nanos
 
-    /** A sensing interval of its own, in ms; null: it has the agent's. Any thread. */
+    /** The board's own sensing interval in ms; null: it has the agent's. Any thread. */
     @Volatile
     var ownIntervalMs: Int? = former?.ownIntervalMs
 
@@ -73,13 +73,12 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     /** The board's filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 
-    /** The time at which the board's answer is expected. */
     val answer = ExpectedAnswer()
 
-    /** The commands for which its snapshots wait. */
+    /** The commands that the board's snapshots wait for. */
     val ledger = CommandLedger(agent.platform.nowMs, agent::answers) { this.port }
     private val handOver: HandOver = agent.handOverOf(this)
-    private val choosing = ReentrantLock() // held from the choice of the filter until it is in force
+    private val choosing = ReentrantLock() // held from the choice of a filter until it is in force
     private val stale = StaleBeliefs(agent.platform.nowMs, { this.port.takeIf { agent.perceives(this) } }, ::intervalMs)
     private val reflexes = Reflexes(::sendReflex, agent::isWatchedBy, ::reflexEnded, agent.rateLimitedWarning())
     private val percepts = BoardPercepts(
@@ -87,81 +86,78 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         handOver, reflexes, agent.log, agent.platform.clock,
     )
 
-    /** The actions that it has registered, the newest of each name; null: they are not known. Any thread. */
+    /** The actions that the board has registered, the newest of each name; null: they are not known. Any thread. */
     val actions: List<BoardAction>?
         get() = port.link.actions?.takeIf { it.isNotEmpty() }?.associateBy { it.name }?.values?.toList()
 
-    /** Returns true if it has registered an action of the name and number of arguments of [command]. Any thread. */
+    /** Returns true if the board has registered an action with the name and the number of arguments of [command]. Any thread. */
     fun knows(command: Literal): Boolean =
         actions.orEmpty().any { it.name == command.functor && (it.arguments == ANY || it.arguments == command.arity) }
 
-    /** The critical rules of its filter. Any thread. */
+    /** The critical rules of the filter. Any thread. */
     val critical: List<CriticalRule> get() = percepts.critical
 
-    /** The request to it if it speaks version 2 of the protocol. Any thread. */
+    /** The request to a board of version 2 of the protocol. Any thread. */
     val request: String get() = percepts.request
 
     override fun isOn(port: OpenPort) = port === this.port && agent.perceives(this)
 
     override fun filtered(snapshot: Snapshot) = agent.observers.each { it.messageFiltered(snapshot) }
 
-    /** Prepares for being perceived through [port]. Any thread, before it is perceived. */
+    /** Prepares for perception through [port]. Any thread, before the board is perceived. */
     fun begin(port: OpenPort, isBelieved: Boolean) {
         this.port = port
         if (!isBelieved) believed.updateAndGet { it.then(emptyList(), null) }
         stale.renew()
     }
 
-    /** Takes [port] as the board's line after the device has come back. Beliefs about the board stay as old as they were. Any thread. */
+    /** Takes [port] as the line after the device has come back. Beliefs about the board keep their age. Any thread. */
     fun reconnect(port: OpenPort) {
         this.port = port
     }
 
-    /** Forgets all percepts that were sensed but not perceived: they are of another time or place. Any thread. */
+    /** Forgets sensed percepts that were not perceived: they are of another time or place. Any thread. */
     fun forget() = percepts.forget()
 
-    /** Begins the wait for messages anew and forgets percepts that were not perceived: the agent begins or stops perceiving. */
+    /** Begins the wait for messages anew and forgets unperceived percepts: the agent begins or stops perceiving. */
     fun beginAnew() {
         stale.renew()
         forget()
     }
 
-    /** Perceives this board through [filter], whatever filter other boards have; null: everything is kept. */
+    /** Perceives this board through its own [filter]; null: everything is kept. */
     fun perceiveThrough(filter: PerceptionFilter?) {
         ownFilter = OwnFilter(filter)
         renewFilter()
     }
 
-    /** Perceives it through the agent's filter for all boards. */
+    /** Perceives this board through the agent's filter for all boards. */
     fun perceiveAsOthers() {
         ownFilter = null
         renewFilter()
     }
 
-    /** Perceives it through its filter, which has changed, from the next perception on. Any thread. */
+    /** Applies the board's changed filter from the next perception on. Any thread. */
     fun renewFilter() = choosing.withLock { percepts.switchTo(filter) }
 
-    /** Explains why its filter keeps or drops [percept], and names the side that watches the critical rule that decides. Any thread. */
+    /** Explains why the filter keeps or drops [percept]. Names the side that watches the deciding critical rule. Any thread. */
     fun explain(percept: String): String {
         val explanation = percepts.explain(percept)
         val critical = criticalRules().find { it.rule.rule === explanation.rule } ?: return "$explanation"
         return "$explanation; ${critical.watcher.word} watches it"
     }
 
-    /** Returns the critical rules of its filter, each with the side that watches it. Any thread. */
+    /** Returns the critical rules of the filter, each with the side that watches it. Any thread. */
     fun criticalRules(): List<WatchedRule> =
         critical.map { WatchedRule(it, if (agent.isWatchedBy(port, it)) RuleWatcher.BOARD else RuleWatcher.COMPUTER) }
 
-    /**
-     * Returns its youngest percept in [beliefs] that unifies with [percept] under [un], and the time when it was seen; null if there is
-     * none.
-     */
+    /** Returns the youngest percept in [beliefs] that unifies with [percept] under [un], and the time when it was seen; null: none. */
     fun youngest(beliefs: BeliefBase, percept: Literal, un: Unifier, nowNanos: Long): Pair<Literal, Long>? =
         percepts.lastSeen.youngest(beliefs, percept, un, nowNanos)
 
     /**
-     * Takes a message: see [BoardPercepts.received]. Called by the sensing thread of [port].
-     * @param nextNanos the time of the next request to the board, by the platform's clock
+     * Takes a message, see [BoardPercepts.received]; the next request to the board goes out at [nextNanos]. Called by the sensing thread of
+     * [port].
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
@@ -174,41 +170,37 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
         agent.wake { !handOver.isReady() && stale.isEmpty() }
     }
 
-    /** Returns true if the agent, woken now, would only wait for the answers of other boards. The last of these answers wakes it. */
+    /** Returns true if an agent woken now would only wait for other boards' answers. The last of these answers wakes it. */
     private fun isForLater() = handOver.isReady() && !hasNews() && agent.ready.isAwaiting(this)
 
-    /** Takes a percept that the board has reported: see [BoardPercepts.reported], also for the result. Any thread. */
+    /** Takes a percept that the board has reported. See [BoardPercepts.reported], also for the result. Any thread. */
     fun reported(port: OpenPort, rule: CriticalRule, outcome: ReflexOutcome, percept: String, receivedNanos: Long): Boolean =
         percepts.reported(port, rule, outcome, percept, receivedNanos).also { if (it) agent.wake { !handOver.isReady() } }
 
     /** Makes a snapshot of the held-back percepts that are due. */
     fun putDue() = percepts.putDue()
 
-    /** Returns true if a snapshot is ready to be perceived. Any thread. */
     fun isReady(): Boolean = handOver.isReady()
 
-    /** Returns true if a snapshot is ready and waits for no other board. Any thread. */
+    /** Returns true if a ready snapshot waits for no other board. Any thread. */
     fun isUrgent(): Boolean = handOver.isUrgent()
 
-    /** Takes the snapshot to perceive now; null: none is ready. */
     fun take(): Snapshot? = handOver.take()?.takeIf { it.port == null || isOn(it.port) }?.also { taken ->
         believed.updateAndGet { it.then(taken.percepts, taken.receivedNanos) }
     }
 
     /**
-     * Returns true if [percept] is, or was before the last snapshot, a percept of this board.
-     * @param isAlone whether it is the only board of its namespace
+     * Returns true if [percept] is, or was before the last snapshot, a percept of this board. [isAlone]: no other board has its namespace.
      */
     fun claims(percept: Literal, isAlone: Boolean): Boolean =
         percept.ns == (space ?: Literal.DefaultNS) && (isAlone || percept in believed.get())
 
-    /** Recomputes whether the board is stale; returns true if that, or the outcome of a reflex, has changed. */
+    /** Recomputes whether the board is stale. Returns true if that, or the outcome of a reflex, has changed. */
     fun update(): Boolean = stale.update() || reflexes.hasNews()
 
-    /** Returns the beliefs `stale(P)` and the beliefs about outcomes of reflexes. */
     fun metaBeliefs(): List<Literal> = stale.beliefs() + reflexes.beliefs().map { if (space == null) it else it.cloneNS(space) as Literal }
 
-    /** Returns the time in ms until there is something to do without news from the board; null: never. */
+    /** Returns the ms until the agent has something to perceive here without news from the board; null: never. */
     fun dueInMs(): Long? {
         val heldBack = percepts.dueInMs().takeIf { agent.perceives(this) }
         return listOfNotNull(heldBack, stale.dueInMs().takeIf { it != 0L }, handOver.dueInMs()).minOrNull()

@@ -18,18 +18,16 @@ import javino.link.BoardListener
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** The users of one open port, whether or not its agent perceives the board: sensing, commands, rules on the board. */
+/** The users of one open port: sensing, commands, and rules on the board. They run even if the agent does not perceive the board. */
 internal class BoardLine(private val port: OpenPort, private val agent: AgentBoards, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }
     val sensing = Sensing(port, agent.owner, this, agent.platform)
 
-    /** The kinds of percepts that the board describes. */
     val described = DescribedPercepts(port) { agent.log.warning(it) }
 
-    private val warning = agent.rateLimitedWarning() // by the rule whose reports are left out
+    private val warning = agent.rateLimitedWarning() // by the rule of left-out reports
 
-    /** The critical rules that the board watches. */
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
         { change, outcome -> commands.send(change).follow({ }) { failure, _ -> outcome(failure) } },
@@ -77,7 +75,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         if (!isTaken) tellLeftOut(critical, outcome, percept)
     }
 
-    /** Logs that a report is left out: the board sent it before it knew that the agent no longer wants it. */
+    /** Logs that a report is left out: the board sent it before it learned that the agent no longer wants it. */
     private fun tellLeftOut(rule: CriticalRule?, outcome: ReflexOutcome, percept: String) {
         val of = "${rule ?: "unknown percepts"}"
         warning.report(of) {
@@ -87,7 +85,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
         }
     }
 
-    /** Reads the agent's wishes to the board anew; they may have changed. Any thread. */
+    /** Reads the agent's wishes to the board anew. Any thread. */
     fun renew() {
         rules.renew()
         sensing.wake()

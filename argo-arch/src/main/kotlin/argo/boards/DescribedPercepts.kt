@@ -6,9 +6,9 @@ import javino.PortException
 import javino.PortInterruptedException
 
 /**
- * The kinds of percepts that the board on [port] describes. The board is asked for them once in each session, between two requests, but
- * only after somebody has called [get]: the board of an agent that nobody watches is not asked. Sensing waits for the answer, so a board
- * that gives none in a short time is not asked again while the port is open.
+ * The kinds of percepts that the board on [port] describes. After the first call of [get], the board is asked once in each session, between
+ * two requests. So the board of an agent that nobody watches is not asked. Sensing waits for the answer. So a board without a quick answer
+ * is not asked again while the port is open.
  *
  * @param warn takes the reason why a board's kinds are not known, at most once
  */
@@ -24,18 +24,18 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
 
     private var isGivenUp = false // used by the sensing thread
 
-    /** Returns the kinds; none: they are not known yet, or the board describes none. Any thread. */
+    /** Returns the kinds; empty: they are not known yet, or the board describes none. Any thread. */
     fun get(): List<PerceptKind> {
         isWanted = true
         return kinds
     }
 
-    /** Notes that a session has begun, with the same board or another one. Any thread. */
+    /** Notes that a session has begun, with the same or another board. Any thread. */
     fun renew() {
         isAsked = false
     }
 
-    /** Asks the board if that is wanted and was not done in this session. Called by the sensing thread. */
+    /** Asks the board, if that is wanted and was not done in this session. Called by the sensing thread. */
     fun askIfWanted() {
         if (!isWanted || isAsked || isGivenUp || !port.link.isPaced) return
         isAsked = true
@@ -50,7 +50,7 @@ internal class DescribedPercepts(private val port: OpenPort, private val warn: (
     }
 
     private companion object {
-        /** The time that sensing waits for a description, in ms: less than most boards take to be believed silent. */
+        /** Ms that sensing waits for a description: less than the usual time until a board is believed silent. */
         const val LIMIT_MS = 300
     }
 }

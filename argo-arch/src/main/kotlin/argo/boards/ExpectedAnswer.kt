@@ -2,24 +2,21 @@ package argo.boards
 
 import java.util.concurrent.TimeUnit
 
-/**
- * Predicts the time of a board's answer from the time that its last answers took. Only the sensing thread changes it; any thread may ask.
- */
+/** Predicts the time of a board's answer from the durations of its last answers. Only the sensing thread changes it; any thread may ask. */
 internal class ExpectedAnswer {
     private var askedNanos: Long? = null
     private var usualNanos: Long? = null
 
-    /** The expected time of the next answer, by the platform's clock; null: it is not known. */
+    /** The expected time of the next answer, by the platform's clock; null: not known. */
     @Volatile
     private var expectedNanos: Long? = null
 
-    /** Notes that the board is asked. */
     fun asked(nanos: Long) {
         askedNanos = nanos
         expectAfter(nanos)
     }
 
-    /** Notes that the answer has come; it counts as expected until it is [read]. */
+    /** Notes that the answer has come. It counts as expected until it is [read]. */
     fun came(nanos: Long) {
         val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked
@@ -28,14 +25,14 @@ internal class ExpectedAnswer {
         expectedNanos = nanos
     }
 
-    /** Notes that the answer can be perceived. The next answer is expected after [nextNanos], even before the board has been asked. */
+    /** Notes that the answer can be perceived. The next answer is expected after [nextNanos], even before the next request. */
     fun read(nextNanos: Long) = expectAfter(nextNanos)
 
     private fun expectAfter(nanos: Long) {
         expectedNanos = usualNanos?.let { nanos + it }
     }
 
-    /** Notes that the answer has not come in time: no answer is expected until one has come. */
+    /** Notes that the answer has not come in time. No answer is expected until one has come. */
     fun stayedOut() {
         usualNanos = null
         expectedNanos = null
@@ -45,10 +42,10 @@ internal class ExpectedAnswer {
     fun isNear(nowNanos: Long): Boolean = expectedNanos?.let { it - nowNanos in -LATE_NANOS..SOON_NANOS } == true
 
     companion object {
-        /** The longest wait of a snapshot for an answer that is not due yet: each wait delays percepts that have come. */
+        /** The longest wait of a snapshot for an answer that is not late: each wait delays percepts that have come. */
         val SOON_NANOS = TimeUnit.MILLISECONDS.toNanos(2)
 
-        /** The longest wait for an answer that is late, which is rare: eight boards on two processors answer some milliseconds apart. */
+        /** The longest wait for a late answer. Late answers are rare: eight boards on two processors answer some milliseconds apart. */
         val LATE_NANOS = TimeUnit.MILLISECONDS.toNanos(5)
         private const val WEIGHT = 8
     }

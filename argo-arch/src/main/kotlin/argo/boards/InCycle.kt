@@ -10,16 +10,14 @@ import argo.sensing.Sensing
 import java.util.concurrent.TimeUnit
 
 /**
- * The published coupling of reasoning cycles and lines, [argo.sensing.SensingPolicy.IN_CYCLE]: the agent's own thread asks each board in
- * turn and waits for its answer, once an interval, and writes commands at once. [perceiving] belongs to the agent's thread.
+ * The published coupling of reasoning cycles and lines, [argo.sensing.SensingPolicy.IN_CYCLE]: once an interval the agent's own thread asks
+ * each board in turn and waits for the answer. It writes commands at once. [perceiving] belongs to the agent's thread.
  */
 internal class InCycle(private val platform: Platform, private val waker: Waker) {
     private var lastStart: Long? = null
 
     /**
-     * Begins to perceive.
-     *
-     * @param sensings returns the sensing of each port in use; none while perceiving is blocked
+     * Asks the boards, if the interval is over; [sensings] returns the sensing of each port in use, and none while perceiving is blocked.
      */
     fun perceiving(intervalMs: Int, sensings: () -> List<Sensing>) {
         val start = platform.clock.nanos()
@@ -28,9 +26,8 @@ internal class InCycle(private val platform: Platform, private val waker: Waker)
         if (toAsk.isEmpty()) return
         lastStart = start
         toAsk.forEach(Sensing::exchange)
-        waker.wakeIn(intervalMs.toLong()) // an agent that has nothing else to do must perceive again
+        waker.wakeIn(intervalMs.toLong()) // an agent without other work must perceive again
     }
 
-    /** Sends [text] as a command. Any thread. */
     fun send(commands: CommandSender, text: String, options: CommandOptions): Transmission = ended(commands.sendNow(text, options))
 }

@@ -7,19 +7,19 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that the hand-over of their board has [ready][Board.isReady]. They
- * wait for boards whose answer is [near][ExpectedAnswer.isNear], [MAX_NANOS] at most, so that readings of several boards at one instant are
+ * Decides which snapshots of its [boards] an agent perceives now: those that their boards' hand-overs have [ready][Board.isReady]. They
+ * wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant are
  * perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
  * @param boards returns the boards that the agent perceives
- * @param wake wakes the agent until its argument holds; called when a wait has lasted too long
+ * @param wake wakes the agent until its argument returns true; called when a wait has lasted too long
  */
 internal class ReadySnapshots(
     private val platform: Platform,
     private val boards: () -> List<Board>,
     private val wake: (seen: () -> Boolean) -> Unit,
 ) {
-    /** A wait for the answers of [boards]. Each answer removes its board, so that an answer is not compared with all others. */
+    /** A wait for the answers of [boards]. Each answer removes its own board, so it is not compared with all others. */
     private class Wait(val beganNanos: Long, boards: List<Board>) {
         private val awaited = ConcurrentHashMap.newKeySet<Board>(boards.size).apply { addAll(boards) }
 
@@ -44,18 +44,15 @@ internal class ReadySnapshots(
         return boards.mapNotNull(Board::take)
     }
 
-    /** Notes that the answer of [board] has come, and can be perceived. */
+    /** Notes that the answer of [board] can be perceived. */
     fun answered(board: Board) {
         wait.get()?.leave(board)
     }
 
-    /**
-     * Returns true if the snapshot of [board], which has just become ready, waits for those of other boards. The agent is woken if that
-     * lasts too long.
-     */
+    /** Returns true if the newly ready snapshot of [board] waits for other boards. If that lasts too long, the agent is woken. */
     fun isAwaiting(board: Board): Boolean = boards().let { it.size > 1 && !board.isUrgent() && lasts(it) }
 
-    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first call with that result begins the wait. */
+    /** Returns true if the ready snapshots of [boards] wait for other boards' answers. The first true begins the wait. */
     private fun areAwaiting(boards: List<Board>) =
         boards.size > 1 && boards.any(Board::isReady) && boards.none(Board::isUrgent) && lasts(boards)
 
@@ -64,7 +61,7 @@ internal class ReadySnapshots(
         return (wait.get() ?: begin(boards, now))?.lasts(now) == true
     }
 
-    /** Begins a wait; null: no board is awaited. A timer wakes the agent if an answer stays out. */
+    /** Begins a wait; null: no board is awaited. If an answer stays out, a timer wakes the agent. */
     private fun begin(boards: List<Board>, nowNanos: Long): Wait? {
         val awaited = boards.filter { !it.isReady() && it.answer.isNear(nowNanos) }
         if (awaited.isEmpty()) return null
@@ -76,7 +73,7 @@ internal class ReadySnapshots(
     }
 
     companion object {
-        /** The longest that a snapshot waits, in ns. */
+        /** The longest wait of a snapshot, in ns. */
         val MAX_NANOS = ExpectedAnswer.SOON_NANOS + ExpectedAnswer.LATE_NANOS
     }
 }

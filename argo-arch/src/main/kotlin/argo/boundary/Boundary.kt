@@ -9,13 +9,12 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here, once in a cycle, and does not
- * change within it. [Live] hands inputs on. A recorder also notes them, and a replay replaces them by the recorded ones.
- *
- * Functions are called by the agent's thread unless they say otherwise, and within a cycle: between [cycleStarting] and [cycleFinished].
+ * The boundary between one agent and everything else. Every input of Jason's reasoning cycle passes here once in a cycle, and stays the
+ * same within the cycle. [Live] hands inputs on. A recorder also notes them. A replay replaces them by recorded ones.
+ * The agent's thread calls the functions within a cycle, between [cycleStarting] and [cycleFinished], unless they say otherwise.
  */
 interface Boundary {
-    /** Begins a reasoning cycle of the agent of [ts]. Carries out completions of [suspended] and the like. */
+    /** Begins a reasoning cycle of the agent of [ts]. Completes what ended outside of the agent's thread, such as [suspended] calls. */
     fun cycleStarting(ts: TransitionSystem)
 
     /** Returns the agent's perception in this cycle; [live] returns the perception of its boards and its environment. */
@@ -46,16 +45,15 @@ interface Boundary {
     /** Sends [message] to all other agents; [live] hands it to the infrastructure. */
     fun broadcast(message: Message, live: () -> Unit)
 
-    /** Carries [action] out. Calls [live] with [action], or with another one in its place; [live] hands that to the environment. */
+    /** Carries [action] out. Calls [live] with [action] or a replacement; [live] hands it to the environment. */
     fun act(action: ActionExec, live: (ActionExec) -> Unit)
 
-    /** Returns true if the agent may sleep. Also called outside of a cycle, and by other threads. */
+    /** Returns true if the agent may sleep. Other threads call this too, and outside of cycles. */
     fun canSleep(live: () -> Boolean): Boolean
 
-    /** Notes that Jason may have applied a rule of its cycle. Also called outside of a cycle, and by other threads. */
+    /** Notes that Jason may have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
     fun ruleApplied()
 
-    /** Ends the cycle. */
     fun cycleFinished()
 }
 
@@ -63,9 +61,8 @@ interface Boundary {
  * The perception of an agent in one cycle.
  *
  * @property percepts all percepts of the agent now; null: nothing has changed
- * @property waiting the number of events in the agent's queue before those of [percepts] are added, if these come from several boards and
- * take turns; else null
- * @property hasNamespaces whether a percept of the agent has, or has had, a namespace of its own
+ * @property waiting if events of several boards take turns, the number of events in the agent's queue before those of [percepts]; else null
+ * @property hasNamespaces whether a percept of the agent has or had its own namespace
  */
 class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = null, val hasNamespaces: Boolean = false)
 
@@ -74,8 +71,8 @@ class Perception(val percepts: MutableCollection<Literal>?, val waiting: Int? = 
  *
  * @property name the action as the agent writes it, such as `argo.act`
  * @property args the call's arguments, as Jason prepares them
- * @property un the unifier by which the call may bind the variables in [args]
- * @property suspend suspends the intention as a successful call does; null: the call suspends none
+ * @property un the unifier in which the call may bind the variables of [args]
+ * @property suspend suspends the intention like a successful call; null: the call suspends none
  */
 class InternalCall(val name: String, val args: Array<Term>, val un: Unifier, val suspend: (() -> Unit)? = null) {
     override fun toString() = "$name(${args.joinToString(",")})"

@@ -3,9 +3,7 @@ package argo.boundary
 import java.util.concurrent.ConcurrentLinkedQueue
 
 /**
- * A queue for the ends of work that an agent has started outside of its thread. They wait there for the agent's next cycle, in the order in
- * which they came.
- *
+ * A queue for the ends of work that an agent has started outside of its thread. Ends wait there, in order, for the agent's next cycle.
  * @param wake wakes the agent until its argument returns true: the agent has seen the end
  */
 class CompletionInbox<T : Any>(private val wake: (seen: () -> Boolean) -> Unit) {

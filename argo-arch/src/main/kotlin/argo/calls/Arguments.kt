@@ -5,26 +5,24 @@ import jason.asSyntax.Literal
 import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 
-/** An argument that an internal action cannot use; [message] has the argument and the expectation. */
+/** An argument that an internal action cannot use; [message] names the argument and the expectation. */
 internal class ArgumentException(message: String) : Exception(message)
 
 /**
- * Returns the options in [list].
- *
- * @param example a list as it should be, for the message
- * @throws ArgumentException if [list] is no proper list: a program may pass a variable, or a list with an open end
+ * Returns the options in [list]. Throws [ArgumentException] with [example] if [list] is no proper list: a program may pass a variable, or a
+ * list with an open end.
  */
 internal fun optionsIn(list: Term, example: String): List<Term> =
     (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
         ?: throw ArgumentException("the second argument is a list of options such as $example, not $list")
 
 /**
- * Returns [start] after each option in [list] has changed it.
+ * Applies each option in [list] to [start] and returns the result.
  *
- * @param example a list as it should be, for the message
+ * @param example a correct list, for the message
  * @param known the known options, for the message
- * @param with sets an option; returns null if there is no such option
- * @throws ArgumentException as [optionsIn] does, or if options cannot be used; the message names all of these
+ * @param with applies an option; null: the option is unknown
+ * @throws ArgumentException like [optionsIn], or if options cannot be used; the message names all of these
  */
 internal fun <T : Any> withOptions(start: T, list: Term, example: String, known: String, with: T.(Term) -> T?): T {
     val wrong = ArrayList<String>()
@@ -49,7 +47,7 @@ internal fun <T : Any> withOptions(start: T, list: Term, example: String, known:
 internal fun whole(option: Literal, range: IntRange): Int = wholeNumber(option.getTerm(0))?.takeIf { it in range }
     ?: throw ArgumentException("$option: ${option.functor} takes a whole number from ${range.first} to ${range.last}")
 
-/** Returns [term] as a whole number, or null if it is none. */
+/** Returns [term] as a whole number; null: it is none. */
 internal fun wholeNumber(term: Term): Int? {
     val value = (term as? NumberTerm)?.takeIf { it.isNumeric && it.isGround }?.solve() ?: return null
     return value.toInt().takeIf { it.toDouble() == value }

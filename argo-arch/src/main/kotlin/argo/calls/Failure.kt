@@ -27,7 +27,7 @@ internal fun Failure.whileLost(): Failure =
 /** Returns the failure for an argument of a wrong kind. */
 internal fun wrongArgument(cause: String) = Failure("wrong_arguments", cause)
 
-/** Returns the failure of a plan for [trouble] with a port; an exception that no transport should throw is `port_failed`, too. */
+/** Returns the failure of a plan for [trouble] with a port. An exception that no transport should throw is also `port_failed`. */
 internal fun failureOf(trouble: Throwable): Failure = Failure(
     errorOf(trouble),
     if (trouble is PortException) trouble.message ?: trouble.javaClass.simpleName else "$trouble",

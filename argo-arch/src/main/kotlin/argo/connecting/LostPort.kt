@@ -4,11 +4,9 @@ import jason.asSyntax.Term
 import java.util.concurrent.TimeUnit
 
 /**
- * A port whose device has gone, under one of its agent's names for the port, with the time of the next look for the device.
- *
- * The first look finds out if the device is there at all, and opens nothing. A port that is lost although its device is there, as with a
- * serial server that accepts every connection and then hangs up, is opened ever more seldom. Used by one thread at a time.
- *
+ * A lost port under one of its agent's names for it, with the time of the next look for its device.
+ * The first look only finds out whether the device is there. A port may be lost although its device is there: a serial server may accept
+ * each connection and then hang up. Such a port is opened ever more seldom. Used by one thread at a time.
  * @property port the port that was lost
  * @property term the port as the agent calls it
  * @property name the port in the form for the transport
@@ -24,10 +22,7 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
     var losses = if (wasSound) 0 else port.losses + 1
         private set
 
-    /**
-     * Takes the result of a look.
-     * @return whether the port is to be opened now
-     */
+    /** Takes the result of a look; returns whether to open the port now. */
     fun looked(present: Boolean): Boolean {
         if (!present) losses = 0
         if (looks++ == 0) {
@@ -38,25 +33,21 @@ internal class LostPort(val port: OpenPort, val term: Term, val name: String, no
         return present
     }
 
-    /** Returns the time until the next look, in ms. */
     fun nextLookMs(): Long = delayMs
 
-    /**
-     * Notes that the port could not be opened.
-     * @return whether to report it: a failure of this kind is reported once, when it occurs for the [REPORTED_FAILURE]th time
-     */
+    /** Notes that the port could not be opened. Returns true for failure number [REPORTED_FAILURE] of a kind: it is to be reported. */
     fun failed(trouble: Throwable): Boolean = failures.merge(trouble.javaClass, 1, Int::plus) == REPORTED_FAILURE
 
     private companion object {
         const val FIRST_DELAY_MS = 100L
 
-        /** The time between two looks for a device that is not there. */
+        /** The longest time between two looks for a missing device. */
         const val MAX_LOOK_MS = 800L
         const val MAX_DELAY_MS = 10_000L
         const val MAX_DOUBLINGS = 10
         val SOUND_NANOS = TimeUnit.SECONDS.toNanos(2)
 
-        /** The number of failures before a report: for a moment after it is plugged in, this user may not open a device. */
+        /** The number of failures before a report: just after a device is plugged in, the user may not open it for a moment. */
         const val REPORTED_FAILURE = 4
     }
 }

@@ -9,13 +9,11 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports of one agent whose devices have gone. Each is searched for on a thread of its own, so a host that does not answer delays the
- * search for no other device. Safe for use by several threads.
+ * The ports of one agent whose devices have gone. Each device has its own searching thread, so a silent host delays no other search. Safe
+ * for use by several threads.
  *
- * @param owner the agent's name, part of the threads' names
- * @param platform finds devices and schedules the looks
  * @param reopen opens a port whose device is present, and removes it from these lost ports
- * @param warn takes the reason why a port cannot be opened although its device has returned, once for each cause, and the ports that are
+ * @param warn takes, once for each cause, the reason why a port whose device has returned cannot be opened; also takes the ports that are
  *     given up
  */
 internal class LostPorts(
@@ -26,20 +24,18 @@ internal class LostPorts(
 ) {
     private val lock = ReentrantLock()
     private val lost = ArrayList<LostPort>()
-    private val closing = LinkedHashMap<OpenPort, Set<String>>() // lost ports that are not closed yet, each with its names
+    private val closing = LinkedHashMap<OpenPort, Set<String>>() // lost ports that are not closed yet, with their names
 
-    /** The number of lost ports. */
     val size: Int get() = lock.withLock { lost.size }
 
     operator fun contains(port: LostPort): Boolean = lock.withLock { port in lost }
 
-    /** Adds [ports]; the search begins with [lookFor]. */
     fun add(ports: List<LostPort>) = lock.withLock {
         lost += ports
         ports.forEach { closing.merge(it.port, setOf(it.name), Set<String>::plus) }
     }
 
-    /** Removes the lost entries for [term] that belong to a port other than [port]. */
+    /** Removes the entries for [term] that belong to another port than [port]. */
     fun removeOthers(term: Term, port: OpenPort) {
         lock.withLock { lost.removeAll { it.term == term && it.port !== port } }
     }
@@ -50,15 +46,14 @@ internal class LostPorts(
         givenUp.forEach { warn("port ${it.term} is looked for no more: the agent has as many other ports as it may have") }
     }
 
-    /** Forgets all lost ports. Ports that are being closed are still closed. */
+    /** Forgets all lost ports. Ports that are being closed still get closed. */
     fun clear() = lock.withLock { lost.clear() }
 
-    /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]; returns when the device is free. */
+    /** Closes the lost ports of the device with the [canonical name][Transports.canonicalName] [key]. Returns when the device is free. */
     fun close(key: String) = lock.withLock { closing.toMap() }
         .filterValues { names -> names.any { runCatching { Transports.canonicalName(it) }.getOrDefault(it) == key } }
         .keys.forEach(::close)
 
-    /** Closes all lost ports; returns when their devices are free. */
     fun closeAll() = lock.withLock { closing.keys.toList() }.forEach(::close)
 
     private fun close(port: OpenPort) {
@@ -66,7 +61,7 @@ internal class LostPorts(
         lock.withLock { closing -= port }
     }
 
-    /** Closes [port], and looks for its device repeatedly until [port] is removed. Does not wait. */
+    /** Closes [port], and looks for its device until [port] is removed. Does not wait. */
     fun lookFor(port: LostPort) {
         val trouble = troubleOf { platform.start("argo-$owner-looking-for-${port.name}") { look(port) } }
         if (trouble != null) lookLater(port, trouble) // the machine has no thread for the look
@@ -82,7 +77,7 @@ internal class LostPorts(
     private fun look(port: LostPort) {
         var isPresent = false
         val unknown = troubleOf {
-            close(port.port) // closed here and not earlier, since the thread that finds the loss may not be allowed to wait
+            close(port.port) // not closed earlier: the thread that finds the loss may not wait
             isPresent = port in this && platform.isPresent(port.name)
         }
         if (port !in this) return
@@ -92,7 +87,8 @@ internal class LostPorts(
 }
 
 /**
- * Does [work] and returns any exception that it throws: a plan that waits for its port must go on, and so must the search for a lost one.
+ * Does [work] and returns any exception that it throws. The exception must end neither a plan that waits for its port nor the search for a
+ * lost port.
  */
 internal fun troubleOf(work: () -> Unit): Throwable? = try {
     work()

@@ -8,10 +8,10 @@ import java.util.concurrent.ConcurrentHashMap
  * A port that an agent holds open. Safe for use by several threads.
  *
  * @param names the agent's terms for the port, each with the name that the transport opens
- * @property link the line to its board
+ * @property link the line to the board
  * @property openedNanos the time at which it was opened, by the platform's clock
- * @property losses the number of times in a row that it was lost soon after it had been opened
- * @param use makes the user of the port, which is closed with it
+ * @property losses how many times in a row the port was lost soon after its opening
+ * @param use makes the port's user, which is closed with the port
  */
 internal class OpenPort(
     names: Map<Term, String>,
@@ -21,7 +21,6 @@ internal class OpenPort(
     val losses: Int,
     use: (OpenPort) -> AutoCloseable,
 ) {
-    /** The options with which the port was opened. */
     @Volatile
     var options: PortOptions = options
         private set
@@ -29,27 +28,24 @@ internal class OpenPort(
     private val namesByTerm = ConcurrentHashMap(names)
     private val user = use(this)
 
-    /** The agent's terms for the port, each with the name that the transport opens: a device may have several names. */
+    /** The agent's terms for the port, each with the name that the transport opens. A device may have several names. */
     val names: Map<Term, String> get() = namesByTerm
 
-    /** The agent's terms for the port. */
     val terms: Set<Term> get() = namesByTerm.keys
 
-    /** True if a message has come from the board. */
     @Volatile
     var hasSpoken = false
 
-    /** Adds a [term] of the agent for the port, and the [name] that the transport opens. */
     fun addName(term: Term, name: String) {
         namesByTerm[term] = name
     }
 
-    /** Changes the namespace of the board's percepts to [namespace]; null: the default one. */
+    /** Changes the namespace of the board's percepts; null: the default namespace. */
     fun renamed(namespace: String?) {
         options = options.copy(namespace = namespace)
     }
 
-    /** Closes the link, then its user. Closing a link takes as long as its transport does. May be called twice and by any thread. */
+    /** Closes the link, then its user. This takes as long as the transport takes. Idempotent; any thread. */
     fun close() {
         link.close()
         user.close()
@@ -58,15 +54,12 @@ internal class OpenPort(
 
 /** The user of an agent's ports. */
 internal interface PortUser {
-    /** Makes the user of [port]; it starts nothing before [opened], and is closed with the port. */
+    /** Makes the user of [port]. The user starts nothing before [opened], and is closed with the port. */
     fun use(port: OpenPort): AutoCloseable
 
     /** Notes that [port] is open and belongs to the agent. Called by the thread that opened it. */
     fun opened(port: OpenPort)
 
-    /**
-     * Notes that the ports in use have changed: to others, to none, or to the same devices opened anew. Called by the thread that changed
-     * them.
-     */
+    /** Notes that the ports in use have changed: to others, to none, or to the same devices opened anew. Called by the changing thread. */
     fun portInUseChanged()
 }

@@ -5,21 +5,21 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]: only one thread at a time opens each.
- * Opening over a network may take seconds. So an opening that the agent asks for interrupts one of the same device that it has not asked
- * for. Safe for use by several threads.
+ * The devices that one agent is opening now, by [canonical name][javino.Transports.canonicalName]. One thread at a time opens a device. An
+ * opening over a network may take seconds. So an opening that the agent asks for interrupts another of the same device that it has not
+ * asked for. Safe for use by several threads.
  */
 internal class PortOpenings(private val platform: Platform) {
     private val lock = platform.clock.newLock(false)
     private val changed = lock.newCondition()
     private val underWay = HashMap<String, Thread>()
 
-    /** Does [work], which opens [device]; does nothing if another thread is opening it. */
+    /** Does [work], which opens [device], unless another thread is opening it. */
     fun ifFree(device: String, work: () -> Unit) {
         if (lock.withLock { underWay.putIfAbsent(device, Thread.currentThread()) } == null) doing(device, work)
     }
 
-    /** Does [work], which opens [device], after interrupting a thread that is opening it. */
+    /** Does [work], which opens [device]. Interrupts another thread that is opening it. */
     fun <T> atOnce(device: String, work: () -> T): T {
         lock.withLock {
             while (device in underWay) {
@@ -31,7 +31,6 @@ internal class PortOpenings(private val platform: Platform) {
         return doing(device, work)
     }
 
-    /** Interrupts all openings under way. */
     fun interrupt() = lock.withLock { underWay.values.forEach(Thread::interrupt) }
 
     private fun <T> doing(device: String, work: () -> T): T {
@@ -42,7 +41,7 @@ internal class PortOpenings(private val platform: Platform) {
                 underWay.remove(device)
                 changed.signalAll()
             }
-            Thread.interrupted() // an interrupt was meant only for this work
+            Thread.interrupted() // the interrupt was only for this work
         }
     }
 

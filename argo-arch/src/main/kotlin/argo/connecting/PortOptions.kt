@@ -12,12 +12,12 @@ import javino.link.LinkSettings
 /**
  * The options of a port: the second argument of `argo.port`.
  *
- * @property link baud rate and manners on the line
- * @property timeoutMs the time that an answer may take, in ms
- * @property listens whether the board speaks unasked, so that it is listened to and never asked
- * @property hasBaud whether the rate is set; else it is the usual one of the port's kind, see [on]
+ * @property link the settings of the link
+ * @property timeoutMs ms that an answer may take
+ * @property listens whether the board speaks unasked; it is then only listened to
+ * @property hasBaud whether the rate is set; if not, it is the usual rate of the port's kind, see [on]
  * @property namespace the namespace of the board's percepts; null: the default namespace
- * @property staleMs the time in ms without a message after which `stale(Port)` is believed, 0: never; null: the default
+ * @property staleMs ms without a message after which `stale(Port)` is believed; 0: never; null: the default
  */
 internal data class PortOptions(
     val link: LinkSettings = LinkSettings.defaults(),
@@ -28,30 +28,27 @@ internal data class PortOptions(
     val namespace: String? = null,
 ) {
     companion object {
-        /** The time that an answer may take without `timeout(Ms)`: three times as long as twelve percepts take at 9600 baud. */
+        /** The default time for an answer in ms, three times as long as twelve percepts take at 9600 baud. */
         const val DEFAULT_TIMEOUT_MS = 500
 
-        /**
-         * Reads a list such as `[baud(115200), timeout(500)]`.
-         * @throws ArgumentException if it is not a list of known options
-         */
+        /** Reads a list such as `[baud(115200), timeout(500)]`. Throws [ArgumentException] if [term] is no list of known options. */
         fun of(term: Term): PortOptions = withOptions(PortOptions(), term, "[baud(115200)]", KNOWN) { with(it) }
     }
 
     /**
-     * Returns the link's settings for its line. A line that is not [paced] is used as published, with version 1 of the protocol unless the
-     * options ask for version 2.
+     * Returns the link's settings. A line that is not [paced] is used as published: with version 1 of the protocol, unless the options ask
+     * for version 2.
      */
     fun linkSettings(paced: Boolean): LinkSettings {
         val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
         return link.withPaced(paced).withProtocol(version)
     }
 
-    /** Returns these options for [port]: with the usual rate of its kind, if none is set. */
+    /** Returns these options for [port]. If no rate is set, they get the usual rate of the port's kind. */
     fun on(port: String): PortOptions =
         if (hasBaud) this else copy(link = link.withBaud(Transports.usualLine(port).baud()), hasBaud = true)
 
-    /** Returns true if a port is opened in the same way with [other] as with these options; the namespaces may differ. */
+    /** Returns true if [other] opens a port in the same way. The namespaces may differ. */
     fun openAs(other: PortOptions): Boolean = copy(namespace = other.namespace) == other
 
     private fun with(option: Term): PortOptions? {

@@ -6,29 +6,25 @@ import jason.asSyntax.Term
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** The state of a port in an agent's beliefs, as in `port(ttyACM0,on)`. */
+/** The state of a port in an agent's beliefs, such as `port(ttyACM0,on)`. */
 internal enum class PortStatus(val word: String) {
-    /** Open, and without trouble since the last answer. */
+    /** The port is open, without trouble since the last answer. */
     ON("on"),
 
-    /** Not open: opening failed, or the port's device has gone. */
+    /** The port is not open: opening failed, or its device has gone. */
     OFF("off"),
 
-    /** Open, but the board did not answer in time. */
+    /** The port is open, but the board did not answer in time. */
     TIMEOUT("timeout");
 
     companion object {
-        /** The atoms that can be a port's status. */
         val WORDS: Set<String> = entries.map { it.word }.toSet()
     }
 }
 
 /**
- * The states of the ports that an agent has asked for, which it believes as `port(P,on)`, `port(P,off)` or `port(P,timeout)`.
- *
- * Safe for use by several threads.
- *
- * @param changed is called after each change, outside any lock, with the port, its new state and the reason if there is one
+ * The states of an agent's ports, believed as `port(P,on)`, `port(P,off)` or `port(P,timeout)`. Safe for use by several threads.
+ * @param changed called after each change, outside any lock, with the port, its new state and the reason, if any
  */
 internal class PortStates(private val changed: (Term, PortStatus, String?) -> Unit) {
     private val lock = ReentrantLock()
@@ -37,9 +33,9 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
     private var believedVersion = 0L
 
     /**
-     * Sets the state of the port that the agent calls [port]; [reason] is for the log.
+     * Sets the state of the agent's port [port]; [reason] is for the log.
      *
-     * @param isHeld returns true if the port is still the agent's; else no state is set, so a given-up port stays forgotten after [clear]
+     * @param isHeld returns true if the port is still the agent's; if not, no state is set, so [clear] has the last word on a given-up port
      */
     fun set(port: Term, status: PortStatus, reason: String? = null, isHeld: () -> Boolean = { true }) {
         val isNew = lock.withLock {
@@ -55,16 +51,14 @@ internal class PortStates(private val changed: (Term, PortStatus, String?) -> Un
         version++
     }
 
-    /** Returns true if something has changed since [beliefs] was asked last. */
+    /** Returns true if a state has changed since the last call of [beliefs]. */
     fun hasNews(): Boolean = lock.withLock { version != believedVersion }
 
-    /** Returns all ports by the agent's terms, with their states. */
     fun all(): List<Pair<Term, PortStatus>> = lock.withLock { states.values.toList() }
 
-    /** Returns the state of the port that the agent calls by one of [names]; null: it is not known. */
+    /** Returns the state of the port with one of [names]; null: not known. */
     fun statusOf(names: Collection<Term>): PortStatus? = lock.withLock { names.firstNotNullOfOrNull { states["$it"]?.second } }
 
-    /** Returns the beliefs about all ports. */
     fun beliefs(): List<Literal> = lock.withLock {
         believedVersion = version
         states.values.map { (port, status) -> ASSyntax.createLiteral("port", port, ASSyntax.createAtom(status.word)) }

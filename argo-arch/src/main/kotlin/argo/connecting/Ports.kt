@@ -13,17 +13,16 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The ports that one agent holds open, and those it uses now.
+ * The ports that one agent holds open, and the ports in use.
  *
- * Links stay open until [closeAll], since opening a port resets most boards. A port whose device has gone is opened again, with its
- * options, when the device returns; until then every call on it fails. Opening and closing may block, so they run on a sequential executor
- * (the agent's requests, several ports of one request at once) or on one thread per lost port. Safe for use by several threads.
+ * Links stay open until [closeAll], since opening a port resets most boards. When the device of a lost port returns, the port is opened
+ * again with its options; until then every call on it fails. Opening and closing may block. So a sequential executor does them for the
+ * agent's requests, several ports of one request at once. Each lost port has its own thread. Safe for use by several threads.
  *
- * @param owner the agent's name, which the message to a second agent on the same port contains
- * @param user uses the ports
+ * @param owner the agent's name, for the message to a second agent on a port
  * @param paced whether messages are written at the pace of the line, see [javino.link.LinkSettings.paced]
- * @param platform opens the ports, and times the search for lost ones
- * @param warn takes reports that are no state of a port, such as why a port cannot be opened although its device has returned
+ * @param platform opens ports, and schedules the search for lost ones
+ * @param warn takes reports that are no state of a port, such as why a returned device cannot be opened
  */
 internal class Ports(
     private val owner: String,
@@ -44,35 +43,32 @@ internal class Ports(
     private val openings = PortOpenings(platform)
     private val opener = SequentialExecutor(platform, "argo-$owner-opening")
 
-    /** The ports in use, for sensing and acting. */
     @Volatile
     var inUse: List<PortInUse> = emptyList()
         private set
 
-    /** The first of [inUse], or null. */
     val current: OpenPort? get() = inUse.firstOrNull()?.port
 
-    /** Returns all open ports. */
     fun all(): List<OpenPort> = lock.withLock { open.values.toList() }
 
     /**
-     * Makes the port [name] the one in use, and opens it if it is not open yet, on another thread.
+     * Puts the port [name] in use, on another thread; opens it if necessary.
      *
      * @param term the port as the agent calls it
      * @param options the options of the port; null: the options that the agent gave last
-     * @param outcome is called once by another thread, with null or with the reason why the port in use is still the one before; not called
-     * if the agent is being stopped
+     * @param outcome called once by another thread, with null or with the reason why the port in use has not changed; not called if the
+     * agent is being stopped
      */
     fun choose(term: Term, name: String, options: PortOptions?, outcome: (Failure?) -> Unit) =
         inTurn { outcome(tryToChoose(term, name, options)) }
 
     /**
-     * Makes the ports [wanted] those in use, in their order, and opens those that are not open yet, all at once. Each is in use as soon as
-     * it is open; ports that are not wanted leave use when the first wanted one is in use. A wanted port that was in use and cannot be
-     * opened stays in use, and is searched for as before.
+     * Puts the ports [wanted] in use, in their order; opens them at once if necessary. Each is in use as soon as it is open. Other ports
+     * leave use when the first wanted port is in use. If a port in use is wanted but cannot be opened, it stays in use, and the search for
+     * it goes on.
      *
-     * @param outcome is called once by another thread, when all are open or have failed, with null or with the reason why some are not
-     * open; not called if the agent is being stopped
+     * @param outcome called once by another thread when all are open or have failed, with null or with the reason why some are not open;
+     * not called if the agent is being stopped
      */
     fun chooseAll(wanted: List<WantedPort>, outcome: (Failure?) -> Unit) = inTurn { outcome(tryToChooseAll(wanted)) }
 
@@ -99,7 +95,7 @@ internal class Ports(
         return asOne(wanted.mapNotNull { one -> failures[one]?.let { one to it } }, wanted.size)
     }
 
-    /** Combines the failures in [failed], of [wanted] ports in all, into one; null: none failed. */
+    /** Combines failures of some of [wanted] ports into one; null: none failed. */
     private fun asOne(failed: List<Pair<WantedPort, Failure>>, wanted: Int): Failure? = when (failed.size) {
         0 -> null
         1 -> failed.single().second
@@ -110,7 +106,7 @@ internal class Ports(
         )
     }
 
-    /** Opens [wanted] and puts it in use by [use], which is called with [choosing] held; returns the reason if it cannot be opened. */
+    /** Opens [wanted] and puts it in use by [use], called with [choosing] held. Returns the reason if the port cannot be opened. */
     private fun tryToUse(wanted: WantedPort, use: (OpenPort) -> Unit): Failure? {
         val trouble = troubleOf {
             val key = Transports.canonicalName(wanted.name)
@@ -137,7 +133,7 @@ internal class Ports(
         }
     }
 
-    /** Opens a port with the options of [wanted] in place of [held]; if that fails, opens it again as [held] was. */
+    /** Opens a port with the options of [wanted] in place of [held]. If that fails, opens it again like [held]. */
     private fun openOtherwise(held: OpenPort?, key: String, name: String, term: Term, wanted: PortOptions): OpenPort {
         if (held == null) return openNew(key, name, wanted, mapOf(term to name))
         forget(held)
@@ -180,7 +176,7 @@ internal class Ports(
         return port
     }
 
-    /** Notes that [port] can be used by the name [term]. If there are too many ports, gives up those that were lost first. */
+    /** Notes that [port] can be used under the name [term]. If there are too many ports, gives up those that were lost first. */
     private fun noteReturn(port: OpenPort, term: Term, name: String) {
         port.addName(term, name)
         lost.removeOthers(term, port)
@@ -188,19 +184,19 @@ internal class Ports(
         report(port, PortStatus.ON)
     }
 
-    /** Sets the state of [port] under each of its names; a port that has been given up keeps none. */
+    /** Sets the state of [port] under each of its names. A given-up port has no state. */
     fun report(port: OpenPort, status: PortStatus, reason: String? = null) =
         port.names.keys.forEach { states.set(it, status, reason) { lock.withLock { open.containsValue(port) } } }
 
     /**
-     * Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port given up before. Never
-     * waits for the driver: another thread closes the port.
+     * Gives up [port], whose device has gone with [trouble], and searches for the device. Does nothing for a port that is given up already.
+     * Never waits for the driver: another thread closes the port.
      */
     fun lost(port: OpenPort, trouble: PortException) = lose(port, trouble) { open.values.remove(port) }
 
     /**
-     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews], called with the
-     * lock held, returns false.
+     * Searches for the device of [port] under each of the port's names, once the port is closed. Does nothing if [isNews] returns false,
+     * called with the lock held.
      */
     private fun lose(port: OpenPort, trouble: Throwable, isNews: () -> Boolean = { true }) {
         val ports = port.names.map { (term, name) -> LostPort(port, term, name, platform.clock.nanos()) }
@@ -213,7 +209,7 @@ internal class Ports(
         ports.forEach(lost::lookFor)
     }
 
-    /** Opens [found] with its options; called by the thread that searches for it. The port may be open already by another name. */
+    /** Opens [found] with its options, on its searching thread. The port may be open already under another name. */
     private fun reopen(found: LostPort) {
         val key = Transports.canonicalName(found.name)
         openings.ifFree(key) {
@@ -242,15 +238,14 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports, on another thread; afterwards none is in use, none is searched for, and no belief about a port remains.
-     * @param closed is called by that thread
+     * Closes all ports, on another thread, which then calls [closed]. Afterwards no port is in use, none is searched for, and no belief
+     * about a port remains.
      */
     fun closeAll(closed: () -> Unit) = inTurn {
         closeNow()
         closed()
     }
 
-    /** Runs [work] after the agent's earlier requests, unless the agent is being stopped. */
     private fun inTurn(work: () -> Unit) = lock.withLock { if (!stopped) opener.execute(work) }
 
     private fun closeNow() {
@@ -271,8 +266,8 @@ internal class Ports(
     }
 
     /**
-     * Closes all ports for good; a port that is being opened now is closed at once. Another agent that asks for one of them waits until it
-     * is closed. May be called twice.
+     * Closes all ports for good, those that are being opened too. Another agent that asks for one of them waits until it is closed.
+     * Idempotent.
      */
     fun stop() {
         lock.withLock {
@@ -286,7 +281,7 @@ internal class Ports(
     }
 
     companion object {
-        /** The most ports that one agent holds: the paper names 127 boards. */
+        /** The most ports of one agent: the paper names 127 boards. */
         const val MAX_PORTS = 127
     }
 }
@@ -300,7 +295,7 @@ internal class Ports(
  */
 internal data class WantedPort(val term: Term, val name: String, val options: PortOptions?)
 
-/** A port in use, and the agent's term for it when it chose the port. */
+/** A port in use, with the term by which the agent chose it. */
 internal data class PortInUse(val term: Term, val port: OpenPort)
 
 /** An agent asks for more ports than it may hold. */

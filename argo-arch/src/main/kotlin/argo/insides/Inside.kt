@@ -12,7 +12,6 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         there.apply { isAccessible = true }
     }
 
-    /** True if this version of Jason has the field. */
     val isThere: Boolean get() = try {
         member.name in names
     } catch (_: LinkageError) {
@@ -33,7 +32,7 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
     }
 }
 
-/** Returns the member of Jason called [name], which [find] finds. Throws a [LinkageError] if this version of Jason has no such member. */
+/** Returns the member of Jason that [find] finds. If this version of Jason has none, throws a [LinkageError] with [name]. */
 internal fun <T> inside(name: String, find: () -> T): T = try {
     find()
 } catch (missing: ReflectiveOperationException) {

@@ -24,42 +24,42 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * All private members of Jason that ARGO uses, except those of `.wait`, which [WaitEvents] has. The comment of each member gives the reason
- * why no extension point of Jason suffices. Only ARGO's own modules may use them: another version of Jason may have others.
+ * All private members of Jason that ARGO uses, except those of `.wait`, which [WaitEvents] has. A member's comment says why no extension
+ * point of Jason suffices. Only ARGO's own modules may use the members: another version of Jason may have others.
  */
 object Insides {
     private val found = ArrayList<Inside<*>>()
 
-    /** Jason hands out the scheduler of `.wait` and `.at`, but nobody can replace it. */
+    /** Jason gives access to the scheduler of `.wait` and `.at`, but nobody can replace it. */
     val scheduler: Inside<ScheduledExecutorService> = of(Agent::class.java, "scheduler")
 
-    /** `setIA` sets one action, whose name must be known before its use; a term made from a text may ask for any name. */
+    /** `setIA` sets one action of a known name; a term made from a text may ask for any name. */
     val actions: Inside<Map<String, InternalAction>> = of(Agent::class.java, "internalActions")
 
     /** `addFunction` refuses a name that exists already, such as `math.random`. */
     val functions: Inside<MutableMap<String, ArithFunction>> = of(FunctionRegister::class.java, "functions")
 
-    /** A term gets its function when it is made, and has no setter for a wrapped one. */
+    /** A term gets its function when it is made; there is no setter. */
     val functionOfTerm: Inside<ArithFunction?> = of(ArithFunctionTerm::class.java, "function")
 
-    /** `registerDirective` does not replace a directive that has been used; and it would make a new `include`, without the source path. */
+    /** `registerDirective` does not replace a used directive, and would make a new `include` without the source path. */
     val directives: Inside<MutableMap<String, Directive>> = of(DirectiveProcessor::class.java, "singletons")
 
-    /** `runAtBeginOfNextCycle` notifies nobody when another thread leaves work. */
+    /** If another thread leaves work, `runAtBeginOfNextCycle` notifies nobody. */
     val tasks: Inside<Queue<RunnableSerializable>> = of(TransitionSystem::class.java, "taskForBeginOfCycle")
 
-    /** The cycles since the agent last perceived (`nrcbp`): Jason counts them, and does not publish the number. */
+    /** The cycles since the agent last perceived (`nrcbp`): Jason counts them without publishing the number. */
     val cyclesUnperceived: Inside<Int> = of(TransitionSystem::class.java, "nrcslbr")
 
-    /** True if Jason has notified the agent that it falls asleep: no public member shows that. */
+    /** True if Jason has notified the agent that it falls asleep; no public member shows that. */
     val isAsleep: Inside<Boolean> = of(TransitionSystem::class.java, "sleepingEvt")
 
-    // events and intentions of an agent that a replay begins in the middle of its life; Jason makes them only by reasoning
+    // events and intentions of an agent whose replay begins in the middle of its life; Jason makes them only by reasoning
 
     /** There is no setter. */
     val atomicEvent: Inside<Event?> = of(Circumstance::class.java, "AE")
 
-    /** The public method that returns it also removes it. */
+    /** The public getter also removes the intention. */
     val atomicIntention: Inside<Intention?> = of(Circumstance::class.java, "AI")
 
     /** There is no setter. */
@@ -77,10 +77,10 @@ object Insides {
     /** There is no setter. */
     val selectedIntention: Inside<Intention?> = of(Circumstance::class.java, "SI")
 
-    /** The order of percepts follows from the capacity of this set, which public methods, adding beliefs one by one, cannot choose. */
+    /** The order of percepts depends on the capacity of this set. Public methods add beliefs one by one, so they cannot choose it. */
     val percepts: Inside<Set<Literal>> = of(DefaultBeliefBase::class.java, "percepts")
 
-    /** Jason's counters, which all agents of a program share: Jason neither shows nor sets their values. */
+    /** Jason's counters, shared by all agents of a program: Jason neither shows nor sets their values. */
     val intentionCounter: Inside<AtomicInteger> = of(Intention::class.java, "idCount")
     val messageCounter: Inside<AtomicInteger> = of(Message::class.java, "idCount")
     val planCounter: Inside<AtomicInteger> = of(Agent::class.java.getMethod("getPL").returnType, "lastPlanLabel")

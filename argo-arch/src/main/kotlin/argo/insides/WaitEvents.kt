@@ -12,8 +12,8 @@ import jason.stdlib.wait
 import java.lang.reflect.Constructor
 
 /**
- * The object by which a `.wait` of Jason's waits: a listener of the agent's circumstance, whose class is private. If another version of
- * Jason has no such class or member, all members but [isThere] throw a [LinkageError].
+ * The object of a waiting `.wait` of Jason's: a listener of the agent's circumstance with a private class. If another version of Jason has
+ * no such class or member, all members but [isThere] throw a [LinkageError].
  */
 object WaitEvents {
     private const val NAME = "jason.stdlib.wait\$WaitEvent"
@@ -44,18 +44,17 @@ object WaitEvents {
     internal val fields: List<Inside<*>>
         get() = listOf(trigger, formula, reason, key, unifier, intention, isDropped, elapsed, timeout)
 
-    /** True if this version of Jason has the class and all members. */
     val isThere: Boolean get() = try {
         make.parameterCount > 0 && fields.all { it.isThere }
     } catch (_: LinkageError) {
         false
     }
 
-    /** Returns true if [listener] is a waiting `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
     /**
-     * Makes a waiting `.wait` for the selected intention of [ts], and suspends that. With a [timeout] of 0 or more ms it begins a timer.
+     * Makes a waiting `.wait` for the selected intention of [ts], and suspends the intention. With a [timeout] from 0 ms on it begins a
+     * timer.
      */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,

@@ -12,39 +12,39 @@ import javino.wire.CommandItem
 import java.util.concurrent.CompletableFuture
 
 /**
- * An open port through which one agent exchanges messages with a board: over a line that carries bytes ([JavinoLink]), or over the link of
- * a [BoardLinkProvider].
+ * An open port through which one agent exchanges messages with a board: a line that carries bytes ([JavinoLink]), or the link of a
+ * [BoardLinkProvider].
  *
- * Safe for use by several threads. Once the far end has gone, or the link is closed, every call but [close] and [wants] fails with
- * [PortGoneException], waiting calls promptly. Only [listen], [request], [perceptKinds], [check], [watch], [writeCommandsUntilClosed] and
+ * Safe for use by several threads. If the far end has gone or the link is closed, every call but [close] and [wants] promptly fails with
+ * [PortGoneException], even one that waits. Only [listen], [request], [perceptKinds], [check], [watch], [writeCommandsUntilClosed] and
  * [sendAndAwait] may wait.
  */
 interface BoardLink : AutoCloseable {
     /** The port's name, as given. */
     val port: String
 
-    /** True if it can be used: it was not closed, and no call has found the far end gone. */
+    /** True if the link can be used: it was not closed, and no call has found the far end gone. */
     val isOpen: Boolean
 
-    /** True if threads of the port sense and write; false: the agent's own thread does, with `argo_sensing=in_cycle`. */
+    /** True if threads of the port sense and write; false: the agent's own thread does so, under `argo_sensing=in_cycle`. */
     val isPaced: Boolean
 
-    /** True if the board sends messages by itself at the interval of [wants], so that it is listened to and never asked. */
+    /** True if the board sends messages by itself at the interval of [wants]: it is listened to and never asked. */
     val speaksUnasked: Boolean get() = false
 
-    /** True if a command goes out as bytes, one a character, for a program on the board; false: the link itself parses the text. */
+    /** True if a command goes out as bytes, one a character; false: the link itself parses the text. */
     val isLine: Boolean get() = false
 
     /** True if the board can be asked for some percepts, as `getPercepts(dist)`. */
     val canSelect: Boolean get() = false
 
-    /** True if the far end may vanish unnoticed; then a link that is silent for long is worth opening anew. */
+    /** True if the far end may vanish unnoticed. Such a link is worth opening anew after a long silence. */
     val mayVanish: Boolean get() = false
 
     /** The actions that the board has registered; null: they are not known. Does not wait. */
     val actions: List<BoardAction>? get() = null
 
-    /** Takes the agent's wishes to the board from now on. Called at each change, by any thread; does not wait. */
+    /** Takes the agent's wishes to the board. Called at each change, by any thread; does not wait. */
     fun wants(wish: Wish) = Unit
 
     /**
@@ -52,7 +52,7 @@ interface BoardLink : AutoCloseable {
      *
      * @param timeoutMs milliseconds to wait at most, at least 1
      * @return null: the board has nothing to say
-     * @throws PortTimeoutException if a message was due, or the board does not show that it is there
+     * @throws PortTimeoutException if a message was due, or the board gave no sign of life
      */
     @Throws(PortException::class)
     fun listen(timeoutMs: Int): BoardMessage?
@@ -60,7 +60,7 @@ interface BoardLink : AutoCloseable {
     /**
      * Asks for a message and waits for it. Not called if the board [speaks unasked][speaksUnasked].
      *
-     * @param text returns the request; called when its turn has come
+     * @param text returns the request; called when it goes out
      * @param timeoutMs milliseconds that the board has to answer, at least 1
      * @param intervalMs milliseconds between requests
      * @throws PortTimeoutException if no answer came
@@ -78,8 +78,7 @@ interface BoardLink : AutoCloseable {
     fun watch(timeoutMs: Int) = check()
 
     /**
-     * Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most; none: it describes none.
-     *
+     * Asks the board for the kinds of its percepts, and waits [timeoutMs] ms at most. Empty: the board describes none.
      * @throws PortTimeoutException if no answer came
      */
     @Throws(PortException::class)
@@ -91,24 +90,23 @@ interface BoardLink : AutoCloseable {
     /** Sends [text] as a command, and does not wait. */
     fun send(text: String, options: SendOptions): SentCommand
 
-    /**
-     * Sends a command that changes the board's critical rules, and does not wait. Call it only if the board has reported that it holds
-     * rules.
-     */
+    /** Sends a command that changes the board's critical rules, without waiting. Only for boards that have reported room for rules. */
     fun sendRule(rule: CommandItem.Rule, options: SendOptions): SentCommand = throw UnsupportedOperationException("$port holds no rules")
 
     /** Sends [text] as a command and waits for its outcome. */
     @Throws(PortException::class)
     fun sendAndAwait(text: String, options: SendOptions)
 
-    /** Takes queued commands to the board on the calling thread until the link is closed; returns at once if it needs no such thread. */
+    /**
+     * Takes queued commands to the board on the calling thread until the link is closed. Returns at once if the link needs no such thread.
+     */
     @Throws(PortException::class)
     fun writeCommandsUntilClosed() = Unit
 
-    /** Sets the listener for the board's own reports; only boards that can hold rules send any. */
+    /** Sets the listener for the board's own reports. Only boards that can hold rules send reports. */
     fun onBoardEvents(listener: BoardListener) = Unit
 
-    /** Announces [close]: whoever opens the port meanwhile waits until it is free. Does not wait. */
+    /** Announces [close]: another opening of the port waits until the port is free. Does not wait. */
     fun leave() = Unit
 
     /** Closes the link. Idempotent. */
@@ -128,7 +126,7 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  * A message of a board. Immutable.
  *
  * @property text the message's percepts, each with its `;`
- * @property receivedNanos the time at which its end came, by the platform's clock
+ * @property receivedNanos the arrival time of its end, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
  * @property isEvent whether the agent perceives it even if newer messages have come; others are only kept until a newer one comes
  */

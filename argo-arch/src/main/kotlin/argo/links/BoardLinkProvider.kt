@@ -7,43 +7,43 @@ import java.lang.ref.SoftReference
 import java.util.WeakHashMap
 
 /**
- * Opens boards that are not reached by bytes on a line. Found by [java.util.ServiceLoader]: a class with a public constructor without
- * arguments, named in `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines come by
+ * Opens boards that are not on a line. [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
+ * `META-INF/services/argo.links.BoardLinkProvider`. One object opens all boards of its scheme. Boards on lines have
  * [javino.TransportProvider].
  *
- * Called by any thread. Unlike a line, its boards may be opened by several agents at once.
+ * Any thread may call. Unlike a line, a board may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** The scheme with which the provider's ports begin, without the colon, such as `ros`. It must not be a transport's scheme. */
+    /** The scheme of the provider's ports, without the colon, such as `ros`. It must not be a transport's scheme. */
     val scheme: String
 
     /**
-     * Opens the board that [port] names, which may take its time, but ends when the thread is interrupted.
+     * Opens the board that [port] names. This may take its time; an interrupt of the thread ends it.
      *
      * @param isPaced see [BoardLink.isPaced]
-     * @param clock the time of the messages, and of waits
-     * @throws PortException if it cannot be opened; its kind tells the reason
+     * @param clock the clock for messages and waits
+     * @throws PortException if the board cannot be opened; its class is the reason
      */
     @Throws(PortException::class)
     fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink
 
     /**
-     * Opens, without a real board, one called [port] that a test plays; null: a test cannot play boards of this scheme.
+     * Opens a board [port] that a test plays; null: a test cannot play boards of this scheme.
      *
      * @param heard takes the messages to the board, each with its destination, such as the topic of a robot
-     * @throws PortException as [open] does, except for failed connections: none is made
+     * @throws PortException like [open], except for failed connections: none is made
      */
     @Throws(PortException::class)
     fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (name: String, message: String) -> Unit): PlayedBoard? = null
 
-    /** Returns true if [open] is worth trying. It is asked repeatedly for a board that has gone, so it must be cheap. */
+    /** Returns true if [open] is worth trying. Called repeatedly for a board that has gone, so it must be cheap. */
     fun isPresent(port: String): Boolean = true
 
     companion object {
-        /** The providers that a thread with a class loader sees. They refer to their class loader, which they must not keep alive. */
+        /** The providers by class loader. They refer to their class loader, which they must not keep alive. */
         private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
 
-        /** Returns the provider for [port]; null: it is on a line, or of no known kind. */
+        /** Returns the provider for [port]; null: the port is on a line, or of no known kind. */
         fun of(port: String): BoardLinkProvider? {
             val scheme = port.substringBefore(':', "").takeIf { it.isNotEmpty() } ?: return null
             return all().find { it.scheme == scheme }
@@ -58,16 +58,12 @@ interface BoardLinkProvider {
     }
 }
 
-/**
- * A board that a test plays.
- *
- * @property link the agent's end of the link
- */
+/** A board that a test plays, with the agent's end of its [link]. */
 abstract class PlayedBoard(val link: BoardLink) {
     /**
      * Sends [message] as the board, from its source [name], such as the topic of a robot.
      *
-     * @throws IllegalArgumentException if it is no message
+     * @throws IllegalArgumentException if [message] is malformed
      */
     abstract fun says(name: String, message: String)
 

@@ -23,7 +23,7 @@ class JavinoLink(private val link: Link) : BoardLink {
     override fun listen(timeoutMs: Int): BoardMessage? = try {
         link.listen(timeoutMs).toMessage()
     } catch (_: PortTimeoutException) {
-        null // a board that speaks unasked sends only when it has news
+        null // a board that speaks unasked sends only news
     }
 
     override fun request(text: () -> String, timeoutMs: Int, intervalMs: Int): BoardMessage =

@@ -4,16 +4,16 @@ import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 
 /**
- * Follows the events of one agent, as its live view or a recorder does. An [AgentObserverProvider] opens it; an agent may have several.
+ * Follows the events of one agent, like its live view or a recorder. An [AgentObserverProvider] opens it; an agent may have several
+ * observers.
  *
- * Each function is called on the thread of the event: the agent's own, the sensing thread of a port or the thread that sends its commands.
- * So it must return at once and be safe for use by several threads. An exception is caught, and the first one of an observer is logged: it
- * ends neither the agent nor its sensing. All functions but [close] do nothing unless they are overridden.
+ * The thread of the event calls each function: the agent's, the sensing thread of a port, or the thread that sends commands. So a function
+ * must return at once and be safe for use by several threads. Exceptions are caught: they end neither the agent nor its sensing. The first
+ * one of an observer is logged. All functions but [close] do nothing unless they are overridden.
  */
 interface AgentObserver : AutoCloseable {
     /**
-     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when percepts that the filter
-     * had held back are due.
+     * [message] has passed through the filter. Called again with the same [PerceivedMessage.receivedNanos] when held-back percepts are due.
      */
     fun messageFiltered(message: PerceivedMessage) = Unit
 
@@ -23,12 +23,12 @@ interface AgentObserver : AutoCloseable {
     /** [command] waits to be sent: the agent has called `argo.act`, or a critical rule has a reflex. */
     fun commandIssued(command: IssuedCommand) = Unit
 
-    /** [command] has been sent or, in version 2, carried out; if not, [failure] is the reason. Called once for each [commandIssued]. */
+    /** [command] has been sent or, in version 2, carried out; else [failure] is the reason. Called once for each [commandIssued]. */
     fun commandEnded(command: IssuedCommand, failure: CommandFailure?) = Unit
 
     /**
-     * The outcome of [reflex] is known, which the agent believes as `reflex(Command,done)` or `reflex(Command,failed)`. Reflexes that the
-     * computer sends are reported as commands too.
+     * The outcome of [reflex] is known. The agent believes it as `reflex(Command,done)` or `reflex(Command,failed)`. A reflex that the
+     * computer sends is also reported as a command.
      */
     fun reflexEnded(reflex: EndedReflex) = Unit
 
@@ -37,7 +37,7 @@ interface AgentObserver : AutoCloseable {
      *
      * @param port the agent's term for the port
      * @param status `on`, `off` or `timeout`
-     * @param reason the reason why it is not on, for a person, if known
+     * @param reason the reason why the port is not on, for a person, if known
      */
     fun portChanged(port: String, status: String, reason: String?) = Unit
 
@@ -47,10 +47,10 @@ interface AgentObserver : AutoCloseable {
     /** The agent perceives only the board on [port] through [filter] from now on; null: through none. Called by the agent's thread. */
     fun boardFilterChanged(port: String, filter: PerceptionFilter?) = Unit
 
-    /** The agent has called `argo.record(Why)`: returns true if the last events are kept. Called by the agent's thread. */
+    /** The agent has called `argo.record(Why)`. Returns true if the observer keeps the last events. Called by the agent's thread. */
     fun recordWanted(why: String): Boolean = false
 
-    /** A reasoning cycle is over. Called by the agent's thread, and the place to read [ObservedAgent.beliefs]. */
+    /** A reasoning cycle is over. Called by the agent's thread: this is the place to read [ObservedAgent.beliefs]. */
     fun cycleFinished() = Unit
 
     /** The agent ends. Releases all resources without waiting for them; events may still come. May be called twice. */
@@ -59,7 +59,7 @@ interface AgentObserver : AutoCloseable {
 
 /** A message of a board before and after the filter. Immutable. */
 interface PerceivedMessage {
-    /** The port from which the message came, by the name with which the port was opened. */
+    /** The name with which the message's port was opened. */
     val portName: String
 
     /** The namespace of its percepts; null: the default namespace. */
@@ -82,13 +82,13 @@ interface PerceivedMessage {
  * A command for a board.
  *
  * @property number counts the agent's commands, from 1
- * @property port the board's port, by the name with which the port was opened
+ * @property port the name with which the board's port was opened
  * @property text the text that is sent
- * @property issuedNanos the time at which it was issued, in ns of [ObservedAgent.nanos]
+ * @property issuedNanos the time of its issue, in ns of [ObservedAgent.nanos]
  */
 data class IssuedCommand(val number: Long, val port: String, val text: String, val issuedNanos: Long)
 
-/** The side that watches a critical rule and has its reflex carried out. The [word] is for people. */
+/** The side that watches a critical rule and has the rule's reflex carried out. The [word] is for people. */
 enum class RuleWatcher(val word: String) {
     BOARD("the board"),
     COMPUTER("the computer"),
@@ -97,14 +97,13 @@ enum class RuleWatcher(val word: String) {
 /**
  * The reflex of a critical rule, with its outcome.
  *
- * @property rule the critical rule
- * @property watcher the side that had it carried out
- * @property failure the reason why it was not carried out; null: it was
+ * @property watcher the side that had the reflex carried out
+ * @property failure the reason why the reflex was not carried out; null: it was
  * @property nanos the time at which the outcome was known, in ns of [ObservedAgent.nanos]
  */
 data class EndedReflex(val rule: CriticalRule, val watcher: RuleWatcher, val failure: CommandFailure?, val nanos: Long)
 
-/** The reason why a command was not carried out, as far as it is known. */
+/** The reason why a command was not carried out. */
 interface CommandFailure {
     /** The atom in the annotation `error(…)` of the failed plan. */
     val error: String

@@ -3,7 +3,7 @@ package argo.observing
 import java.util.logging.Logger
 
 /**
- * Opens observers of agents that ask for one by an option of their own, such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
+ * Opens observers of agents that have its option, such as `agents: robot [argo_view=8080] agentArchClass argo.Arch;`.
  *
  * [java.util.ServiceLoader] finds it: a class with a public constructor without arguments, named in
  * `META-INF/services/argo.observing.AgentObserverProvider`.
@@ -20,7 +20,7 @@ interface AgentObserverProvider {
      *
      * @param value the value of the option
      * @param log the agent's log
-     * @return null if it cannot be opened; then [log] has the reason, and the agent runs without it
+     * @return null: the observer cannot be opened; [log] has the reason, and the agent runs without it
      */
     fun open(value: String, agent: ObservedAgent, log: Logger): AgentObserver?
 }

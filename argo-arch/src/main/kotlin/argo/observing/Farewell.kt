@@ -3,10 +3,8 @@ package argo.observing
 import kotlin.concurrent.thread
 
 /**
- * Runs [say] on a thread of its own if the program is ended from outside, as by Ctrl-C, before this is closed. The program waits for [say],
- * but no longer than [mostMs], so that a disk or a browser that hangs does not keep it from ending.
- *
- * Safe for use by several threads.
+ * If the program is ended from outside, as by Ctrl-C, before this is closed, runs [say] on its own thread. The program waits for [say], but
+ * no longer than [mostMs]: a hanging disk or browser does not keep it from ending. Safe for use by several threads.
  */
 class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoCloseable {
     private val atExit = Thread({ thread(isDaemon = true, block = say).join(mostMs) }, "argo-farewell")
@@ -15,7 +13,7 @@ class Farewell(private val mostMs: Long, private val say: () -> Unit) : AutoClos
         Runtime.getRuntime().addShutdownHook(atExit)
     }
 
-    /** Cancels [say]. May be called twice, and while the program ends. */
+    /** Cancels [say]. Idempotent; may be called while the program ends. */
     override fun close() {
         try {
             Runtime.getRuntime().removeShutdownHook(atExit)

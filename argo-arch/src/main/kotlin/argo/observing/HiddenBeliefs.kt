@@ -6,5 +6,5 @@ import jason.asSyntax.Literal
 
 private val HIDDEN: Atom = ASSyntax.createAtom("hide_in_mind_inspector")
 
-/** True if Jason hides this belief from people in its own tools, as it does the rules that its own plans need. */
+/** True if Jason's own tools hide this belief from people, such as the rules that its own plans need. */
 val Literal.isHidden: Boolean get() = hasAnnot(HIDDEN)

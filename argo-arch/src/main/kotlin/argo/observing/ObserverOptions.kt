@@ -7,7 +7,7 @@ import java.util.logging.Logger
 /**
  * The observers that an agent's options ask for.
  *
- * @param options the options beginning with `argo_` that `argo.Arch` does not read itself, with their values
+ * @param options the options that begin with `argo_` and do not belong to `argo.Arch` itself, with their values
  */
 internal class ObserverOptions(private val options: Map<String, String>, private val log: Logger) {
     private val providers: List<AgentObserverProvider> =
@@ -20,12 +20,12 @@ internal class ObserverOptions(private val options: Map<String, String>, private
     /** The options with a provider, such as `argo_view=a port number`. */
     val usages: List<String> get() = providers.map { "${it.option}=${it.usage}" }
 
-    /** Opens the observers of [agent]. If one cannot be opened, logs that; the agent runs without that observer. */
+    /** Opens the observers of [agent]. Logs each that cannot be opened; the agent runs without it. */
     fun open(agent: ObservedAgent): List<AgentObserver> = providers.mapNotNull { provider ->
         val value = options[provider.option] ?: return@mapNotNull null
         try {
             provider.open(value, agent, log)
-        } catch (broken: Throwable) { // a provider is not the agent's own code; this also catches a missing library
+        } catch (broken: Throwable) { // a provider is foreign code; this also catches a missing library
             log.log(Level.SEVERE, broken) { "${provider.option}=$value: ${provider.javaClass.name} failed, and the agent runs without" }
             null
         }

@@ -7,17 +7,15 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Calls all [observers] of an agent, in their order. One that throws is reported to [log] once, and the others are called all the same.
- *
- * Safe for use by several threads.
- *
+ * Calls all [observers] of an agent, in their order. If one throws, [log] gets its first exception, and the others are still called. Safe
+ * for use by several threads.
  * @param nanos the agent's clock, in ns
  */
 internal class Observers(val observers: List<AgentObserver>, private val log: Logger, private val nanos: () -> Long) {
     private val guarded = observers.map(::Guarded)
     private val commands = AtomicLong()
 
-    /** Reports that [text] is to be sent on [port]. Returns the command; null: nobody observes. */
+    /** Reports that [text] is about to be sent on [port]. Returns the command; null: nobody observes. */
     fun commandIssued(port: String, text: String): IssuedCommand? {
         if (guarded.isEmpty()) return null
         return IssuedCommand(commands.incrementAndGet(), port, text, nanos()).also { command -> each { it.commandIssued(command) } }
@@ -29,12 +27,11 @@ internal class Observers(val observers: List<AgentObserver>, private val log: Lo
         each { it.reflexEnded(reflex) }
     }
 
-    /** Reports [event] to each observer. */
     inline fun each(event: (AgentObserver) -> Unit) {
         for (observer in guarded) {
             try {
                 event(observer.observer)
-            } catch (broken: Throwable) { // an observer is not the agent's own code, and the agent must go on
+            } catch (broken: Throwable) { // an observer is foreign code, and the agent must go on
                 if (broken is InterruptedException) Thread.currentThread().interrupt()
                 if (!observer.hasFailed.getAndSet(true)) {
                     log.log(Level.WARNING, broken) { "${observer.observer} failed, and is not reported again" }

@@ -26,22 +26,19 @@ internal class ReasoningQueues(
 
 /**
  * The work that the last snapshot of a board has left to the agent:
- * 1. its percept events in Jason's queue. Later events, such as those of a busy Jason environment, do not count: they could keep the agent
- *    from its sensors for good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]: an atomic plan must see the
- * world too, yet each snapshot adds events that the agent must work off afterwards, and Jason goes through all of them in each cycle;
- * 2. the commands that the board holds and that were issued before that snapshot was handed over;
- * 3. the intentions that percept events of the board have begun. One is worked off when it has finished or waits, as for the outcome of a
- *    command. One that still runs after [LONG_MS] is meant to run on, and is not awaited any more.
- *
- * Without (1) events pile up, since Jason handles one a cycle; without (2) commands do, since the line is slower than the agent; without
- * (3) intentions do, since Jason runs one step a cycle. Waiting for all commands would starve the sensing of a plan that loops on
+ * 1. its percept events in Jason's queue, but no later events: those of a busy Jason environment could keep the agent from its sensors for
+ *    good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]. An atomic plan must see the world too; but each
+ *    snapshot adds events, all of which Jason goes through in each cycle and the agent must work off later;
+ * 2. the commands that the board holds and that were issued before the snapshot was handed over;
+ * 3. the intentions that percept events of the board have begun. Such an intention is done when it has finished, or waits, as for the
+ *    outcome of a command. One that still runs after [LONG_MS] is awaited no more: it is meant to run on.
+ * Jason handles one event a cycle, so without (1) events pile up. The line is slower than the agent, so without (2) commands pile up. Jason
+ * runs one step a cycle, so without (3) intentions pile up. A wait for all commands would starve the sensing of a plan that loops on
  * `argo.act`.
- *
- * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's.
- *
+ * Any thread may call [isDone], [kindLeft], [waitingEvents] and [dueInMs]; the rest belongs to the agent's thread.
  * @property commands the commands that the board holds
  * @param nowMs a clock in ms that never goes back
- * @param isOwn whether a percept is of the board, or of none that the agent perceives; asked by any thread
+ * @param isOwn returns whether a percept belongs to the board, or to none that the agent perceives; called by any thread
  */
 internal class Backlog(
     val commands: CommandLedger,
@@ -49,11 +46,11 @@ internal class Backlog(
     private val nowMs: () -> Long = Platform.system.nowMs,
     private val isOwn: (Literal) -> Boolean = { true },
 ) {
-    /** The percept events that were in the queue once the last snapshot had been taken in; null: not yet taken in, or the queue stands. */
+    /** The percept events in the queue when the last snapshot was taken in; null: it is not yet taken in, or the queue stands. */
     @Volatile
     private var events: Set<Event>? = null
 
-    /** The time at which the last snapshot was handed over; null: none was. */
+    /** The time of the last hand-over; null: none yet. */
     @Volatile
     private var handedOverMs: Long? = null
 
@@ -71,17 +68,16 @@ internal class Backlog(
         handedOverMs = nowMs()
     }
 
-    /** Notes that the last snapshot has been taken in: events that enter the queue from now on do not belong to it. */
+    /** Notes that the last snapshot has been taken in: later events in the queue do not belong to it. */
     fun takenIn() {
         if (events != null || queues.isStanding()) return // once for each snapshot: an atomic plan can leave tens of thousands of events
         events = queues.events().filterTo(Collections.newSetFromMap(IdentityHashMap())) { awaits(it) }
     }
 
     /**
-     * Returns true if nothing is left.
-     *
-     * @param isAwaited whether the agent's thread asks because a snapshot waits: then, if only intentions are left, those are awaited for a
-     * limited time from now
+     * Returns true if no work is left.
+     * @param isAwaited whether the agent's thread asks because a snapshot waits. Then, if only intentions are left, they are awaited for a
+     *     limited time from now
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 
@@ -92,7 +88,7 @@ internal class Backlog(
         begun.forEach { deadlines.putIfAbsent(it, deadline) }
     }
 
-    /** Returns the kind of work that is left, in words; null: nothing is left. */
+    /** Returns the kind of work that is left, in words; null: none. */
     fun kindLeft(): String? = kindLeft(isAwaited = false)
 
     private fun kindLeft(isAwaited: Boolean): String? {
@@ -103,7 +99,7 @@ internal class Backlog(
         return if (begun.any(::awaits)) "plans that earlier percepts have begun still run" else null
     }
 
-    /** Returns the time in ms until commands to other boards are not awaited any more; null: none are awaited. */
+    /** Returns the ms until commands to other boards are awaited no more; null: none are awaited. */
     fun dueInMs(): Long? = commands.dueInMs(lastCommand)
 
     private fun areEventsDone() =
@@ -118,7 +114,7 @@ internal class Backlog(
         beginningOf(intention)?.let { it.hasSource(BeliefBase.APercept) && isOwn(it) } == true
     }
 
-    /** Returns the event that began [intention]; null: it has finished, as it may do during this call. */
+    /** Returns the event that began [intention]; null: it has finished, perhaps during this call. */
     private fun beginningOf(intention: Intention): Literal? = try {
         intention.bottom?.trigger?.literal
     } catch (_: NoSuchElementException) {
@@ -126,14 +122,14 @@ internal class Backlog(
     }
 
     companion object {
-        /** The least time in ms between two snapshots that are handed over while Jason takes no event, as during an atomic plan. */
+        /** The least ms between two hand-overs while Jason takes no event, as during an atomic plan. */
         const val ATOMIC_PLAN_INTERVAL_MS = 100
 
-        /** The time for which an intention is awaited, in ms; longer if taking the events of the last snapshot took longer. */
+        /** Ms for which an intention is awaited; longer if the events of the last snapshot took longer. */
         const val LONG_MS = 1000L
     }
 }
 
-/** Returns true if [event] tells that a percept came or went. */
+/** Returns true if [event] means that a percept came or went. */
 internal fun isPerceptEvent(event: Event): Boolean =
     event.isExternal && event.trigger.isUpdate && event.trigger.literal.hasSource(BeliefBase.APercept)

@@ -19,10 +19,10 @@ import jason.asSyntax.Term
 /**
  * Turns the text of a percept into the literal for the agent's beliefs.
  *
- * Only a text that Jason cannot read, or that no sensor can mean, is left out, with one warning per distinct text. Literals of a text seen
- * before are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
+ * A text that Jason cannot read, or that no sensor can mean, is left out, with one warning for each distinct text. The literals of a known
+ * text are reused: Jason copies literals when it adds them to a belief base. Not safe for use by several threads at once.
  *
- * @param namespace the namespace of the percepts; null: the namespace that each percept names itself, mostly the default one
+ * @param namespace the namespace of the percepts; null: each percept names its own, mostly the default one
  * @param warn takes one line for each text that cannot be read
  */
 internal class BeliefReader(private val namespace: Atom? = null, private val warn: (String) -> Unit) {
@@ -32,12 +32,12 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
     private var room = MIN_CACHED
     private val reported = HashSet<String>()
 
-    /** Sizes the cache for messages with this number of [percepts]: for present readings, not for all that sensors ever sent. */
+    /** Sizes the cache for messages with [percepts] percepts: for present readings, not for all readings ever. */
     fun expect(percepts: Int) {
         room = (2 * percepts).coerceIn(MIN_CACHED, MAX_CACHED)
     }
 
-    /** Returns the literal of [percept]; none if it cannot be read, several only if a stray quote or bracket had joined them. */
+    /** Returns the literal of [percept]; none: it cannot be read; several: a stray quote or bracket had joined them. */
     fun read(percept: String): List<Literal> = when (val reading = known[percept] ?: parsed(percept)) {
         is Reading.Belief -> listOf(reading.literal)
         is Reading.Unreadable -> {
@@ -62,12 +62,12 @@ internal class BeliefReader(private val namespace: Atom? = null, private val war
         const val MAX_CACHED = 4096
         const val MAX_REPORTED = 100
 
-        /** Longer texts are read anew each time: 4096 of the longest messages would take the heap of a small computer. */
+        /** Longer texts are not cached: 4096 of the longest messages would fill the heap of a small computer. */
         const val MAX_CACHED_LENGTH = 1024
     }
 }
 
-/** Explains why an agent leaves out a percept of this text; null: it believes the percept. Any thread. */
+/** Explains why an agent leaves out a percept with this text; null: the agent believes it. Any thread. */
 fun whyLeftOut(percept: String): String? = (parse(percept) as? Reading.Unreadable)?.why
 
 private sealed interface Reading {
@@ -98,7 +98,7 @@ private fun parse(percept: String): Reading = try {
     Reading.Unreadable("Jason cannot read it" + if (detail.isEmpty()) "" else ": ${foreignText(detail)}")
 }
 
-/** Returns true if [term] holds a function such as `math.random`, which Jason calls. A sum of numbers is a number. */
+/** Returns true if [term] holds a function that Jason computes, such as `math.random`. A sum of numbers is a number. */
 private fun isComputed(term: Term): Boolean = term is ArithFunctionTerm && term !is ArithExpr ||
     term is Literal && ((0 until term.arity).any { isComputed(term.getTerm(it)) } || term.hasAnnot() && term.annots.any(::isComputed))
 
@@ -107,7 +107,7 @@ private fun claimsToBeAPort(literal: Literal) =
 
 private fun isOneOf(words: Set<String>, term: Term) = (term as? Literal)?.functor in words // the term off[x] matches the word off
 
-/** Returns [literal] without the sources it claims: a board's literal is only a percept. */
+/** Returns [literal] without its claimed sources: a board's literal is only a percept. */
 private fun ownSource(literal: Literal): Literal {
     val claimed = literal.getAnnots("source")
     if (!claimed.isEmpty()) literal.delAnnots(ArrayList(claimed))

@@ -16,27 +16,27 @@ import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
-/** A board as its percepts need it. Any thread may call. */
+/** The board in the view of its percepts. Any thread may call. */
 internal interface PerceivedBoard {
-    /** The percepts of the board that the agent believes. */
+    /** The board's percepts that the agent believes. */
     val sensed: List<Literal>
 
-    /** Returns true if the agent perceives it through [port] now. */
+    /** Returns true if the agent perceives the board through [port] now. */
     fun isOn(port: OpenPort): Boolean
 
-    /** Takes each [snapshot] when it is left for the agent. */
+    /** Takes each [snapshot] that is left for the agent. */
     fun filtered(snapshot: Snapshot)
 }
 
 /**
  * Turns each message of a [board] into a [Snapshot] for its agent, and leaves it for the hand-over.
  *
- * Two threads make snapshots: the sensing thread from each message, and the agent's from held-back percepts. Both threads make and leave
- * snapshots under one lock, so that no older snapshot follows a newer one. Safe for use by several threads.
+ * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make and leave them under one
+ * lock, so no older snapshot follows a newer one. Safe for use by several threads.
  *
- * @param reader reads the beliefs, of which [limit] selects
+ * @param reader reads the beliefs; [limit] then selects some
  * @param handOver takes the snapshots
- * @param reflexes takes the critical rules that each message meets; a command is submitted under the lock, so none follows [forget]
+ * @param reflexes takes the critical rules that each message meets; commands are submitted under the lock, so none follows [forget]
  * @param log takes, at level FINE, the reason why a percept is dropped
  */
 internal class BoardPercepts(
@@ -54,10 +54,10 @@ internal class BoardPercepts(
     private var message: List<String> = emptyList() // the newest message, without reports
     private var newest: Snapshot? = null
 
-    /** The times at which the board's percepts were seen last. */
+    /** The times at which the board's percepts were last seen. */
     val lastSeen = LastSeen { board.sensed }
 
-    /** The critical rules of the active filter. */
+    /** The active filter's critical rules. */
     @Volatile
     var critical: List<CriticalRule> = emptyList()
         private set
@@ -65,12 +65,11 @@ internal class BoardPercepts(
     @Volatile
     private var dueMs: Long? = null
 
-    /** The request to a board of version 2, see [perceptsRequest]. */
     @Volatile
     var request: String = PerceptsRequest.ALL
         private set
 
-    /** Perceives through [filter] from now on, null: everything. Snapshots that have not been handed over are made anew. */
+    /** Perceives through [filter] from now on; null: everything. Makes pending snapshots anew. */
     fun switchTo(filter: PerceptionFilter?) = lock.withLock {
         request = perceptsRequest(filter)
         session.switchTo(filter)
@@ -81,8 +80,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of a [message] from [port], whose last byte came at [receivedNanos] by the platform's clock. Percepts
-     * that the board has [reported] since it was asked for the message, at [askedNanos], stay.
+     * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Percepts
+     * stay that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
      * @param isEvent see [argo.links.BoardMessage.isEvent]
      * @return true if the message was wanted
@@ -109,8 +108,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the snapshot of the newest message from [port] with [percept] in it, which the board has reported at [receivedNanos]
-     * because it meets [rule].
+     * Makes and leaves the snapshot of the newest message from [port] with [percept] in it. The board has reported [percept] at
+     * [receivedNanos] because it meets [rule].
      *
      * @param outcome the outcome of the rule's reflex
      * @return true if the report was wanted
@@ -133,7 +132,7 @@ internal class BoardPercepts(
         perceive(port, reports.placedIn(message), receivedNanos, isMessage = false) { if (it in news) receivedNanos else null }
     }
 
-    /** Returns the times at which percepts of a message that includes [reported] ones were seen; null: all at [receivedNanos]. */
+    /** Returns the times at which the percepts of a message with [reported] ones were seen; null: all at [receivedNanos]. */
     private fun times(reported: List<String>, seenNanos: Map<String, Long>, receivedNanos: Long): ((Literal) -> Long?)? {
         if (reported.isEmpty() && seenNanos.isEmpty()) return null
         val older = reported.flatMap(reader::read).toSet()
@@ -142,8 +141,8 @@ internal class BoardPercepts(
     }
 
     /**
-     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if there are any. Does not wait while the sensing
-     * thread makes a snapshot: the due percepts go into that one.
+     * Makes and leaves the newest snapshot with the held-back percepts that are due now, if any. If the sensing thread is making a
+     * snapshot, does not wait: the due percepts go into that one.
      */
     fun putDue() {
         if (dueInMs() != 0L || !lock.tryLock()) return
@@ -155,12 +154,10 @@ internal class BoardPercepts(
         }
     }
 
-    /** Returns the time in ms until a held-back percept is due; null: none is held back. */
+    /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
-    /**
-     * Forgets snapshots that have not been handed over, held-back percepts and the rules that are met: they are of another time or place.
-     */
+    /** Forgets pending snapshots, held-back percepts and met rules: they are of another time or place. */
     fun forget() = lock.withLock {
         newest = null
         message = emptyList()
@@ -170,7 +167,6 @@ internal class BoardPercepts(
         reflexes.forget()
     }
 
-    /** Explains why the active filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation = lock.withLock { session.explain(percept, nowMs()) }
 
     private fun nowMs() = clock.nanos() / 1_000_000

@@ -11,8 +11,8 @@ import jason.bb.BeliefBase
 import jason.bb.StructureWrapperForLiteral
 
 /**
- * Puts the namespaces back into the events of deleted percepts: Jason makes an event `-dist(f,30)` of the deletion of `left::dist(f,30)`,
- * though it looks for plans for `-left::dist(f,30)`. Belongs to the agent's thread.
+ * Puts namespaces back into the events of deleted percepts. Jason makes the event `-dist(f,30)` of the deletion of `left::dist(f,30)`, but
+ * looks for plans for `-left::dist(f,30)`. Belongs to the agent's thread.
  */
 internal class DeletedPercepts {
     private var deleted: List<Literal> = emptyList()

@@ -9,8 +9,8 @@ import jason.asSemantics.TransitionSystem
 import jason.asSyntax.Literal
 
 /**
- * Filters the percepts that an agent without `argo.Arch` gets from its Jason environment. `argo.change_filter` puts it in front of the agent's
- * architectures when the agent chooses a filter for the first time.
+ * Filters the percepts that an agent without `argo.Arch` gets from its Jason environment. The agent's first call of `argo.change_filter`
+ * puts it in front of the agent's architectures.
  */
 internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<Literal>) : AgArch() {
     private val environment = EnvironmentPercepts(perceivedSoFar, Platform.system.nowMs)
@@ -19,7 +19,6 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
     fun perceiveThrough(filter: PerceptionFilter?) = environment.switchTo(filter)
 
-    /** Explains the active filter's decision on [percept]. */
     fun explain(percept: Literal): String = environment.explain(percept)
 
     override fun perceive(): MutableCollection<Literal>? {
@@ -32,9 +31,9 @@ internal class EnvironmentFilter private constructor(perceivedSoFar: Collection<
     override fun canSleep(): Boolean = !environment.isWaiting() && super.canSleep()
 
     companion object {
-        /** Puts a filter in front of the agent of [ts], which must not have one. Called by the agent's thread. */
+        /** Puts a filter in front of the agent of [ts], which must have none. Called by the agent's thread. */
         fun insertInto(ts: TransitionSystem): EnvironmentFilter {
-            // the agent had no filter so far, so its percept beliefs are the last result of its environment
+            // without a filter, the agent's percept beliefs are the last result of its environment
             val perceived = ts.ag.bb.percepts.asSequence().filter { it.subjectToBUF() }.toList()
             return EnvironmentFilter(perceived).also { ts.agArch.insertAgArch(it) }
         }

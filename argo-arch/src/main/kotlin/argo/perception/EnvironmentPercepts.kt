@@ -5,10 +5,10 @@ import argo.filters.jason.literalSession
 import jason.asSyntax.Literal
 
 /**
- * The percepts that an agent gets from its Jason environment, through its active filter. An environment returns nothing if nothing has
- * changed, so its last result is kept. Belongs to the agent's thread.
+ * An agent's percepts from its Jason environment, through its active filter. An environment returns nothing if nothing has changed, so its
+ * last result is kept. Belongs to the agent's thread.
  *
- * @param known the last result of the environment, as far as it is known
+ * @param known the last known result of the environment
  * @param nowMs a clock in ms that never goes back
  */
 internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), private val nowMs: () -> Long) {
@@ -28,7 +28,7 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         filterIsNew = true
     }
 
-    /** Takes the result of the next architecture's `perceive()`, null being no news; returns true if [percepts] may have changed. */
+    /** Takes the result of the next architecture's `perceive()`; null: no news. Returns true if [percepts] may have changed. */
     fun update(news: Collection<Literal>?): Boolean {
         if (news != null) last = news.toList()
         val now = if (news != null || filterIsNew) session.perceive(last, nowMs()) else session.due(nowMs())
@@ -40,12 +40,11 @@ internal class EnvironmentPercepts(known: Collection<Literal> = emptyList(), pri
         return now != null
     }
 
-    /** Returns the time in ms until a held-back percept is due; null if none is held back. */
+    /** Returns the ms until a held-back percept is due; null: none is held back. */
     fun dueInMs(): Long? = dueMs?.let { maxOf(0, it - nowMs()) }
 
     /** Returns true if [update] has something to do even without news. */
     fun isWaiting(): Boolean = filterIsNew || dueInMs() == 0L
 
-    /** Explains the active filter's decision on [percept]. */
     fun explain(percept: Literal): String = session.explain(percept, nowMs()).toString()
 }

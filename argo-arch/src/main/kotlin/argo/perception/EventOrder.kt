@@ -9,13 +9,13 @@ import jason.bb.StructureWrapperForLiteral
 import java.util.Queue
 
 /**
- * Puts the events of new [critical] percepts before all others in [queue], each kind in its order. Other threads may add events meanwhile;
- * none is lost.
+ * Puts the events of new [critical] percepts before all others in [queue]. The order within both groups stays. Other threads may add events
+ * at the same time; no event is lost.
  */
 internal fun bringForward(queue: Queue<Event>, critical: Collection<Literal>) {
     val wanted = critical.mapTo(HashSet(), ::StructureWrapperForLiteral)
     if (queue.none { tellsOf(it, wanted) }) return
-    val waiting = generateSequence(queue::poll).toList() // the whole queue: if parts were moved, an event of another thread could be missed
+    val waiting = generateSequence(queue::poll).toList() // the whole queue, since a partial move could miss an event of another thread
     val (urgent, others) = waiting.partition { tellsOf(it, wanted) }
     queue.addAll(urgent)
     queue.addAll(others)
@@ -29,11 +29,11 @@ private fun tellsOf(event: Event, percepts: Set<StructureWrapperForLiteral>): Bo
 
 /**
  * Lets the percept events of several boards take turns in Jason's queue. Jason takes one event a cycle, so a board with many events would
- * delay the others.
+ * delay other boards.
  *
- * @param queue the agent's event queue; other threads may add events meanwhile; none is lost
- * @param waiting the number of events in the queue before the events of the new snapshots were added
- * @param boardOf returns the board of a percept; null: none has it
+ * @param queue the agent's event queue; other threads may add events at the same time; none is lost
+ * @param waiting the number of events in the queue before those of the new snapshots
+ * @param boardOf returns the board of a percept; null: none
  */
 internal fun takeTurns(queue: Queue<Event>, waiting: Int, boardOf: (Literal) -> Any?) {
     val isNew = queue.asSequence().drop(waiting).any(::isPerceptEvent)

@@ -9,30 +9,29 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other.
- *
- * [take] belongs to the agent's thread and is called in each of its perceptions; the others may be called by any.
+ * Passes snapshots from the sensing thread to the reasoning cycle; neither waits for the other. The agent's thread calls [take] in each of
+ * its perceptions; any thread may call the others.
  */
 internal interface HandOver {
-    /** Leaves [snapshot] for the agent; it may be dropped if a snapshot of a newer message is there already. */
+    /** Leaves [snapshot] for the agent. If a snapshot of a newer message is there, [snapshot] may be dropped. */
     fun put(snapshot: Snapshot)
 
     /** Returns true if [take] would return a snapshot now. */
     fun isReady(): Boolean
 
-    /** Returns true if the snapshot that [take] would return now waits for nothing else. */
+    /** Returns true if the snapshot for [take] waits for nothing else. */
     fun isUrgent(): Boolean = isReady()
 
-    /** Returns the time in ms until a snapshot may become ready without any news; null: none will. */
+    /** Returns the ms until a snapshot may become ready without news; null: none will. */
     fun dueInMs(): Long? = null
 
     /** Takes the snapshot to perceive now; null: none is ready. */
     fun take(): Snapshot?
 
-    /** Takes all snapshots out, in the order of their messages. */
+    /** Takes out all snapshots, in the order of their messages. */
     fun drain(): List<Snapshot>
 
-    /** Forgets the snapshots that have not been taken, and the critical percepts of those that have been taken. */
+    /** Forgets the snapshots that have not been taken, and the critical percepts of taken ones. */
     fun clear()
 }
 
@@ -62,7 +61,7 @@ internal class FreshHandOver(
     private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
     private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
 
-    private var waitingSince: Long? = null // the time of the first message since a snapshot was handed over; null: none has come
+    private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 
     @Volatile
     private var newest: Snapshot? = null
@@ -153,7 +152,7 @@ internal class FreshHandOver(
     }
 
     companion object {
-        /** The time in ms after which waiting snapshots are reported. */
+        /** Waiting snapshots are reported after this time in ms. */
         const val LATE_MS = 2000L
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
@@ -164,7 +163,7 @@ internal class FreshHandOver(
     }
 }
 
-/** Hands over every snapshot in its order; an agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
+/** Hands over every snapshot in order. An agent that is [MAX_WAITING] behind loses the oldest, with one warning. */
 internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     private val waiting = ConcurrentLinkedQueue<Snapshot>()
     private val count = AtomicInteger()
@@ -189,7 +188,6 @@ internal class EveryHandOver(private val warn: (String) -> Unit) : HandOver {
     }
 
     companion object {
-        /** The most snapshots that wait for an agent. */
         const val MAX_WAITING = 1000
     }
 }

@@ -8,21 +8,19 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The times at which each percept that an agent believes was last in a message of its board. Safe for use by several threads.
- *
- * Holds at most about twice as many percepts as the agent believes and is about to believe.
- *
- * @param believed the board's percepts that the agent believes now; asked by any thread
+ * The times at which believed percepts were last in a message of their board. Holds at most about twice as many percepts as the agent
+ * believes and is about to believe. Safe for use by several threads.
+ * @param believed returns the board's percepts that the agent believes now; called by any thread
  */
 internal class LastSeen(private val believed: () -> Collection<Literal>) {
     private val lock = ReentrantLock()
     private val lastSeen = HashMap<StructureWrapperForLiteral, Long>()
 
     /**
-     * Takes a message that came at [atNanos] by the platform's clock.
+     * Takes a message that arrived at [atNanos], by the platform's clock.
      *
      * @param seen the message's percepts that the filter lets through
-     * @param delivered all percepts that the agent is to believe after it: also frozen ones, and stand-ins for held-back ones
+     * @param delivered all percepts that the agent will believe then: also frozen ones, and stand-ins for held-back ones
      */
     fun seen(seen: Collection<Literal>, delivered: Collection<Literal>, atNanos: Long) = lock.withLock {
         for (percept in seen) {
@@ -34,13 +32,13 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
     }
 
     /**
-     * Returns the time at which [percept], whose annotations do not matter, was last seen, by the platform's clock; null: it is no percept
-     * of a board.
+     * Returns the time at which [percept] was last seen, by the platform's clock; null: it is no percept of a board. Annotations do not
+     * matter.
      */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
 
     /**
-     * Returns the percept in [beliefs] that unifies with [percept] under [un] and was seen last, with that time; null if there is none.
+     * Returns the percept in [beliefs] that unifies with [percept] under [un] and was seen last, with the time; null: none.
      *
      * Called by the agent's thread, to which [beliefs] and [un] belong.
      *
@@ -52,7 +50,6 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
             .mapNotNull { belief -> lastSeenNanos(belief)?.let { belief to it } }
             .minByOrNull { (_, seenNanos) -> nowNanos - seenNanos }
 
-    /** Returns the number of remembered percepts. */
     fun size(): Int = lock.withLock { lastSeen.size }
 
     private companion object {

@@ -4,15 +4,15 @@ import argo.platform.RateLimitedWarning
 import jason.asSyntax.Literal
 
 /**
- * Limits how many percepts of a board an agent believes at once. Critical ones come first, then the others in the order of the message;
- * percepts beyond the limit are left out. It warns once, and again after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by
- * several threads at once.
+ * Limits how many percepts of a board an agent believes at once. Critical percepts come first, then others in the order of the message; the
+ * rest is left out. It warns once, and again after [RateLimitedWarning.QUIET_MS] without excess. Not safe for use by several threads at
+ * once.
  *
  * @param max the most percepts
  * @param warning takes the message when the limit is exceeded
  */
 internal class PerceptLimit(private val max: Int, private val warning: RateLimitedWarning) {
-    /** Returns the first [max] different percepts of [percepts]; the critical ones, [critical], come before others. */
+    /** Returns the first [max] different ones of [percepts]; those in [critical] come before others. */
     fun limited(percepts: List<Literal>, critical: Collection<Literal>): List<Literal> {
         if (percepts.size <= max) return percepts
         val different = percepts.distinct()
@@ -26,10 +26,9 @@ internal class PerceptLimit(private val max: Int, private val warning: RateLimit
     }
 
     companion object {
-        /** The option in the `.mas2j`. */
         const val OPTION = "argo_percepts"
 
-        /** The limit unless the option sets another: more than a board can send in a second at 115200 baud. */
+        /** The default limit: more than a board can send in a second at 115200 baud. */
         const val DEFAULT = 4096
     }
 }

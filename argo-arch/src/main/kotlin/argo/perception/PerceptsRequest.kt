@@ -6,14 +6,14 @@ import javino.Frame
 import javino.PerceptsRequest
 
 /**
- * Returns the request to a board of version 2 while [filter] is active: `getPercepts(dist,light)` if the filter lets through only percepts
- * of these functors, so that the others take no time on the line; otherwise the request for everything.
+ * Returns the request to a board of version 2 while [filter] is active. If the filter lets through only percepts of some functors, the
+ * request is `getPercepts(dist,light)`: others take no time on the line. If not, it asks for everything.
  */
 internal fun perceptsRequest(filter: PerceptionFilter?): String =
     filter?.let(::functorsKept)?.joinToString(",", "${PerceptsRequest.ALL}(", ")")?.takeIf { it.length <= Frame.MAX_PAYLOAD }
         ?: PerceptsRequest.ALL
 
-/** Returns the functors whose percepts the filter needs; null: it may need any. `~open` is sent under `open`. */
+/** Returns the functors whose percepts the filter needs; null: it may need any. A board sends `~open` under `open`. */
 private fun functorsKept(filter: PerceptionFilter): List<String>? = (filter.rules + filter.critical.map { it.rule })
     .takeIf { filter.mode == PerceptionFilter.Mode.KEEP && it.isNotEmpty() }
     ?.takeIf { rules -> rules.all { it.rate == null && isPlain(it.predicate) } }

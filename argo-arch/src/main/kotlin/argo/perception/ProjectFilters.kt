@@ -8,16 +8,14 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Finds the filter that [agent] calls [name]: among those that services offer, in the directory in which the project was started and in
- * `filters/` under it, in the directory of the agent's `.asl` and in `filters/` under it, and in `filters/` on the class path.
- *
- * @throws argo.filters.FilterNotFoundException if there is none
- * @throws argo.filters.FilterException if it is refused
+ * Finds the filter that [agent] calls [name]. It looks at the filters of services, in the directory in which the project was started, in
+ * the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the class path.
+ * @throws argo.filters.FilterNotFoundException if there is no such filter
+ * @throws argo.filters.FilterException if the filter is refused
  */
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
     finderOf(agent).find(name)
 
-/** Returns the names of the filters that [filterOf] can find. */
 internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
 
 private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), agent.javaClass.classLoader)
@@ -31,7 +29,7 @@ private fun directoryOf(source: String?): Path? = try {
     source?.let { if (it.startsWith("file:/")) Path.of(URI(it)) else Path.of(it.removePrefix("file:")) }
         ?.toAbsolutePath()?.normalize()?.parent?.takeIf(Files::isDirectory)
 } catch (_: IllegalArgumentException) {
-    null // the source is not a file, but an .asl from a jar or the class path
+    null // the source is no file, but an .asl from a jar or the class path
 } catch (_: java.net.URISyntaxException) {
     null
 }

@@ -4,31 +4,30 @@ import argo.filters.CriticalRule
 import javino.wire.Shape
 
 /**
- * The percepts that a board has reported outside of messages since it was asked for the newest message, the last one for each critical
- * rule. They are kept, since the board may have made that message before them. Not safe for use by several threads at once.
+ * The percepts that a board has reported since the request for the newest message, the last one for each critical rule. They are kept
+ * because the board may have made the message before the reports. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)
 
-    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order in which the reports came
+    private val reports = LinkedHashMap<CriticalRule, Report>() // in the order of the reports
 
-    /** The texts of the reported percepts. */
     val texts: List<String> get() = reports.values.map { it.text }
 
-    /** Adds the percept [text], which the board reported at [receivedNanos] because it meets [rule]. */
+    /** Adds the percept [text], reported at [receivedNanos] because it meets [rule]. */
     fun add(rule: CriticalRule, text: String, receivedNanos: Long) {
         reports -= rule
         reports[rule] = Report(text, receivedNanos)
     }
 
-    /** Drops the reports before [askedNanos], the time of the request for a message that came: the message contains them. */
+    /** Drops reports from before [askedNanos], the request of a message that has come: the message contains them. */
     fun dropBefore(askedNanos: Long) {
         reports.values.removeIf { it.receivedNanos - askedNanos <= 0 }
     }
 
     fun clear() = reports.clear()
 
-    /** Returns [message] with each report in place of the percept whose newer value it is; a report without one goes to the end. */
+    /** Returns [message] with each report in the place of the percept that it renews. A report without such a percept goes to the end. */
     fun placedIn(message: List<String>): List<String> = reports.values.fold(message) { percepts, report -> placed(report.text, percepts) }
 
     private fun placed(text: String, percepts: List<String>): List<String> {
@@ -38,7 +37,7 @@ internal class ReportedPercepts {
         return if (place == null) percepts + text else percepts.toMutableList().also { it[place] = text }
     }
 
-    /** Returns how many [numbers] [other] has in the same places: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
+    /** Returns how many of [numbers] [other] has in the same places: `sonar(2,9)` belongs to `sonar(2,40)`, not to `sonar(1,30)`. */
     private fun same(numbers: List<String>, other: String): Int {
         val others = ArrayList<String>()
         Shape.of(other, others)

@@ -8,10 +8,10 @@ import jason.asSyntax.Literal
 /**
  * The percepts of one message of a board that reach the agent.
  *
- * @property port the port whose board sent it
+ * @property port the port of the board that sent the message
  * @property texts the percepts as they came off the line
  * @property kept the percepts that passed the filter, and stand-ins for percepts that the filter holds back
- * @property percepts the beliefs that the agent is to get from it
+ * @property percepts the beliefs that the agent gets from the message
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable the percepts in [kept] that cannot be believed

@@ -4,10 +4,8 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * Does [work] for each of [items], each on a thread of its own, or on this one if the machine has no other, and returns when all work has
- * ended. An exception of [work] ends only its thread.
- *
- * @param name returns the name of the thread for an item
+ * Does [work] for each of [items], each on its own thread, called [name]; if the machine has no other thread, on this one. Returns when all
+ * work has ended. An exception of [work] ends only its thread.
  */
 internal fun <T> Platform.forEachAtOnce(items: List<T>, name: (T) -> String, work: (T) -> Unit) {
     if (items.size < 2) return items.forEach(work)

@@ -9,8 +9,8 @@ import java.lang.reflect.Method
 /**
  * A library of plans of Jason's.
  *
- * Jason 3.3.0 has its class in another package than 3.2.1, and a program is compiled with one of them. This class calls the methods of both
- * by name; no other may name Jason's class. For the agent's thread.
+ * Jason 3.3.0 and 3.2.1 have its class in different packages, and a program is compiled with one version. This class calls the methods of
+ * both by name; no other code may name Jason's class. For the agent's thread.
  *
  * @property library Jason's own object
  */
@@ -22,10 +22,7 @@ class Plans private constructor(val library: Any) {
     /** Returns true if a plan may be relevant to an event with [trigger]. */
     fun hasCandidate(trigger: Trigger): Boolean = call(HAS_CANDIDATE, library, trigger) as Boolean
 
-    /**
-     * Replaces all plans by [plans].
-     * @throws jason.JasonException if one of them cannot be added
-     */
+    /** Replaces all plans by [plans]. Throws [jason.JasonException] if one of them cannot be added. */
     fun replaceBy(plans: List<Plan>) {
         call(CLEAR, library)
         plans.forEach { call(ADD, library, it) }
@@ -46,7 +43,6 @@ class Plans private constructor(val library: Any) {
         /** Returns the plans within [plan]; null: it has none. */
         fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)
 
-        /** Returns true if [one] is a library of plans. */
         fun isLibrary(one: Any): Boolean = TYPE.isInstance(one)
 
         private fun call(method: Method, on: Any, vararg arguments: Any): Any? = try {

@@ -14,41 +14,33 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine's; a test can pass one with a time of its own.
- *
- * All functions may be called by any thread.
+ * The platform of an `argo.Arch`: its time, its threads and its ports. [system] is the machine; a test can pass a platform with virtual
+ * time. Any thread may call.
  */
 interface Platform {
     /** The clock of the architecture; its threads wait on the clock's locks. */
     val clock: LineClock
 
-    /** The boundary of the agents that run on it, as in a replay; null: their inputs come from [open] ports and from Jason. */
+    /** The boundary of the agents on this platform, as in a replay; null: their inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
-    /** Starts [run] on a new thread, called [name], that does not keep the program alive. It ends when interrupted. */
+    /** Starts [run] on a new thread called [name]. It does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
-    /**
-     * Does [action], which does not wait for anything, in [delayMs] ms of [clock], unless everything has ended by then. An exception of
-     * [action] is logged.
-     */
+    /** Does [action] in [delayMs] ms of [clock], unless everything has ended by then. [action] must not wait. Its exceptions are logged. */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
-     * Opens a port, which may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
-     *
-     * @param owner the agent's name
+     * Opens a port for the agent [owner]. This may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
      */
     fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
     /**
-     * Returns true if [port] can be opened, as far as can be found out without opening it. Called about once a second while the agent waits
-     * for a device that has gone.
+     * Returns true if [port] can be opened, as far as that shows without opening it. Called about once a second while a device is missing.
      */
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
-        /** The machine. */
         val system: Platform = object : Platform {
             override val clock: LineClock = LineClock.system()
 
@@ -61,13 +53,13 @@ interface Platform {
                 try {
                     SchedulerLayer.machine().schedule({ carryOut(action) }, delayMs, TimeUnit.MILLISECONDS)
                 } catch (_: RejectedExecutionException) {
-                    // the whole system is being stopped: nobody is left to need the action
+                    // the whole system is being stopped, so nobody needs the action
                 }
             }
 
             private fun carryOut(action: () -> Unit) = try {
                 action()
-            } catch (broken: Throwable) { // Jason's scheduler would tell nobody of it
+            } catch (broken: Throwable) { // Jason's scheduler would hide it
                 Logger.getLogger(Platform::class.java.name).log(Level.SEVERE, "a delayed action has failed", broken)
             }
 

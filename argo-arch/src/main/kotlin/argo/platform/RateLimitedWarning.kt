@@ -5,17 +5,17 @@ import kotlin.concurrent.withLock
 
 /**
  * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not fill
- * the log. It ends after [QUIET_MS] without an occurrence. Of more than [MAX_KINDS] conditions at a time the log tells only that there are
- * others. Safe for use by several threads.
+ * the log. A condition ends after [QUIET_MS] without an occurrence. If there are more than [MAX_KINDS] conditions, the log says only that
+ * there are others. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param warn takes the message
  */
 internal class RateLimitedWarning(private val nowMs: () -> Long, private val warn: (String) -> Unit) {
     private val lock = ReentrantLock()
-    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds for which there was no room
+    private val lastMs = HashMap<String?, Long>() // by kind; null: all kinds that had no room
 
-    /** Notes that the condition occurs now; each [kind] is a condition of its own. */
+    /** Notes that the condition [kind] occurs now. */
     fun report(kind: String, message: () -> String) {
         val more = lock.withLock {
             val now = nowMs()
@@ -32,7 +32,7 @@ internal class RateLimitedWarning(private val nowMs: () -> Long, private val war
     }
 
     companion object {
-        /** The time without an occurrence after which a condition has ended, in ms. */
+        /** A condition ends after this time without an occurrence, in ms. */
         const val QUIET_MS = 60_000L
 
         /** The most conditions at a time that are told apart. */

@@ -8,11 +8,11 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * A scheduler in the place of Jason's, which `.wait`, `.at` and others use. Several layers may be stacked in the order of their [Place],
- * whichever was installed first; [below] is the next.
+ * A scheduler in front of Jason's, which `.wait`, `.at` and others use. Several layers are stacked in the order of their [Place],
+ * independent of the order of installation; [below] is the next.
  */
 abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : ScheduledExecutorService by below {
-    /** Does [work] in [delay] of [unit]. */
+    /** Does [work] after [delay]. */
     protected abstract fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V>
 
     final override fun schedule(command: Runnable, delay: Long, unit: TimeUnit): ScheduledFuture<*> =
@@ -29,12 +29,11 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
-    /** The place of a layer. */
     enum class Place {
-        /** The layer decides when a timer ends, and is directly on Jason's scheduler. */
+        /** The layer decides when a timer ends, and lies directly on Jason's scheduler. */
         TIME,
 
-        /** The layer sees each timer of an agent, whichever layer decides when the timer ends. */
+        /** The layer sees each timer of an agent, whichever layer ends the timer. */
         AGENT,
     }
 
@@ -48,8 +47,8 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
         private var installed = listOf<Installed>()
 
         /**
-         * Puts the layer that [make] returns for the scheduler below it at its [place] in Jason's scheduler, for all agents of this
-         * program, unless a layer of [kind] is there. A layer keeps nothing: it may be made again for another scheduler below.
+         * Puts a layer at its [place] in Jason's scheduler, for all agents of this program, unless a layer of [kind] is there. [make]
+         * returns the layer for the scheduler below it. A layer has no state: it may be made again for another scheduler below.
          * @throws IllegalStateException if this version of Jason keeps its scheduler elsewhere
          */
         @Synchronized

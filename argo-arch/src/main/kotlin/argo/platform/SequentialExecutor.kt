@@ -2,27 +2,26 @@ package argo.platform
 
 import kotlin.concurrent.withLock
 
-/** Does work in the order in which it is given, one piece after the other, on a thread that ends when no work is left. */
+/** Does pieces of work one after the other, in their order, on a thread that ends when no work is left. */
 internal class SequentialExecutor(private val platform: Platform, private val name: String) {
     private val lock = platform.clock.newLock(false)
     private val waiting = ArrayDeque<() -> Unit>()
     private var working = false
 
     /**
-     * Does [work] after all earlier work. An exception of [work] goes to the thread's uncaught exception handler, and later work is still
-     * done.
+     * Does [work] after all earlier work. An exception of [work] goes to the thread's uncaught exception handler; later work is still done.
      */
     fun execute(work: () -> Unit) = lock.withLock {
         waiting.addLast(work)
         startUnlessWorking()
     }
 
-    /** Forgets work that has not begun yet. */
+    /** Forgets work that has not begun. */
     fun clear() = lock.withLock { waiting.clear() }
 
     private fun startUnlessWorking() {
         if (working) return
-        platform.start(name, ::doAll) // doAll takes the lock first; if the machine has no thread for it, the next work tries again
+        platform.start(name, ::doAll) // doAll takes the lock first; without a thread for it, the next work tries again
         working = true
     }
 

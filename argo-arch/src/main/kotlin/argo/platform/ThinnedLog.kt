@@ -4,8 +4,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Keeps repeated events from filling a log: the first [FREE] lines of a kind go out at once, later ones at growing intervals, from a second
- * to five minutes. Each of the later ones is the newest line and says how many were left out, so that the last line of a kind always
+ * Keeps repeated events from filling a log. The first [FREE] lines of a kind go out at once; later lines at growing intervals, from a
+ * second to five minutes. A later line is the newest of its kind and says how many were left out. So the last line of a kind always
  * appears. After a quiet minute a kind begins anew. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
@@ -25,7 +25,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
 
     /**
      * Reports a line of [kind]; there are few kinds.
-     * @param line writes the line, with its argument at the end. Called once, now or later; never if a newer line replaces it
+     * @param line writes the line with its argument at the end. Called once, now or later; never if a newer line replaces it
      */
     fun report(kind: String, line: (more: String) -> Unit) {
         var delayMs = 0L
@@ -38,7 +38,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
         if (isNow) line("") else if (delayMs > 0) later(delayMs) { tell(kind) }
     }
 
-    /** Returns the time in ms after which the newest line is to go out; 0: that has been arranged. */
+    /** Returns the ms after which the newest line goes out; 0: that is arranged already. */
     private fun hold(kind: Kind, line: (String) -> Unit): Long {
         kind.newest = line
         if (kind.held++ > 0) return 0
@@ -65,7 +65,7 @@ class ThinnedLog(private val nowMs: () -> Long, private val later: (delayMs: Lon
     }
 }
 
-/** Makes a foreign text fit for a line of a log: control characters as `\xHH`, and at most 200 characters of it. */
+/** Makes a foreign text fit for a log line: control characters become `\xHH`, and at most 200 characters stay. */
 fun foreignText(text: String): String = buildString {
     for (c in text.take(MAX_FOREIGN)) if (c.isISOControl()) append("\\x%02X".format(c.code)) else append(c)
     if (text.length > MAX_FOREIGN) append("… (${text.length} characters)")

@@ -5,10 +5,9 @@ import java.util.concurrent.atomic.AtomicLong
 
 /**
  * Wakes an agent that sleeps or is about to.
- *
- * Jason's wake-up is lost when it comes between an agent's decision to sleep and its sleep, which then lasts up to a second. An agent that
- * asks [maySleep] does not fall asleep if it has been woken before. An agent that has decided to sleep but does not sleep yet, or that does
- * not ask, is woken again at growing intervals until it has seen the reason.
+ * Jason's wake-up is lost between an agent's decision to sleep and its sleep, which lasts up to a second. An agent that asks [maySleep]
+ * does not fall asleep after an earlier wake-up. An agent that has decided to sleep but does not sleep yet is woken again at growing
+ * intervals, until it has seen the reason. So is an agent that does not ask.
  */
 internal class Waker(private val arch: AgArch, private val platform: Platform = Platform.system) {
     private val nextWake = AtomicLong(Long.MAX_VALUE)
@@ -17,46 +16,44 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     private var perceivedMs = Long.MIN_VALUE
 
     /**
-     * True if the agent was woken since it began to perceive. [wake] writes it, then reads [sleeper]; [maySleep] writes that, then reads
-     * it.
+     * True if the agent was woken since it began to perceive. [wake] writes this, then reads [sleeper]; [maySleep] writes [sleeper], then
+     * reads this.
      */
     @Volatile
     private var isWoken = false
 
-    /** The thread that was told, after the agent began to perceive, that it may sleep; null: none. */
+    /** The thread that was told, since the agent began to perceive, that it may sleep; null: none. */
     @Volatile
     private var sleeper: Thread? = null
 
     @Volatile
     private var perceiver: Thread? = null
 
-    /** The thread that carries out a cycle of the agent; null: none does. */
+    /** The thread that carries out a cycle of the agent; null: none. */
     @Volatile
     private var reasoner: Thread? = null
 
-    /** True if the thread that perceives is also the one that sleeps; null before that is known. Jason also has agents of three threads. */
+    /** True if one thread perceives and sleeps; null: not known yet. Jason also has agents of three threads. */
     @Volatile
     private var isOneThread: Boolean? = null
 
     /**
-     * Wakes the agent now and, if that may be in vain, again until [seen] returns true; other threads call [seen]. On the thread that
-     * carries out the agent's cycle it wakes nobody, but that thread does not fall asleep after the cycle.
+     * Wakes the agent now; if that may be in vain, again until [seen] returns true. Other threads call [seen]. If the agent's cycle runs on
+     * this thread, it wakes nobody, but this thread does not fall asleep after the cycle.
      */
     fun wake(seen: () -> Boolean) {
         if (Thread.currentThread() === reasoner) isWoken = true else wake(FIRST_REPEAT_MS, seen)
     }
 
-    /** Notes that a cycle of the agent begins. Called by its thread. */
     fun cycleStarts() {
         reasoner = Thread.currentThread()
     }
 
-    /** Notes that the cycle is over. Called by the agent's thread. */
     fun cycleEnds() {
         reasoner = null
     }
 
-    /** Notes that the agent begins to perceive, and so sees the reason for which it was woken. Called by its thread. */
+    /** Notes that the agent begins to perceive, and so sees why it was woken. Called by its thread. */
     fun perceives() {
         perceivedMs = platform.nowMs()
         perceiver = Thread.currentThread()
@@ -64,10 +61,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         isWoken = false
     }
 
-    /**
-     * Returns true if the agent was not woken since it began to perceive. Called by its thread, last of all, when it decides about its
-     * sleep.
-     */
+    /** Returns true if the agent was not woken since it began to perceive. Its thread calls this last, when it decides about its sleep. */
     fun maySleep(): Boolean {
         val thread = Thread.currentThread()
         if (isOneThread != false) isOneThread = thread === perceiver
@@ -78,17 +72,16 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
     }
 
     /**
-     * Notes that the agent falls asleep without asking [maySleep], since an atomic plan waits for something. Called by its thread at the
-     * end of a cycle.
+     * Notes that the agent falls asleep without asking [maySleep], since an atomic plan waits. Called by its thread at the end of a cycle.
      */
     fun sleepsUnasked() {
         sleeper = Thread.currentThread()
         if (isWoken) wake(FIRST_REPEAT_MS) { !isWoken }
     }
 
-    /** Wakes the agent in [delayMs] ms to perceive, unless it will be woken earlier anyway. */
+    /** Wakes the agent in [delayMs] ms to perceive, unless an earlier wake-up is due. */
     fun wakeIn(delayMs: Long) {
-        val wait = minOf(delayMs, MAX_DELAY_MS) // an agent that is woken too early looks again
+        val wait = minOf(delayMs, MAX_DELAY_MS) // an agent that wakes too early looks again
         val at = platform.nowMs() + wait
         if (nextWake.getAndUpdate { minOf(it, at) } <= at) return
         platform.later(wait) {
@@ -107,7 +100,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         if (isInVain && repeatMs <= LAST_REPEAT_MS) platform.later(repeatMs) { if (!seen()) wake(2 * repeatMs, seen) }
     }
 
-    /** Returns true if the agent may be about to sleep; a thread that waits with a time limit sleeps. */
+    /** Returns true if the agent may be about to sleep. A thread that waits with a time limit sleeps already. */
     private fun mayBeInVain() = isOneThread != true || sleeper.let { it != null && it.state != Thread.State.TIMED_WAITING }
 
     private companion object {

@@ -27,7 +27,7 @@ internal interface SensingListener {
     /** Returns true if the board on [port] may report critical percepts between two messages. Any thread. */
     fun mayReport(port: OpenPort): Boolean
 
-    /** Takes [message], which was asked for at [askedNanos], by the platform's clock. */
+    /** Takes [message], requested at [askedNanos], by the platform's clock. */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long)
 
     /** Reports that the board did not answer in time. */
@@ -41,10 +41,9 @@ internal interface SensingListener {
 }
 
 /**
- * Asks one board for its percepts, or listens to it, on a thread of its own, while the agent wants to perceive it. In between it
- * watches the line, so that a pulled cable is noticed whether or not the agent perceives or acts.
- *
- * It keeps no copy of the agent's wishes: it asks [listener] each time, so that no change can be lost between two threads.
+ * Asks one board for its percepts, or listens to it, on its own thread, while the agent wants to perceive the board. In between it watches
+ * the line: a pulled cable is noticed even if the agent neither perceives nor acts.
+ * It keeps no copy of the agent's wishes, and asks [listener] each time: so no change is lost between two threads.
  */
 internal class Sensing(
     private val port: OpenPort,
@@ -63,7 +62,7 @@ internal class Sensing(
     private val isPaced = port.link.isPaced
     private val thread = lazy { platform.start("argo-$owner-${if (isPaced) "sensing" else "watching"}-${port.link.port}", ::run) }
 
-    /** Starts the thread, which ends with [close] or the port. */
+    /** Starts the thread. [close] or the loss of the port ends it. */
     fun start() = lock.withLock { if (!closed) thread.value }
 
     /** Signals that the answers of the listener may have changed. */
@@ -72,7 +71,7 @@ internal class Sensing(
         changed.signalAll()
     }
 
-    /** Ends the thread; the link must be closed as well. May be called twice. */
+    /** Ends the thread; the link must be closed as well. Idempotent. */
     override fun close() = lock.withLock {
         closed = true
         changed.signalAll()
@@ -89,7 +88,7 @@ internal class Sensing(
 
     private fun isClosed() = lock.withLock { closed }
 
-    /** Waits until the next request is due; false if the line must be looked at first. */
+    /** Waits until the next request is due; false: the line must be looked at first. */
     private fun awaitTurn(): Boolean = lock.withLock {
         var wait = nanosUntilDue()
         if (wait >= SLICE_NANOS && mayReport()) return false // the line is read instead
@@ -104,7 +103,7 @@ internal class Sensing(
         (wait <= 0).also { if (it) lastStart = clock.nanos() }
     }
 
-    /** Returns the time until the next request, for ever if none is wanted. A board that speaks unasked is listened to all the time. */
+    /** Returns the time until the next request; without end if none is wanted. A board that speaks unasked is listened to all the time. */
     private fun nanosUntilDue(): Long = when {
         !isPaced || !listener.isSensed(port) -> Long.MAX_VALUE // if not paced, the agent's own thread takes the messages
         listens() -> 0
@@ -115,7 +114,7 @@ internal class Sensing(
 
     private fun mayReport() = isPaced && !listens() && listener.mayReport(port)
 
-    /** Looks at the line. Drops messages that nobody wants now, unless the agent's own thread takes them. */
+    /** Looks at the line. Drops unwanted messages, unless the agent's own thread takes them. */
     private fun watch(): Boolean = using {
         when {
             !isPaced -> port.link.check()
@@ -125,10 +124,10 @@ internal class Sensing(
         }
     }
 
-    /** Returns the time in ms for one look at the line: it ends by the next request, and soon enough for a change of the agent's wishes. */
+    /** Returns the ms for one look at the line: at most until the next request, and short enough for changes of the agent's wishes. */
     private fun sliceMs(): Int = lock.withLock { TimeUnit.NANOSECONDS.toMillis(nanosUntilDue()) }.coerceIn(1, MAX_SLICE_MS).toInt()
 
-    /** Takes one message from the board, on the caller's thread; false when the port is lost. */
+    /** Takes one message from the board, on the caller's thread; false: the port is lost. */
     fun exchange(): Boolean = using {
         val timeoutMs = port.options.timeoutMs
         val message = if (listens()) port.link.listen(timeoutMs) else port.link.request(::requestNow, timeoutMs, listener.intervalMs)
@@ -147,7 +146,7 @@ internal class Sensing(
         return listener.request(port)
     }
 
-    /** Does [work] with the line; false when the port is lost. */
+    /** Does [work] with the line; false: the port is lost. */
     private fun using(work: () -> Unit): Boolean = try {
         work()
         true
@@ -162,10 +161,7 @@ internal class Sensing(
         unforeseen(unforeseen)
     }
 
-    /**
-     * Handles a missing answer. The far end of a network connection may have gone without closing it, and may be back without knowing this
-     * connection.
-     */
+    /** Handles a missing answer. The far end of a network connection may vanish without closing it, and come back without knowing it. */
     private fun unanswered(timeout: PortTimeoutException): Boolean {
         isTimedOut = true
         val isLong = lock.withLock {
@@ -190,7 +186,7 @@ internal class Sensing(
     }
 
     private companion object {
-        /** The longest time until a lost device is noticed while nothing is asked of it, in ns. */
+        /** The longest time in ns until a lost device is noticed while nothing is asked of it. */
         val WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(100)
         const val LOOK_MS = 1
         const val MAX_SLICE_MS = 10L

@@ -7,13 +7,11 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port.
- *
- * The beliefs change on the agent's thread only, in [update]; any thread may read.
- *
+ * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port. They change only in
+ * [update], on the agent's thread; any thread may read.
  * @param nowMs a clock in ms that never goes back
- * @param listened the port whose messages the agent perceives now; null: none
- * @param intervalMs the sensing interval
+ * @param listened returns the port whose messages the agent perceives now; null: none
+ * @param intervalMs returns the sensing interval
  */
 internal class StaleBeliefs(
     private val nowMs: () -> Long,
@@ -26,12 +24,12 @@ internal class StaleBeliefs(
     @Volatile
     private var believed: Set<Term> = emptySet()
 
-    /** Begins the wait for the next message: one has come, or the agent begins to listen. */
+    /** Begins the wait for the next message: a message has come, or the agent begins to listen. */
     fun renew() {
         freshMs = nowMs()
     }
 
-    /** Returns the time in ms until the port in use is stale, 0 if it is; null: the agent does not listen, or the board may be silent. */
+    /** Returns the ms until the port in use is stale; 0: it is; null: the agent does not listen, or the board may be silent. */
     fun dueInMs(): Long? = listened()?.let { limitMs(it.options, intervalMs()) }?.let { maxOf(0, freshMs + it - nowMs()) }
 
     /** Recomputes the beliefs; returns true if they changed. */
@@ -40,13 +38,11 @@ internal class StaleBeliefs(
         return (now != believed).also { believed = now }
     }
 
-    /** Returns true if the agent believes `stale` about [port]. Any thread. */
     fun isStale(port: Term): Boolean = port in believed
 
     /** Returns true if [update] would change the beliefs. */
     fun hasNews(): Boolean = silent() != believed
 
-    /** Returns true if the agent believes `stale` about no port. */
     fun isEmpty(): Boolean = believed.isEmpty()
 
     fun beliefs(): List<Literal> = believed.map { ASSyntax.createLiteral(FUNCTOR, it) }
@@ -54,13 +50,11 @@ internal class StaleBeliefs(
     private fun silent(): Set<Term> = if (dueInMs() == 0L) listened()?.terms.orEmpty().toSet() else emptySet()
 
     companion object {
-        /** The functor of these beliefs. */
         const val FUNCTOR = "stale"
 
         /**
-         * Returns the time in ms without a message after which `stale(Port)` is believed, null: never. The default is a time in which two
-         * answers in a row can have failed to come; never for a board that sends only when it has news.
-         *
+         * Returns the ms without a message after which `stale(Port)` is believed; null: never. The default lets two answers in a row fail.
+         * For a board that sends only news it is never.
          * @param intervalMs the sensing interval in ms
          */
         fun limitMs(options: PortOptions, intervalMs: Int): Long? = with(options) {

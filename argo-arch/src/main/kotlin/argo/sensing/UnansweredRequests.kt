@@ -2,12 +2,12 @@ package argo.sensing
 
 import java.util.concurrent.TimeUnit
 
-/** Counts requests in a row that a board has not answered, with the time of the first. Guarded by its user's lock. */
+/** Counts the requests in a row that a board has not answered, and keeps the time of the first. Guarded by its user's lock. */
 internal class UnansweredRequests {
     private var sinceNanos = 0L
     private var count = 0
 
-    /** Counts another request without an answer, which is known at [nowNanos]. */
+    /** Counts one more request, found unanswered at [nowNanos]. */
     fun add(nowNanos: Long) {
         if (count++ == 0) sinceNanos = nowNanos
     }
@@ -17,7 +17,7 @@ internal class UnansweredRequests {
         count = 0
     }
 
-    /** Returns true if [LONG_COUNT] requests in a row or more were not answered, for longer than [LONG_S] s. */
+    /** Returns true if at least [LONG_COUNT] requests in a row were not answered, for longer than [LONG_S] s. */
     fun isLong(nowNanos: Long): Boolean = count >= LONG_COUNT && nowNanos - sinceNanos > TimeUnit.SECONDS.toNanos(LONG_S)
 
     companion object {

@@ -21,7 +21,7 @@ import argo.check.rules.SyntaxRules
 import argo.check.rules.VariableKindRules
 import argo.check.rules.VariableRules
 
-/** Checks projects without running anything. */
+/** Checks a project's files without running anything. */
 object ProjectCheck {
     private val RULES: List<Rule> = listOf(
         SyntaxRules, GoalRules, BeliefRules, VariableRules, InternalActionRules, ActionRules, PlanOrderRules, ArgumentOrderRules,
@@ -29,14 +29,14 @@ object ProjectCheck {
         RobotRules,
     )
 
-    /** Returns the findings in all files of [project], file by file in the order of the text. */
+    /** Returns the findings in all files of [project]: programs first, the findings of each in the order of its text. */
     fun check(project: Project): List<Finding> = project.programs.values.flatMap { check(project, it) } + checkFiles(project)
 
-    /** Returns the findings in the files of [project] that are no programs: project files, filters and descriptions of percepts. */
+    /** Returns the findings in the files of [project] that are not programs: project files, filters and descriptions of percepts. */
     fun checkFiles(project: Project): List<Finding> =
         ProjectFileRules.check(project) + FilterRules.check(project) + PerceptFileRules.check(project)
 
-    /** Returns the findings in [program], one of [project]'s, in the order of the text. */
+    /** Returns the findings in [program], a program of [project], in the order of its text. */
     fun check(project: Project, program: AgentProgram): List<Finding> {
         val report = Report(program::place)
         val scene = Scene(project, program)

@@ -4,7 +4,7 @@ package argo.filters
 sealed interface Condition {
 
     /**
-     * A condition on the argument at [index], counted from 0. It is false for a percept that has no such argument.
+     * A condition on the argument at [index], counted from 0. A percept without that argument does not meet it.
      *
      * @throws IllegalArgumentException if [index] is negative
      */
@@ -17,8 +17,8 @@ sealed interface Condition {
     }
 
     /**
-     * A condition on the annotations called [name]: the first argument of one of them must meet all [tests]. Without tests, a percept meets
-     * it if it has such an annotation. It is false for a percept that has no such annotation.
+     * A condition on the annotations called [name]: the first argument of one such annotation must meet all [tests]. Without tests, the
+     * percept only needs such an annotation. A percept that has none does not meet the condition.
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())

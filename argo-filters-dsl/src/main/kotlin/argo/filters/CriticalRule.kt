@@ -1,13 +1,14 @@
 package argo.filters
 
 /**
- * A rule on percepts that must not wait: they are kept whatever the filter's other rules say, are not held back, and an agent perceives
- * them before all that waits for it. It drops nothing. [argo.filters.matching.PerceptMatcher] decides whether a percept meets such a rule.
+ * A rule for urgent percepts. Urgent percepts are kept whatever the filter's other rules say, and are never held back. An agent perceives
+ * an urgent percept before anything else that waits. A critical rule drops nothing. [argo.filters.matching.PerceptMatcher] decides whether
+ * a percept meets the rule.
  *
  * @property rule the rule that the percepts meet; it has no rate
- * @property reflex the command that is sent when such a percept comes, before the agent reasons: 1 to [MAX_REFLEX_LENGTH] characters up to
- * U+00FF, none of them a control character, no blanks around them, no `fffe` with two hexadecimal digits, and not the request
- * `getPercepts`, with or without arguments; null: none
+ * @property reflex the command that is sent for such a percept before the agent reasons; null: none. A reflex has 1 to [MAX_REFLEX_LENGTH]
+ *   characters up to U+00FF. It has no control characters, no blanks at its ends, and no `fffe` before two hexadecimal digits. A reflex is
+ *   not the request `getPercepts`, with or without arguments.
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null) {
@@ -22,7 +23,6 @@ data class CriticalRule(val rule: Rule, val reflex: String? = null) {
     override fun toString(): String = "$rule" + reflex?.let { ", with the reflex $it" }.orEmpty()
 
     companion object {
-        /** The most characters of a reflex. */
         const val MAX_REFLEX_LENGTH: Int = 255
 
         private val FRAME_HEADER = Regex("fffe\\p{XDigit}{2}")

@@ -2,13 +2,13 @@ package argo.filters
 
 /** Reads decimal numbers as boards write them, in place. */
 internal object DecimalReader {
-    /** With more digits than this, the quotient of two exact doubles need not be the nearest double. */
+    /** The quotient of two exact doubles is the nearest double only up to this number of digits. */
     private const val MAX_DIGITS = 15
     private val POWERS = DoubleArray(MAX_DIGITS + 1) { "1e$it".toDouble() }
 
     /**
-     * The number that fills the text from [start] to [end], except for blanks after it: an optional sign, digits, an optional fraction. NaN
-     * for any other text, even if that is a number in another form. Allocates nothing.
+     * Returns the number that fills the text from [start] to [end], except for blanks behind it: an optional sign, digits, an optional
+     * fraction. Returns NaN for any other text, even a number in another form. Allocates nothing.
      */
     fun plain(text: CharSequence, start: Int, end: Int): Double {
         val negative = text[start] == '-'

@@ -3,7 +3,7 @@ package argo.filters
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.PerceptionFilter.OnSwitch
 
-/** Marks the receivers of filters in Kotlin, so that a word compiles only in the block that it belongs to. */
+/** Marks the receivers of filters in Kotlin, so that each word compiles only in its own block. */
 @DslMarker
 annotation class FilterDsl
 
@@ -19,9 +19,8 @@ annotation class FilterDsl
  * ```
  *
  * @param name the name by which agents call the filter
- * @param onSwitch the fate of beliefs that it hides when an agent changes to it
- * @throws IllegalArgumentException if no agent can ask for a filter of that name, or a predicate, a value or a pattern cannot be read; the
- * message names the fault
+ * @param onSwitch the fate of the beliefs that the filter hides when an agent changes to it
+ * @throws IllegalArgumentException if [name] cannot be a filter's name, or a predicate, a value or a pattern cannot be read
  */
 fun dropFilter(name: String, onSwitch: OnSwitch = OnSwitch.FORGET, rules: DropRules.() -> Unit): PerceptionFilter =
     DropRules().apply(rules).let { PerceptionFilter(usableName(name), it.rules, Mode.DROP, onSwitch, it.critical) }
@@ -64,8 +63,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a critical rule: percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come before
-     * everything else. A critical rule drops nothing.
+     * Adds a critical rule. Percepts of [predicate] that meet all [conditions] are kept whatever the other rules say, and come first. A
+     * critical rule drops nothing.
      *
      * ```kotlin
      * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -101,7 +100,6 @@ sealed class RuleList(private val mode: Mode) {
     }
 }
 
-/** The rules of a filter that drops. */
 class DropRules internal constructor() : RuleList(Mode.DROP) {
     /**
      * Drops the percepts of [predicate] that meet all [conditions].
@@ -116,7 +114,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun drop(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)
 
     /**
-     * Drops the percepts of a declared type that meet all [conditions], in which its arguments have names.
+     * Drops the percepts of a declared type that meet all [conditions]. The conditions refer to arguments by their names.
      *
      * ```kotlin
      * drop(Distance) { side ne "front" }
@@ -125,7 +123,6 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun <T : PerceptType> drop(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }
 
-/** The rules of a filter that keeps. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
     /** Keeps the percepts of [predicate] that meet all [conditions]; as [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)

@@ -1,18 +1,17 @@
 package argo.filters
 
 /**
- * One thing that is wrong with a filter's text.
+ * A fault in a filter's text.
  *
- * @property source the file or other place the text came from
+ * @property source the file or other source of the text
  * @property line counted from 1
  * @property column counted from 1, in characters
- * @property message the finding and the expectation
+ * @property message the fault, and what is expected instead
  */
 data class Problem(val source: String, val line: Int, val column: Int, val message: String) {
-    /** `file:line:column: message`. */
     override fun toString(): String = "$source:$line:$column: $message"
 
-    /** Returns this problem with a message of bounded length: only the beginning and the end of a long message are left. */
+    /** Returns this problem with a message of bounded length: a long message keeps only its beginning and its end. */
     internal fun shortened(): Problem {
         if (message.length <= MAX_LENGTH) return this
         val omitted = message.length - SHOWN_FIRST - SHOWN_LAST
@@ -23,15 +22,15 @@ data class Problem(val source: String, val line: Int, val column: Int, val messa
         const val MAX_LENGTH = 450
         const val SHOWN_FIRST = 120
 
-        /** A message ends with the expectation, so its last characters are kept. */
+        /** A message ends with the expectation, so the end of a long message is kept too. */
         const val SHOWN_LAST = 250
     }
 }
 
 /**
- * A filter was refused. The message lists all [problems], one a line, in the order of the text; long values in them are shortened.
+ * A filter was refused. The message lists all [problems], one a line, in the order of the text, and shortens long values.
  *
- * @throws IllegalArgumentException if there is no problem
+ * @throws IllegalArgumentException if [problems] is empty
  */
 class FilterException(problems: List<Problem>, cause: Throwable? = null) :
     Exception(problems.joinToString("\n") { "${it.shortened()}" }, cause) {
@@ -43,5 +42,5 @@ class FilterException(problems: List<Problem>, cause: Throwable? = null) :
     }
 }
 
-/** There is no filter of the name that was asked for. The message lists the places of the search and the filters there are. */
+/** No filter has the requested name. The message lists the searched places and the existing filters. */
 class FilterNotFoundException(message: String) : Exception(message)

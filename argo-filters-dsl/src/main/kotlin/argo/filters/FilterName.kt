@@ -1,12 +1,11 @@
 package argo.filters
 
-/** Characters that file names cannot hold on one system or another. */
+/** Characters that file names cannot contain on some systems. */
 private const val FOREIGN = "\\:*?\"<>|"
 
-/** The name with which `argo.change_filter` switches filtering off. */
 private const val NO_FILTER = "none"
 
-/** Explains why a filter and its file cannot have this [name]; null if they can. */
+/** Returns why a filter and its file cannot have this [name]; null if they can. */
 internal fun nameProblem(name: String): String? = when {
     name.isBlank() -> "it is empty"
     name.any { it in FOREIGN || it.isISOControl() } -> "it holds a control character or one of $FOREIGN"
@@ -15,7 +14,7 @@ internal fun nameProblem(name: String): String? = when {
     else -> null
 }
 
-/** Returns [name] if an agent can ask for a filter by this name; else refuses it. */
+/** Returns [name] if an agent can call a filter by it; throws an [IllegalArgumentException] otherwise. */
 internal fun usableName(name: String): String {
     val problem = if (name == NO_FILTER) "argo.change_filter(none) ends the filtering" else nameProblem(name)
     require(problem == null) { "'$name' cannot be a filter's name: $problem" }

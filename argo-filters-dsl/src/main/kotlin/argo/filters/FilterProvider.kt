@@ -3,8 +3,8 @@ package argo.filters
 /**
  * Offers filters to agents by name.
  *
- * A project that writes its filters in Kotlin implements this and names the class in `META-INF/services/argo.filters.FilterProvider`;
- * [argo.filters.format.FilterFinder] finds it with `java.util.ServiceLoader`. The class needs a public constructor without arguments.
+ * A project that writes its filters in Kotlin implements this and names the class in `META-INF/services/argo.filters.FilterProvider`. The
+ * class needs a public constructor without arguments, since [argo.filters.format.FilterFinder] loads it with `java.util.ServiceLoader`.
  *
  * ```kotlin
  * class RobotFilters : FilterProvider {

@@ -1,16 +1,16 @@
 package argo.filters
 
 /**
- * A value that a condition compares an argument with: a ground Jason term.
+ * A value with which a condition compares an argument: a ground Jason term.
  *
- * Values are equal if Jason's terms are: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. `toString` is a text
- * that [of] reads back to an equal value.
+ * Values are equal if Jason's terms are: `36` equals `36.0`, but the atom `front` does not equal the string `"front"`. [of] reads the text
+ * of `toString` back to an equal value.
  */
 sealed interface GroundTerm {
 
     /** A number. Jason's numbers are doubles. */
     class Number(value: Double) : GroundTerm {
-        /** The number itself; never NaN, and never the negative zero, which Jason does not distinguish from zero. */
+        /** The number; never NaN, and never negative zero, which Jason treats as zero. */
         val value: Double = value + 0.0
 
         init {
@@ -33,21 +33,20 @@ sealed interface GroundTerm {
     }
 
     /**
-     * A string. Jason's syntax cannot write some, such as `C:\maps`. Their backslashes and carriage returns are written `\u005C` and
-     * `\u000D`, which [of] and the reader of percepts understand, but Jason's parser does not.
+     * A string. Jason's syntax cannot express some strings, such as `C:\maps`. `toString` writes their backslashes and carriage returns as
+     * `\u005C` and `\u000D`. [of] and the reader of percepts understand these escapes, Jason's parser does not.
      *
-     * @property text the characters that the string stands for: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
+     * @property text the characters of the string: `\n`, `\"` and `\uXXXX` are resolved, other escapes kept as written
      */
     data class Text(val text: String) : GroundTerm {
         override fun toString(): String = StringText.write(text)
     }
 
-    /** A list. */
     data class Sequence(val items: List<GroundTerm>) : GroundTerm {
         override fun toString(): String = items.joinToString(",", "[", "]")
     }
 
-    /** An atom, if it has no arguments, or a structure; its annotations have no order. */
+    /** An atom or a structure. An atom has no arguments. Annotations have no order. */
     data class Structure(
         val predicate: Predicate,
         val arguments: List<GroundTerm> = emptyList(),
@@ -74,13 +73,13 @@ sealed interface GroundTerm {
         private val WORDS = Regex("[A-Za-z][A-Za-z0-9_]*(?:[ -][A-Za-z0-9_]+)+")
 
         /**
-         * Reads a value as Jason reads a term: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
+         * Reads a value in Jason's syntax: `front`, `-3.5`, `"text"`, `pos(1,2)`, `[a,b]`.
          *
          * @throws IllegalArgumentException if [text] is no value; the message names the fault
          */
         fun of(text: String): GroundTerm = requireNotNull(ofOrNull(text)) { explain(text) }
 
-        /** As [of], but null if [text] is no value. Variables, expressions and plans are no values. */
+        /** Reads a value like [of]; null if [text] is no value. Variables, expressions and plans are no values. */
         fun ofOrNull(text: CharSequence): GroundTerm? = GroundTermReader(text, 0, text.length).readWhole()
 
         private fun explain(text: String): String {
@@ -97,8 +96,8 @@ sealed interface GroundTerm {
         }
 
         /**
-         * Returns [text], which begins as a variable, without underscores in front and with its first letter in lower case; null if Jason
-         * does not read the result as a word or a structure.
+         * Returns [text], which begins like a variable, without the underscores in front and with the first letter in lower case. Null:
+         * Jason does not read the result as an atom or a structure.
          */
         internal fun inLowerCase(text: String): String? =
             text.trimStart('_').replaceFirstChar(Char::lowercase).takeIf { ofOrNull(it) is Structure }

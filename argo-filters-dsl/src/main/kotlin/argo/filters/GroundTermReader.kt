@@ -1,14 +1,12 @@
 package argo.filters
 
 /**
- * Reads one ground term out of a region of text, as Jason's parser would.
- *
- * Returns null for other text (variables, expressions, plans, malformed text) and for terms nested deeper than [MAX_DEPTH]. Never throws,
- * whatever the text.
+ * Reads one ground term in a part of a text, as Jason's parser would. Returns null for any other text, such as a variable, an expression or
+ * a plan, and for terms nested deeper than [MAX_DEPTH]. Never throws, whatever the text.
  */
 internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : TermCursor(text, start, end) {
 
-    /** The term that fills the whole region, except for blanks around it. */
+    /** Returns the term that fills the whole part, except for blanks around it. */
     fun readWhole(): GroundTerm? = term(0)?.takeIf { blanks() == end }
 
     private fun term(depth: Int): GroundTerm? {
@@ -69,7 +67,7 @@ internal class GroundTermReader(text: CharSequence, start: Int, end: Int) : Term
     override fun blanks(): Int = Syntax.skipBlanks(text, at, end).also { at = it }
 
     companion object {
-        /** No board nests terms deeper; the limit keeps hostile text from using up the stack. */
+        /** No board nests terms deeper. The limit keeps hostile text from exhausting the stack. */
         const val MAX_DEPTH = 64
     }
 }

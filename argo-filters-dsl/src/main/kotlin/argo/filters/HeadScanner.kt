@@ -9,15 +9,14 @@ internal class HeadScanner(private val text: CharSequence, start: Int, end: Int)
     private val namespaceEnd = if (hasSeparator) firstEnd else first
     private val literal = if (hasSeparator) Syntax.skipBlanks(text, separator + 2, end) else first
 
-    /** True if `~` stands before the functor. */
     val negated: Boolean = literal < end && text[literal] == '~'
 
     val functorStart: Int = if (negated) Syntax.skipBlanks(text, literal + 1, end) else literal
 
-    /** The character after the functor; negative if no literal begins here. */
+    /** The index behind the functor; negative if no literal begins here. */
     val functorEnd: Int = Syntax.atomEnd(text, functorStart, end).let { if (it >= 0 && isWritable(it)) it else -1 }
 
-    /** The namespace's name; that of the default namespace if the text has none. */
+    /** The namespace; the default one if the text names none. */
     val namespace: String
         get() = if (namespaceEnd == first) Predicate.DEFAULT_NAMESPACE else Predicate.namespaceOf(text.substring(first, namespaceEnd))
 

@@ -4,9 +4,9 @@ import com.google.re2j.Pattern
 import com.google.re2j.PatternSyntaxException
 
 /**
- * A regular expression that is matched in linear time and takes bounded memory.
+ * A regular expression that is matched in linear time and bounded memory.
  *
- * @throws IllegalArgumentException if [pattern] is not in RE2's syntax or is too large; the message is for a person
+ * @throws IllegalArgumentException if [pattern] is not in RE2's syntax or is too large
  */
 internal class LinearPattern(pattern: String) {
     private val compiled: Pattern
@@ -24,7 +24,7 @@ internal class LinearPattern(pattern: String) {
 
     fun matches(text: String): Boolean = compiled.matches(text)
 
-    /** Returns an upper bound of the product of nested counts, since the compiler writes each repetition out. */
+    /** Returns an upper bound of the product of nested counts. RE2's compiler writes each repetition out. */
     private fun repetitions(pattern: String): Long =
         COUNT.findAll(pattern).fold(1L) { product, count -> minOf(product * maxOf(largest(count), 1), MAX_REPETITIONS + 1) }
 

@@ -2,10 +2,10 @@ package argo.filters
 
 import kotlin.reflect.KProperty
 
-/** The rules on declared percept types under construction, on the thread that makes them. */
+/** The rule under construction on this thread, if it is for a declared percept type. */
 private val underConstruction = ThreadLocal<RuleConditions?>()
 
-/** Runs [say] with [rule] under construction on this thread, so that the rule notes each declared argument that [say] reads. */
+/** Runs [say] for the [rule] under construction. The rule notes each declared argument that [say] reads. */
 internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
     val outer = underConstruction.get()
     underConstruction.set(rule)
@@ -26,29 +26,28 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
  * }
  * ```
  *
- * Conditions on a declared argument are checked by the compiler: `side gt 3` does not compile. A rule that names an argument without a
- * condition on it, as in `drop(Distance) { side }`, is refused when it is made.
+ * The compiler checks conditions on declared arguments: `side gt 3` does not compile. A rule that names an argument without a condition on
+ * it, as in `drop(Distance) { side }`, is refused when it is made.
  *
  * @param predicate the functor, as in `distance` or `~open`
  * @throws IllegalArgumentException if [predicate] is no predicate
  */
 @FilterDsl
 abstract class PerceptType(predicate: String) {
-    /** The predicate of percepts of this type. */
     val predicate: Predicate = Predicate.of(predicate)
 
     private var declared = 0
 
-    /** The next argument is an atom. */
+    /** Declares the next argument as an atom. */
     protected fun atom(): Declared<AtomArgument> = declare { index, name -> AtomArgument(this, index, name) }
 
-    /** The next argument is a number. */
+    /** Declares the next argument as a number. */
     protected fun number(): Declared<NumberArgument> = declare { index, name -> NumberArgument(this, index, name) }
 
-    /** The next argument is a string. */
+    /** Declares the next argument as a string. */
     protected fun string(): Declared<StringArgument> = declare { index, name -> StringArgument(this, index, name) }
 
-    /** The next argument is any term: a structure, a list, or a term of changing type. */
+    /** Declares the next argument as any term: a structure, a list, or a term of changing type. */
     protected fun term(): Declared<TermArgument> = declare { index, name -> TermArgument(this, index, name) }
 
     private fun <A : TypedArgument<*>> declare(make: (Int, String) -> A): Declared<A> {
@@ -57,9 +56,9 @@ abstract class PerceptType(predicate: String) {
     }
 }
 
-/** The declaration of an argument: the delegate of a property. */
+/** The declaration of an argument, as the delegate of a property. */
 class Declared<A : TypedArgument<*>> internal constructor(private val make: (name: String) -> A) {
-    /** The argument that was declared. A rule under construction expects a condition on it. */
+    /** Returns the declared argument. A rule under construction then expects a condition on it. */
     operator fun getValue(type: PerceptType, property: KProperty<*>): A =
         make(property.name).also { argument -> underConstruction.get()?.mention(argument) }
 }
@@ -67,7 +66,7 @@ class Declared<A : TypedArgument<*>> internal constructor(private val make: (nam
 /**
  * An argument of a [PerceptType].
  *
- * @param V the type of the values that conditions compare it with
+ * @param V the type of the values in conditions on the argument
  * @property index the argument's position, counted from 0
  */
 sealed class TypedArgument<V>(
@@ -76,11 +75,10 @@ sealed class TypedArgument<V>(
     private val name: String,
     internal val termOf: (V) -> GroundTerm,
 ) {
-    /** The argument's name in the percept's type. */
     override fun toString(): String = name
 }
 
-/** An argument that is an atom. Conditions compare it with an atom's text, as Jason writes it; other text is refused. */
+/** An argument that is an atom. Conditions compare it with an atom in Jason's syntax, and refuse other text. */
 class AtomArgument internal constructor(type: PerceptType, index: Int, name: String) : TypedArgument<String>(type, index, name, ::atomOf)
 
 /** An argument that is a number. */
@@ -91,7 +89,7 @@ class NumberArgument internal constructor(type: PerceptType, index: Int, name: S
 class StringArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::Text)
 
-/** An argument that is any term. Conditions compare it with a term's text, as Jason writes it. */
+/** An argument that is any term. Conditions compare it with a term in Jason's syntax. */
 class TermArgument internal constructor(type: PerceptType, index: Int, name: String) :
     TypedArgument<String>(type, index, name, GroundTerm::of)
 

@@ -1,14 +1,14 @@
 package argo.filters
 
 /**
- * A perception filter, which decides over percepts by its [rules].
+ * A perception filter. A filter's [rules] decide which percepts an agent perceives.
  *
- * Immutable, and safe to share between agents. Two filters are equal if they decide alike, even if their [name]s differ.
+ * Immutable, and safe to share between agents. Two filters are equal if they make the same decisions, even under different [name]s.
  *
  * @property name the name by which agents call the filter
  * @property mode the fate of the percepts that meet a rule
- * @property onSwitch the fate of beliefs that this filter hides when an agent changes to it
- * @param critical the rules on percepts that must not wait, which decide before all other rules
+ * @property onSwitch the fate of the beliefs that this filter hides when an agent changes to it
+ * @param critical the rules for urgent percepts; they decide before all other rules
  */
 class PerceptionFilter(
     val name: String,
@@ -17,12 +17,12 @@ class PerceptionFilter(
     val onSwitch: OnSwitch = OnSwitch.FORGET,
     critical: List<CriticalRule> = emptyList(),
 ) {
-    /** The fate of the percepts that meet one of a filter's rules. */
+    /** The fate of the percepts that meet one of the rules. */
     enum class Mode {
-        /** Percepts that meet a rule are dropped; all others are kept. The filters of the ARGO paper are of this mode. */
+        /** Percepts that meet a rule are dropped, all others are kept. The filters of the ARGO paper have this mode. */
         DROP,
 
-        /** Percepts that meet a rule are kept; all others are dropped. */
+        /** Percepts that meet a rule are kept, all others are dropped. */
         KEEP,
     }
 
@@ -37,7 +37,7 @@ class PerceptionFilter(
 
     val rules: List<Rule> = java.util.List.copyOf(rules)
 
-    /** The rules on percepts that must not wait, in their order. */
+    /** The rules for urgent percepts, in their order. */
     val critical: List<CriticalRule> = java.util.List.copyOf(critical)
 
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())

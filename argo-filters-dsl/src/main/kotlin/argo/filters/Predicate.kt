@@ -1,13 +1,12 @@
 package argo.filters
 
 /**
- * The name of a rule or a term: a functor as Jason reads it, negated or not, in a namespace.
+ * The name of a rule or a term: a functor in Jason's syntax, negated or not, in a namespace. `open` and `~open` are different predicates,
+ * and so are `open` and `house::open`.
  *
- * `open` and `~open` are different predicates, and so are `open` and `house::open`.
- *
- * @property functor an atom as it is written, quotes included: `dist`, `'Left wheel'`
+ * @property functor the atom as written, including quotes: `dist`, `'Left wheel'`
  * @property negated whether strong negation (`~`) stands before the functor
- * @property namespace the namespace's name; [DEFAULT_NAMESPACE] if the text has none
+ * @property namespace the namespace's name; [DEFAULT_NAMESPACE] if the text names none
  */
 data class Predicate(val functor: String, val negated: Boolean = false, val namespace: String = DEFAULT_NAMESPACE) {
 
@@ -17,7 +16,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         require(isWritable(functor, negated, namespace)) { "$functor is neither negated nor in a namespace in Jason" }
     }
 
-    /** The predicate as Jason writes it: `dist`, `~open`, `house::~open`. */
+    /** The predicate in Jason's syntax: `dist`, `~open`, `house::~open`. */
     override fun toString(): String = buildString {
         if (namespace != DEFAULT_NAMESPACE) append(namespace).append("::")
         if (negated) append('~')
@@ -25,14 +24,14 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
     }
 
     companion object {
-        /** The namespace of everything that is written without one. */
+        /** The namespace of a predicate that names none. */
         const val DEFAULT_NAMESPACE: String = "default"
 
         /** Jason's word for the namespace in which a text is read. */
         internal const val THIS_NAMESPACE = "this_ns"
 
         /**
-         * Reads a predicate as Jason would: `dist`, `~open`, `house::dist`.
+         * Reads a predicate in Jason's syntax: `dist`, `~open`, `house::dist`.
          *
          * @throws IllegalArgumentException if [text] is no predicate; the message names the fault
          */
@@ -44,7 +43,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
             return Predicate(if (negated) rest.substring(1).trimStart() else rest, negated, namespace)
         }
 
-        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` in quotes is part of a name. */
+        /** Returns the index of the `::` behind a namespace; negative if there is none. A `::` within quotes is part of a name. */
         private fun separator(text: String): Int {
             val first = text.indexOf("::")
             val quote = text.indexOf('\'')
@@ -56,7 +55,7 @@ data class Predicate(val functor: String, val negated: Boolean = false, val name
         private fun isWritable(functor: String, negated: Boolean, namespace: String) =
             functor !in Syntax.TRUTH_VALUES || !negated && namespace == DEFAULT_NAMESPACE
 
-        /** Returns the namespace that [written] means: the text before `::`, which may be empty. */
+        /** Returns the namespace for [written], the text before `::`, which may be empty. */
         internal fun namespaceOf(written: String): String =
             if (written.isEmpty() || written == THIS_NAMESPACE) DEFAULT_NAMESPACE else written
     }

@@ -1,10 +1,10 @@
 package argo.filters
 
 /**
- * One rule of a filter: percepts of this [predicate] and [arity] that meet all [conditions] meet it.
+ * A rule of a filter. A percept meets it if it has the [predicate] and the [arity] and meets all [conditions].
  *
- * @property conditions if there are none, every percept of the predicate meets the rule
- * @property arity the number of arguments that the percept must have; null: any
+ * @property conditions empty: every percept of the predicate meets the rule
+ * @property arity the required number of arguments; null: any
  * @property rate the rate by which percepts that meet the rule are held back; null: they are not held back
  */
 data class Rule(
@@ -28,18 +28,19 @@ data class Rule(
 }
 
 /**
- * Holds percepts back that come too soon or differ too little from the one that was let through last.
+ * Holds percepts back that come too soon, or that differ too little from the percept last let through.
  *
- * It counts for each kind of percept: `dist(f,2)` is of the same kind as `dist(f,1)`, as they differ only in numbers; `dist(b,1)` is of
- * another. A percept is held back while the interval has not ended *and* no number has moved as far as its deadband. A percept that is held
- * back is not lost: it is delivered when the interval ends or, if there are only deadbands, [SETTLING_MS] after it was first held back.
+ * The rate applies to each kind of percept separately. Percepts that differ only in numbers are of one kind: `dist(f,2)` and `dist(f,1)`
+ * are, `dist(b,1)` is not. A percept is held back while the interval has not ended *and* no number has moved by its deadband. A held-back
+ * percept is not lost: the session delivers it at the end of the interval. If there are only deadbands, the session delivers it
+ * [SETTLING_MS] after it began to hold percepts back.
  *
- * Only an [argo.filters.matching.FilterSession], which has the time, holds percepts back.
+ * Only an [argo.filters.matching.FilterSession], which knows the time, holds percepts back.
  *
- * @property everyMs the interval in milliseconds in which at most one percept is let through; null: there is no interval
+ * @property everyMs at most one percept is let through in this interval, in milliseconds; null: there is no interval
  * @property deadbands the distances by which numbers must move for a percept to be let through at once
  * @throws IllegalArgumentException if there is neither an interval nor a deadband, if an argument has two deadbands, or if the interval is
- * below 1 ms
+ *   below 1 ms
  */
 data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptySet()) {
     init {
@@ -62,7 +63,7 @@ data class Rate(val everyMs: Long? = null, val deadbands: Set<Deadband> = emptyS
  * The distance by which a number must move for its percept to be let through.
  *
  * @property argument the argument's position, counted from 0; null: each argument that is a number
- * @property width the least distance: a percept is held back if its number is closer to the number that was let through last
+ * @property width the least distance. A percept is held back if its number is closer to the number last let through.
  * @throws IllegalArgumentException if [width] is not a finite number above 0, or [argument] is negative
  */
 data class Deadband(val argument: Int?, val width: Double) {

@@ -4,7 +4,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * The conditions of one rule under construction, all of which a percept must meet.
+ * The conditions of one rule under construction. A percept must meet all of them.
  *
  * ```kotlin
  * drop("dist") { argument(0) ne "front"; argument(1) gt 200; everyMs(500) }
@@ -18,13 +18,13 @@ open class RuleConditions internal constructor() {
     private var arity: Int? = null
     private var everyMs: Long? = null
 
-    /** The argument at [index], counted from 0, of whatever type: `argument(0) ne "front"`. */
+    /** The argument at [index], counted from 0, of any type: `argument(0) ne "front"`. */
     fun argument(index: Int): AnyArgument {
         requireIndex(index)
         return AnyArgument(index, this).also(::mention)
     }
 
-    /** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
+    /** The annotations called [name]. One of them must meet the test: `annotation("q") lt 0.5`. */
     fun annotation(name: String): AnyAnnotation = AnyAnnotation(Predicate.of(name), this).also(::mention)
 
     /** The percept must have an annotation called [name]: `hasAnnotation("urgent")`. */
@@ -45,7 +45,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate].
+     * Holds back percepts that come less than [ms] milliseconds after the percept last let through: `everyMs(500)`; see [Rate].
      *
      * @throws IllegalArgumentException if the rule already has another interval
      */
@@ -55,7 +55,7 @@ open class RuleConditions internal constructor() {
     }
 
     /**
-     * As [everyMs]: `every(2.seconds)`.
+     * Sets the interval of [everyMs] by a duration: `every(2.seconds)`.
      *
      * @throws IllegalArgumentException if [interval] is not a whole number of milliseconds, or the rule already has another interval
      */
@@ -72,17 +72,15 @@ open class RuleConditions internal constructor() {
         conditions += condition
     }
 
-    /** Notes that the rule names [term], which needs a condition or a deadband. */
     internal fun mention(term: Any) {
         unsaid += term
     }
 
-    /** Notes that there is a condition or a deadband on [term]. */
     internal fun specify(term: Any) {
         unsaid.removeAll { it === term }
     }
 
-    /** @throws IllegalArgumentException if an argument or annotation was named without a test: the author meant a condition */
+    /** @throws IllegalArgumentException if the block names an argument or annotation without a condition on it */
     internal fun rule(predicate: Predicate): Rule {
         require(unsaid.isEmpty()) {
             "there is no condition on ${unsaid.joinToString(" and ")} in a rule on $predicate; expected a word like eq or gt after it"
@@ -93,7 +91,7 @@ open class RuleConditions internal constructor() {
 }
 
 /**
- * The conditions of a critical rule under construction, and its reflex. It can have neither [everyMs] nor a [deadband].
+ * The conditions of a critical rule under construction, and its reflex. A critical rule can have neither [everyMs] nor a [deadband].
  *
  * ```kotlin
  * critical("dist") { argument(1) lt 15; reflex("stop") }
@@ -103,8 +101,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
 
     /**
-     * Has [command] sent when a percept that meets the rule comes, before the agent reasons: `reflex("speed(0)")`; see
-     * [CriticalRule.reflex].
+     * Sends [command] for a percept that meets the rule, before the agent reasons: `reflex("speed(0)")`; see [CriticalRule.reflex].
      *
      * @throws IllegalArgumentException if [command] cannot be sent, or the rule has a reflex already
      */
@@ -118,16 +115,14 @@ class CriticalConditions internal constructor() : RuleConditions() {
 }
 
 /**
- * A term whose type is not declared: an argument or an annotation's value.
- *
- * Text is read as Jason reads it: `argument(0) eq "front"` compares with an atom, `argument(0) eq "\"front\""` with a string.
+ * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
+ * atom, `argument(0) eq "\"front\""` with a string.
  */
 @FilterDsl
 sealed class AnyTerm {
-    /** The term must meet all [tests]. */
     internal abstract fun must(vararg tests: TermTest)
 
-    /** The term must equal [value], a Jason term: `argument(0) eq "front"`. */
+    /** The term must equal [value], in Jason's syntax: `argument(0) eq "front"`. */
     infix fun eq(value: String): Unit = must(TermTest.Compare(Operator.EQ, GroundTerm.of(value)))
 
     /** The term must equal [value]: `argument(1) eq 36`. */
@@ -136,7 +131,7 @@ sealed class AnyTerm {
     /** The term must equal [value]: `argument(0) eq GroundTerm.Text("low battery")`. */
     infix fun eq(value: GroundTerm): Unit = must(TermTest.Compare(Operator.EQ, value))
 
-    /** The term must differ from [value], a Jason term: `argument(0) ne "front"`. */
+    /** The term must differ from [value], in Jason's syntax: `argument(0) ne "front"`. */
     infix fun ne(value: String): Unit = must(TermTest.Compare(Operator.NE, GroundTerm.of(value)))
 
     /** The term must differ from [value]: `argument(1) ne 0`. */
@@ -148,19 +143,21 @@ sealed class AnyTerm {
     /** The term must be a number greater than [value]: `argument(1) gt 200`. */
     infix fun gt(value: Number): Unit = must(TermTest.Compare(Operator.GT, value.asTerm()))
 
-    /** The term must be a number, and at least [value]: `argument(1) ge 200`. */
+    /** The term must be a number and at least [value]: `argument(1) ge 200`. */
     infix fun ge(value: Number): Unit = must(TermTest.Compare(Operator.GE, value.asTerm()))
 
     /** The term must be a number less than [value]: `annotation("q") lt 0.5`. */
     infix fun lt(value: Number): Unit = must(TermTest.Compare(Operator.LT, value.asTerm()))
 
-    /** The term must be a number, and at most [value]: `argument(1) le 15`. */
+    /** The term must be a number and at most [value]: `argument(1) le 15`. */
     infix fun le(value: Number): Unit = must(TermTest.Compare(Operator.LE, value.asTerm()))
 
     /** The term's whole text must match the regular expression [pattern]: `argument(0) matches "front|left"`; see [TermTest.Matches]. */
     infix fun matches(pattern: String): Unit = must(TermTest.Matches(pattern))
 
-    /** The term must equal one of [values], Jason terms as text, numbers or [GroundTerm]s: `argument(0) isIn listOf("front", "left")`. */
+    /**
+     * The term must equal one of [values]: texts in Jason's syntax, numbers or [GroundTerm]s. `argument(0) isIn listOf("front", "left")`.
+     */
     infix fun isIn(values: Collection<Any>): Unit = must(TermTest.OneOf(values.map(::valueOf).toSet()))
 
     /**
@@ -180,7 +177,6 @@ sealed class AnyTerm {
     }
 }
 
-/** An argument of a rule under construction: the value of `argument(0)`. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -196,7 +192,6 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
     override fun toString(): String = "argument($index)"
 }
 
-/** An annotation of a rule under construction: the value of `annotation("q")`. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -219,7 +214,7 @@ private fun wholeMillis(interval: Duration): Long = interval.inWholeMilliseconds
     require(it.milliseconds == interval) { "the interval $interval is not a whole number of milliseconds" }
 }
 
-/** The tests that a number in the range meets. */
+/** Returns the tests that exactly the numbers in the range meet. */
 internal fun <N> ClosedRange<N>.tests(): Array<TermTest> where N : Number, N : Comparable<N> {
     require(!isEmpty()) { "the range $this is empty; expected the smaller number first" }
     return arrayOf(TermTest.Compare(Operator.GE, start.asTerm()), TermTest.Compare(Operator.LE, endInclusive.asTerm()))

@@ -1,13 +1,11 @@
 package argo.filters
 
-/** Writes strings between double quotes, and reads them. */
 internal object StringText {
     private const val UNICODE_DIGITS = 4
 
-    /** The length of `\uXXXX`. */
     private const val UNICODE_LENGTH = 2 + UNICODE_DIGITS
 
-    /** Returns [text] in quotes: as Jason writes it, with `\uXXXX` for each character that Jason cannot write. */
+    /** Returns [text] in quotes and in Jason's syntax, with `\uXXXX` for each character that this syntax cannot express. */
     fun write(text: String): String {
         val written = quoted(text)
         val end = written.length
@@ -17,7 +15,7 @@ internal object StringText {
 
     private fun quoted(text: String) = "\"" + text.replace("\n", "\\n").replace("\"", "\\\"") + "\""
 
-    /** Returns the string that [written], the text between the quotes, stands for. */
+    /** Returns the string for [written], the text between the quotes. */
     fun read(written: String): String {
         if ("\\u" !in written) return asJason(written)
         val text = StringBuilder()
@@ -35,10 +33,9 @@ internal object StringText {
         return text.append(asJason(written.substring(start))).toString()
     }
 
-    /** Resolves escapes as Jason does when it reads a string: only `\n` and `\"`, one after the other. */
+    /** Resolves escapes as Jason does in strings: first `\n`, then `\"`, and no others. */
     private fun asJason(written: String) = written.replace("\\n", "\n").replace("\\\"", "\"")
 
-    /** Returns true if the backslash at [start] begins `\uXXXX`. */
     fun isUnicode(text: CharSequence, start: Int, end: Int): Boolean =
         start + UNICODE_LENGTH <= end && text[start + 1] == 'u' && (2 until UNICODE_LENGTH).all { isHex(text[start + it]) }
 

@@ -1,38 +1,35 @@
 package argo.filters
 
-/** The words of Jason's term syntax, as its grammar defines them for ASCII text. */
+/** The syntax of Jason's terms, as its grammar defines it for ASCII text. */
 internal object Syntax {
     const val FUNCTOR_IN_WORDS =
         "it starts with a lower-case letter and goes on with letters, digits and _, or stands in single quotes"
 
-    /** Atoms that take no arguments, annotations or negation. */
     val TRUTH_VALUES = setOf("true", "false")
 
     fun isAtom(text: String): Boolean = text.isNotEmpty() && atomEnd(text, 0, text.length) == text.length
 
-    /** The reserved words by their length, so that a percept's name is compared only with words of its own length. */
+    /** The reserved words by length. A percept's name is compared only with words of its own length. */
     private val RESERVED = listOf("if", "not", "div", "mod", "for", "else", "elif", "while").let { words ->
         Array(words.maxOf(String::length) + 1) { length -> words.filter { it.length == length }.toTypedArray() }
     }
 
-    /** Returns true if Jason's parser does not read the word as an atom. */
+    /** Returns true if Jason's parser reads the word as a keyword, not as an atom. */
     fun isReserved(text: CharSequence, start: Int, end: Int): Boolean =
         end - start < RESERVED.size && RESERVED[end - start].any { isAt(text, start, end, it) }
 
     fun isTruthValue(text: CharSequence, start: Int, end: Int): Boolean =
         isAt(text, start, end, "true") || isAt(text, start, end, "false")
 
-    /** The end of the row of letters, digits and underscores from [start]. */
     fun wordEnd(text: CharSequence, start: Int, end: Int): Int = first(text, start, end) { !isWordCharacter(it) }
 
-    /** The first position from [start] whose character is [wanted]; [end] if there is none. */
     private inline fun first(text: CharSequence, start: Int, end: Int, wanted: (Char) -> Boolean): Int {
         var i = start
         while (i < end && !wanted(text[i])) i++
         return i
     }
 
-    /** The end of the atom that starts at [start], or -1 if there is none. */
+    /** Returns the end of the atom that starts at [start]; -1 if there is none. */
     fun atomEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end) return -1
         if (text[start] == '\'') return quotedAtomEnd(text, start, end)
@@ -51,7 +48,6 @@ internal object Syntax {
         return if (isReserved(text, start, i)) -1 else i
     }
 
-    /** The end of the quoted atom that starts at [start], or -1 if it is not closed. */
     fun quotedAtomEnd(text: CharSequence, start: Int, end: Int): Int {
         val quote = first(text, start + 1, end) { it == '\'' }
         return if (quote < end) quote + 1 else -1
@@ -62,11 +58,10 @@ internal object Syntax {
 
     fun isWordCharacter(c: Char): Boolean = c in 'a'..'z' || c in 'A'..'Z' || c in '0'..'9' || c == '_'
 
-    /** Returns true if the atom has a dot, so that Jason reads it as the name of an internal action or arithmetic function. */
+    /** Returns true if the atom contains a dot. Jason reads such a name as that of an internal action or an arithmetic function. */
     fun isDotted(text: CharSequence, start: Int, end: Int): Boolean =
         text[start] != '\'' && (start until end).any { text[it] == '.' }
 
-    /** The end of the unsigned number that starts at [start], or -1 if there is none. */
     fun numberEnd(text: CharSequence, start: Int, end: Int): Int {
         val whole = digitsEnd(text, start, end)
         var i = whole
@@ -89,7 +84,8 @@ internal object Syntax {
     private fun digitsEnd(text: CharSequence, start: Int, end: Int) = first(text, start, end) { it !in '0'..'9' }
 
     /**
-     * The end of the string in double quotes that starts at [start], or -1 if it is not closed or has a form that [GroundTerm.Text] lacks.
+     * Returns the end of the string in double quotes that starts at [start]; -1 if the string is not closed or does not fit in a
+     * [GroundTerm.Text].
      */
     fun stringEnd(text: CharSequence, start: Int, end: Int): Int {
         var i = start + 1
@@ -99,7 +95,7 @@ internal object Syntax {
                 '\n', '\r' -> return -1
                 '\\' -> {
                     if (i + 1 >= end || text[i + 1] !in ESCAPED && !StringText.isUnicode(text, i, end)) return -1
-                    i += 2 // the loop passes the digits behind \u like any letters
+                    i += 2 // the loop passes the digits behind \u as letters
                 }
                 else -> i++
             }
@@ -109,7 +105,7 @@ internal object Syntax {
 
     private const val ESCAPED = "ntbrf\\'\"01234567"
 
-    /** The first position from [start] that is neither white space nor in a comment. */
+    /** Returns the first position from [start] on outside of white space and comments. */
     fun skipBlanks(text: CharSequence, start: Int, end: Int): Int {
         var i = start
         while (i < end) {
@@ -123,7 +119,6 @@ internal object Syntax {
         return i
     }
 
-    /** The end of the comment that starts at [start], or [start] itself if no comment starts there. */
     fun commentEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start + 1 >= end) return start
         return when (text[start + 1]) {
@@ -136,7 +131,6 @@ internal object Syntax {
         }
     }
 
-    /** Returns true if [text] holds exactly [word] from [start] to [end]. */
     fun isAt(text: CharSequence, start: Int, end: Int, word: String): Boolean {
         if (word.length != end - start) return false
         for (i in word.indices) if (text[start + i] != word[i]) return false

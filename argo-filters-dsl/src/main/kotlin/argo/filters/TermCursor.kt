@@ -1,6 +1,6 @@
 package argo.filters
 
-/** Moves over the parts of terms in [text], from [at] to [end]. A function returns null if it finds no such part. */
+/** Moves over the parts of terms in [text], from [at] to [end]. Each function returns null if it does not find its part. */
 internal abstract class TermCursor(protected val text: CharSequence, protected var at: Int, protected val end: Int) {
 
     /** Skips the blanks between the parts of a term; returns the position of the next part. */
@@ -10,14 +10,13 @@ internal abstract class TermCursor(protected val text: CharSequence, protected v
 
     protected fun take(expected: Char): Boolean = isNext(expected).also { if (it) at++ }
 
-    /** Reads one or more items, with commas between them; null: [item] finds none. */
+    /** Reads one or more items with commas between them; null if [item] finds none. */
     protected inline fun <T : Any> items(item: () -> T?): ArrayList<T>? {
         val items = ArrayList<T>(USUAL_ARITY)
         do items += item() ?: return null while (take(','))
         return items
     }
 
-    /** A number without a sign. */
     protected fun double(): Double? {
         val start = at
         val numberEnd = Syntax.numberEnd(text, start, end)
@@ -27,7 +26,6 @@ internal abstract class TermCursor(protected val text: CharSequence, protected v
         return if (plain.isNaN()) text.substring(start, numberEnd).toDouble() else plain
     }
 
-    /** The text of a string in double quotes. */
     protected fun quoted(): String? {
         val start = at
         val stringEnd = Syntax.stringEnd(text, start, end)

@@ -1,6 +1,6 @@
 package argo.filters
 
-/** A comparison of a term with a value. Filter files use the same names. */
+/** A comparison of a term with a value. The constants have the same names in filter files. */
 enum class Operator(internal val words: String, internal val ordering: Boolean) {
     EQ("is", false),
     NE("is not", false),
@@ -10,17 +10,13 @@ enum class Operator(internal val words: String, internal val ordering: Boolean) 
     LE("is at most", true),
 }
 
-/**
- * A test of one term.
- *
- * Every test is false for a term that is not ground and plain: variables, expressions, plans.
- */
+/** A test of one term. No test holds for a variable, an expression or a plan. */
 sealed interface TermTest {
 
     /**
-     * Compares the term with [value]. The orderings hold only for numbers.
+     * Compares the term with [value]. Orderings hold only for numbers.
      *
-     * @throws IllegalArgumentException if [operator] is an ordering and [value] is not a number
+     * @throws IllegalArgumentException if [operator] is an ordering and [value] is no number
      */
     data class Compare(val operator: Operator, val value: GroundTerm) : TermTest {
         init {
@@ -31,9 +27,9 @@ sealed interface TermTest {
     }
 
     /**
-     * Holds for a term that equals one of [values]; their order does not matter.
+     * Holds for a term that equals one of [values].
      *
-     * @throws IllegalArgumentException if there is no value
+     * @throws IllegalArgumentException if [values] is empty
      */
     data class OneOf(val values: Set<GroundTerm>) : TermTest {
         init {
@@ -44,10 +40,10 @@ sealed interface TermTest {
     }
 
     /**
-     * Holds for a term whose whole text matches the regular expression [pattern]. The text is that of [GroundTerm.toString]: strings
-     * have their quotes, structures no blanks.
+     * Holds for a term whose whole text, as [GroundTerm.toString] writes it, matches the regular expression [pattern]. Strings have their
+     * quotes, structures no blanks.
      *
-     * Matching takes time linear in the length of the text, whatever the pattern: RE2's syntax has no look-around and no back references.
+     * Matching takes time linear in the length of the text for every pattern, since RE2's syntax has no look-around and no back references.
      *
      * @throws IllegalArgumentException if [pattern] is not in RE2's syntax, or is too large
      */

@@ -1,19 +1,19 @@
-/* Conditions on arguments of a declared percept type. They add to the rule in whose block they stand: `drop(Distance) { cm gt 9 }`. */
+/* Conditions on arguments of a declared percept type. Each adds to the rule around it: `drop(Distance) { cm gt 9 }`. */
 package argo.filters
 
 import kotlin.time.Duration
 
-/** A rule on a declared percept type under construction. The functions of this file have it as a context parameter. */
+/** A rule on a declared percept type under construction, the context parameter of the functions in this file. */
 open class TypedRule internal constructor(internal val type: PerceptType, internal val conditions: RuleConditions)
 
 /** A critical rule on a declared percept type under construction. */
 class TypedCriticalRule internal constructor(type: PerceptType, internal val critical: CriticalConditions) : TypedRule(type, critical)
 
-/** Has [command] sent when a percept that meets the rule comes: `reflex("stop")`; see [CriticalConditions.reflex]. */
+/** Sends [command] for a percept that meets the rule: `reflex("stop")`; see [CriticalConditions.reflex]. */
 context(rule: TypedCriticalRule)
 fun PerceptType.reflex(command: String): Unit = rule.critical.reflex(command)
 
-/** The argument must equal [value]: `side eq "front"`, `cm eq 36`, `position eq "pos(1,2)"`. Give the text of a string without quotes. */
+/** The argument must equal [value]: `side eq "front"`, `cm eq 36`, `position eq "pos(1,2)"`. A string has no quotes here. */
 context(rule: TypedRule)
 infix fun <V> TypedArgument<V>.eq(value: V): Unit = compare(Operator.EQ, value)
 
@@ -60,11 +60,11 @@ infix fun NumberArgument.deadband(width: Number) {
 context(rule: TypedRule)
 fun PerceptType.arity(count: Int): Unit = rule.conditions.arity(count)
 
-/** Holds back percepts that come less than [ms] milliseconds after the one that was let through: `everyMs(500)`; see [Rate]. */
+/** Holds back percepts that come less than [ms] milliseconds after the percept last let through: `everyMs(500)`; see [Rate]. */
 context(rule: TypedRule)
 fun PerceptType.everyMs(ms: Long): Unit = rule.conditions.everyMs(ms)
 
-/** As [everyMs]: `every(2.seconds)`; a whole number of milliseconds. */
+/** Sets the interval of [everyMs] by a duration: `every(2.seconds)`, a whole number of milliseconds. */
 context(rule: TypedRule)
 fun PerceptType.every(interval: Duration): Unit = rule.conditions.every(interval)
 
@@ -76,7 +76,7 @@ fun PerceptType.deadband(width: Number): Unit = rule.conditions.deadband(width)
 context(rule: TypedRule)
 fun PerceptType.hasAnnotation(name: String): Unit = rule.conditions.hasAnnotation(name)
 
-/** The annotations called [name], of which one must meet the test: `annotation("q") lt 0.5`. */
+/** The annotations called [name]. One of them must meet the test: `annotation("q") lt 0.5`. */
 context(rule: TypedRule)
 fun PerceptType.annotation(name: String): AnyAnnotation = rule.conditions.annotation(name)
 

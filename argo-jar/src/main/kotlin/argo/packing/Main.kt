@@ -4,23 +4,41 @@ import java.io.File
 import java.nio.file.Path
 import kotlin.system.exitProcess
 
-/** Packages that keep their names: ARGO's own, Kotlin's standard library, and jSerialComm, whose native libraries name its classes. */
+/**
+ * Packages that keep their names: ARGO's own, Kotlin's standard library, jSerialComm, whose native libraries name its classes, and JGroups,
+ * which names its own in tables.
+ */
 internal val OWN_NAMES =
-    listOf("argo/", "javino/", "jason/", "kotlin/", "org/jetbrains/annotations/", "org/intellij/lang/annotations/", "com/fazecast/")
+    listOf(
+        "argo/", "javino/", "jason/", "kotlin/", "org/jetbrains/annotations/", "org/intellij/lang/annotations/", "com/fazecast/", "org/jgroups/",
+    )
 
-/** Packs argo.jar: both builds run this with JAR VERSION CLASSPATH, so that both jars hold the same. */
+/**
+ * Packs a jar: both builds run this with JAR VERSION CLASSPATH for `argo.jar`, and with JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`, so
+ * that the jars of both hold the same.
+ */
 fun main(arguments: Array<String>) {
-    if (arguments.size != 3) {
-        System.err.println("usage: JAR VERSION CLASSPATH, where CLASSPATH is what the jar shall hold")
+    if (arguments.size !in 3..4) {
+        System.err.println("usage: JAR VERSION CLASSPATH [BESIDE], where the jar shall hold CLASSPATH, and argo.jar beside it holds BESIDE")
         exitProcess(2)
     }
     val (jar, version, classPath) = arguments
-    val manifest = mapOf(
-        "Main-Class" to "argo.tools.MainKt",
-        "Enable-Native-Access" to "ALL-UNNAMED", // since jSerialComm loads a native library
-        "Implementation-Title" to "ARGO",
-        "Implementation-Version" to version,
-    )
-    val sources = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.map { Source.read(Path.of(it)) }
-    writeJar(Path.of(jar), manifest, pack(sources, Relocation(sources, OWN_NAMES, into = "argo/shaded/")))
+    val beside = arguments.getOrNull(3)
+    val sources = sources(classPath)
+    val relocation = Relocation(sources + sources(beside.orEmpty()), OWN_NAMES, into = "argo/shaded/")
+    writeJar(Path.of(jar), manifest(version) + if (beside == null) TOOLS else FLEETS, pack(sources, relocation))
 }
+
+private val TOOLS = mapOf("Main-Class" to "argo.tools.MainKt")
+
+/** `java -jar` finds `argo.jar` beside the jar of fleets. */
+private val FLEETS = mapOf("Main-Class" to "argo.fleet.MainKt", "Class-Path" to "argo.jar")
+
+private fun manifest(version: String) = mapOf(
+    "Enable-Native-Access" to "ALL-UNNAMED", // since jSerialComm loads a native library
+    "Implementation-Title" to "ARGO",
+    "Implementation-Version" to version,
+)
+
+private fun sources(classPath: String): List<Source> =
+    classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.map { Source.read(Path.of(it)) }

@@ -8,7 +8,6 @@ import org.eclipse.lsp4j.TextDocumentSyncKind
 import org.eclipse.lsp4j.TextDocumentSyncOptions
 import org.eclipse.lsp4j.jsonrpc.messages.Either
 
-/** What this server can do. */
 internal val CAPABILITIES = ServerCapabilities().apply {
     textDocumentSync = Either.forRight(
         TextDocumentSyncOptions().apply {

@@ -9,13 +9,13 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.TimeUnit
 
 /**
- * Tells the editor what is wrong with its open texts, shortly after the last change, and never about a text that is gone.
+ * Shows findings in the editor's open texts, shortly after the last change. A replaced or closed text gets no findings.
  *
  * @param worker runs [find], one call at a time
- * @param find returns what is wrong with a text
+ * @param find returns the findings in a text
  * @param rehearse does the work of a change of the text
- * @param publish sends it to the editor
- * @param fail takes what [find] throws
+ * @param publish sends findings to the editor
+ * @param fail takes the errors that [find] throws
  */
 internal class Diagnosis(
     private val texts: OpenTexts,
@@ -27,20 +27,23 @@ internal class Diagnosis(
 ) {
     private var due: Future<*>? = null
 
-    /** The rounds that are left to make while nobody types: code that has run a few times is compiled, and ten times as fast. */
+    /**
+     * The remaining warm-up rounds. Warm-up rounds run while nobody types, since the JVM compiles code after a few runs and makes it ten
+     * times as fast.
+     */
     private var rounds = WARM_UP_ROUNDS
 
-    /** Published diagnostics with their text, by its URI. Only the worker uses it. */
+    /** The published findings with their text, by its URI. Only the worker uses them. */
     private val published = HashMap<String, Pair<Text, List<Diagnostic>>>()
 
-    /** A text was opened or changed, or a file on the disk: what is wrong is looked for once no more changes come. */
+    /** Call this after a text or a file on the disk was opened or changed. The search begins when no more changes come. */
     @Synchronized
     fun changed() {
         due?.cancel(false)
         due = worker.schedule(::run, PAUSE_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** The text of [uri] was closed, so that the editor shows nothing of it any more. */
+    /** Call this after the text of [uri] was closed. The editor then stops showing its findings. */
     fun closed(uri: String) {
         worker.execute { if (texts[uri] == null && published.remove(uri) != null) publish(PublishDiagnosticsParams(uri, emptyList())) }
         changed()
@@ -49,11 +52,11 @@ internal class Diagnosis(
     private fun run() = try {
         texts.all().forEach(::diagnose)
         worker.execute(::warmUp)
-    } catch (failure: Throwable) { // an executor would keep it to itself
+    } catch (failure: Throwable) { // an executor would hide it
         fail(failure)
     }
 
-    /** Makes one round, and leaves the next ones to later, so that no key and no request waits longer than for one. */
+    /** Makes one round and queues the next. So a key or a request waits for one round at most. */
     private fun warmUp() {
         if (rounds == 0 || !isIdle()) return
         rounds--
@@ -65,7 +68,7 @@ internal class Diagnosis(
     private fun isIdle() = due?.isDone != false
 
     private fun diagnose(text: Text) {
-        if (texts[text.uri] !== text) return // a newer one is there, and with it another run
+        if (texts[text.uri] !== text) return // a newer text has a run of its own
         val found = find(text)
         if (published[text.uri]?.let { (last, its) -> last === text && its == found } == true) return
         texts.ifCurrent(text) {
@@ -75,7 +78,7 @@ internal class Diagnosis(
     }
 
     private companion object {
-        /** A pause between two keys that is longer ends a word; a shorter one would compute what the next key makes useless. */
+        /** A longer pause between two keys ends a word. After a shorter one the next key would make the result useless. */
         const val PAUSE_MS = 20L
         const val WARM_UP_ROUNDS = 60
     }

@@ -39,7 +39,7 @@ import org.eclipse.lsp4j.services.TextDocumentService
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.Executor
 
-/** Takes the editor's texts and changes in, and has the [worker] answer requests about the text as it was when they came. */
+/** Takes the editor's texts and changes. Has the [worker] answer a request about the text as it was when the request came. */
 internal class Documents(
     private val texts: OpenTexts,
     private val worker: Executor,
@@ -60,7 +60,7 @@ internal class Documents(
 
     override fun didClose(parameters: DidCloseTextDocumentParams) {
         texts.close(parameters.textDocument.uri)
-        worker.execute { languages.filesChanged() } // what was open and not saved is gone
+        worker.execute { languages.filesChanged() } // the editor has dropped unsaved changes
         diagnosis.closed(parameters.textDocument.uri)
     }
 
@@ -100,7 +100,7 @@ internal class Documents(
         renamed?.edit
     }
 
-    /** A refusal is an error of the request, whose message the editor shows. */
+    /** Turns a refusal into an error of the request. The editor shows its message. */
     private fun <T> refusing(work: () -> T): T = try {
         work()
     } catch (refused: RefusedException) {
@@ -110,7 +110,7 @@ internal class Documents(
     private fun <T> at(parameters: TextDocumentPositionParams, none: T, find: Language.(Text, Int) -> T): CompletableFuture<T> =
         answer(parameters.textDocument.uri, none) { text -> find(text, text.offset(parameters.position)) }
 
-    /** Has the worker call [find] with the text that the editor has now; the answer is [none] if there is none, or no language of it. */
+    /** Has the worker call [find] with the editor's present text. The answer is [none] if the text or its language is unknown. */
     private fun <T> answer(uri: String, none: T, find: Language.(Text) -> T): CompletableFuture<T> {
         val text = texts[uri]
         val language = languages.of(uri)

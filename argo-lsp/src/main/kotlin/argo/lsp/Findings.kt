@@ -12,15 +12,13 @@ import org.eclipse.lsp4j.DiagnosticSeverity
 import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.jsonrpc.messages.Either
 
-/** What the analyser finds in texts. */
+/** The findings of argo-check, in the editor's form. */
 internal class Findings(private val projects: Projects) {
-    /** Returns what is found in the program of an agent, [text]. */
     fun inProgram(text: Text): List<Diagnostic> {
         val project = projects.of(text)
         return ProjectCheck.check(project.checked, project.sourceOf(text).agent).map(::diagnostic)
     }
 
-    /** Returns what is found in a project file, [text]. */
     fun inProjectFile(text: Text): List<Diagnostic> =
         ProjectCheck.checkFiles(projects.of(text).checked).filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
 

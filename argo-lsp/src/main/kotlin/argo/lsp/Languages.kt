@@ -21,16 +21,15 @@ import org.eclipse.lsp4j.Diagnostic
 import java.nio.file.Path
 
 /**
- * Finds the language of a text by the ending of its file's name. Only the server's worker thread uses it, but for [of].
- *
- * @param tell shows the person a line
+ * Finds the language of a text by the ending of its file's name. Apart from [of], only the server's worker thread uses it. [tell] shows a
+ * line to the user.
  */
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val projects = Projects(texts, tell)
     private val findings = Findings(projects)
     private val live = LiveValues()
 
-    /** Whether the editor replaces `${1:X}` in what it inserts. */
+    /** Whether the editor treats `${1:X}` in inserted text as a placeholder. */
     @Volatile
     var hasSnippets = false
 
@@ -45,22 +44,23 @@ internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
         "json" to JsonFilterLanguage(::isFilter, ::filterWords),
     )
 
-    /** Returns the language of [uri]; null: this server knows nothing of such files. */
+    /** Returns the language of [uri]; null: this server does not support such files. */
     fun of(uri: String): Language? = byEnding[uri.substringAfterLast('.')]
 
-    /** Returns what is wrong with [text]. */
     fun diagnostics(text: Text): List<Diagnostic> = of(text.uri)?.diagnostics(text).orEmpty()
 
-    /** Does the work of a change of [text]. */
+    /** Does the work of a change of [text] and drops the result. */
     fun rehearse(text: Text) {
         programOf(text.content)
         diagnostics(text)
     }
 
-    /** Files have come, gone or changed on the disk. */
+    /** Call this after files have come, gone or changed on the disk. */
     fun filesChanged() = projects.forget()
 
-    /** Returns what the agents whose program is in [text] perceive or believe now, if they run with a live view at a certain port. */
+    /**
+     * Returns what the agents that run the program in [text] perceive or believe now. Asks only agents with a live view at a fixed port.
+     */
     private fun lastValues(text: Text, functor: String, arity: Int): List<String> {
         val project = projects.of(text)
         return project.checked.agentsOf(project.sourceOf(text).file).flatMap { agent ->

@@ -18,7 +18,7 @@ import java.io.FileOutputStream
 internal class LspCommand : ToolCommand() {
     override fun call(): Int {
         val protocol = FileOutputStream(FileDescriptor.out)
-        System.setOut(System.err) // a line printed elsewhere would break the protocol
+        System.setOut(System.err) // any other output would break the protocol
         return Server().use { server ->
             val launcher = LSPLauncher.createServerLauncher(server, FileInputStream(FileDescriptor.`in`).buffered(), protocol)
             server.connect(launcher.remoteProxy)
@@ -27,7 +27,6 @@ internal class LspCommand : ToolCommand() {
     }
 }
 
-/** Adds `lsp` to the tools. */
 class LspCommandProvider : ToolProvider {
     override fun command(): Any = LspCommand()
 }

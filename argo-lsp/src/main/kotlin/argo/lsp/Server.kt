@@ -19,10 +19,8 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * The server of one editor.
- *
- * One thread takes the editor's messages in, in their order, and changes the texts; another, the worker, answers requests and looks for
- * what is wrong.
+ * The server of one editor. One thread reads the editor's messages and changes the texts. The worker, another thread, answers requests and
+ * looks for findings.
  */
 internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
     private val worker = ScheduledThreadPoolExecutor(1) { Thread(it, "argo-lsp-worker").apply { isDaemon = true } }
@@ -64,7 +62,7 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
 
     override fun getWorkspaceService(): WorkspaceService = workspace
 
-    /** Waits until the editor ends this server, or goes away so that [listening] ends; returns the exit status. */
+    /** Waits until the editor ends this server, or closes the connection so that [listening] ends. Returns the exit status. */
     fun awaitEnd(listening: Future<Void>): Int {
         Thread({
             try {
@@ -79,7 +77,7 @@ internal class Server : LanguageServer, LanguageClientAware, AutoCloseable {
 
     override fun close() {
         worker.shutdownNow()
-        worker.awaitTermination(1, TimeUnit.SECONDS) // what it says last still reaches the editor
+        worker.awaitTermination(1, TimeUnit.SECONDS) // so that its last messages reach the editor
     }
 
     private fun warn(line: String) = client.showMessage(MessageParams(MessageType.Warning, line))

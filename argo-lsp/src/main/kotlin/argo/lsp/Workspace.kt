@@ -5,7 +5,7 @@ import org.eclipse.lsp4j.DidChangeWatchedFilesParams
 import org.eclipse.lsp4j.services.WorkspaceService
 import java.util.concurrent.Executor
 
-/** Files on the disk, which the editor watches. */
+/** Takes the editor's notices of changed files on the disk. */
 internal class Workspace(
     private val worker: Executor,
     private val languages: Languages,

@@ -2,7 +2,6 @@ package argo.mcap
 
 import java.util.zip.CRC32
 
-/** The log time of a message, and its place in the records of its chunk. */
 internal class IndexEntry(val logTimeNs: Long, val offset: Long)
 
 internal class ChunkBytes {
@@ -14,11 +13,10 @@ internal class ChunkBytes {
 
     val channels: Set<Int> get() = index.keys
 
-    /** The range of the log times of the chunk's messages; null: it has none. */
+    /** The range of the log times of the chunk's messages; null: it has no messages. */
     var times: LongRange? = null
         private set
 
-    /** Returns the places of the messages of [channel], in the order of their times. */
     fun entries(channel: Int): List<IndexEntry> = index.getValue(channel).sortedBy { it.logTimeNs }
 
     fun message(channel: Int, sequence: Long, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {
@@ -27,7 +25,7 @@ internal class ChunkBytes {
         records.record(Op.MESSAGE) { u16(channel).u32(sequence).u64(logTimeNs).u64(publishTimeNs).bytes(data) }
     }
 
-    /** Writes into [target] the part of the chunk's record that stands before its [compressed] records, and returns [target]. */
+    /** Writes the head of the chunk's record, which stands before its [compressed] records, into [target]. Returns [target]. */
     fun head(target: RecordBytes, compressed: RecordBytes): RecordBytes {
         val head = RecordBytes().u64(times?.first ?: 0).u64(times?.last ?: 0).u64(size.toLong())
             .u32(CRC32().apply { update(records.array(), 0, size) }.value).text(Lz4.NAME).u64(compressed.size.toLong())
@@ -45,6 +43,5 @@ internal class ChunkBytes {
     }
 }
 
-/** Returns the smallest range that covers this one and [timeNs]. */
 internal fun LongRange?.covering(timeNs: Long): LongRange =
     if (this == null) timeNs..timeNs else minOf(first, timeNs)..maxOf(last, timeNs)

@@ -1,11 +1,11 @@
 package argo.mcap
 
-/** The bytes with which a file begins and ends; the sixth is the version of the format. */
+/** The bytes with which a file begins and ends. The sixth is the version of the format. */
 internal val MAGIC = byteArrayOf(0x89.toByte()) + "MCAP0\r\n".encodeToByteArray()
 
 internal const val VERSION_AT = 5
 
-/** The first byte of a record: its kind. */
+/** The kinds of records. A record begins with its kind in one byte. */
 internal object Op {
     const val HEADER = 0x01
     const val FOOTER = 0x02
@@ -24,7 +24,7 @@ internal object Op {
     const val DATA_END = 0x0F
 }
 
-/** The number of bytes before a record's content: its kind, and the length of the content. */
+/** The bytes before a record's content: its kind, and the length of the content. */
 internal const val RECORD_HEAD_BYTES = 9
 
 internal const val FOOTER_BYTES = 20

@@ -4,16 +4,15 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 
 /**
- * The compression that MCAP calls `lz4`: frames of LZ4 (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md), of independent blocks
- * without checksums, since a chunk has its own. For one thread.
+ * The compression `lz4` of MCAP: LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md) of independent blocks, without
+ * checksums, since a chunk has its own. For one thread.
  *
- * Frames of other programs, such as those of the libraries in C++ and Python, have blocks that repeat bytes of the blocks before. The Java
- * library lz4-java refuses these frames, so it cannot be used here.
+ * Other programs, such as those with the libraries in C++ and Python, write blocks that refer to earlier blocks. The Java library lz4-java
+ * refuses such frames, so it cannot be used here.
  */
 internal class Lz4 {
     private val places = IntArray(1 shl HASH_BITS)
 
-    /** Returns a frame with the first [length] bytes of [data]. */
     fun compress(data: ByteArray, length: Int): RecordBytes {
         val frame = RecordBytes(length / 2).bytes(HEAD)
         var at = 0
@@ -50,7 +49,7 @@ internal class Lz4 {
         return block.sequence(data, literals, end, 0, 0)
     }
 
-    /** Writes the bytes of [data] from [from] until [until], and behind them the match at [offset], if there is one. */
+    /** Writes the bytes of [data] from [from] up to [until]. Writes the match at [offset] behind them, if there is one. */
     private fun RecordBytes.sequence(data: ByteArray, from: Int, until: Int, offset: Int, more: Int): RecordBytes {
         val literals = until - from
         u8((minOf(literals, NIBBLE) shl NIBBLE_BITS) or minOf(more, NIBBLE))
@@ -86,15 +85,15 @@ internal class Lz4 {
         private const val HASH_FACTOR = -1640531535
         private const val MAX_OFFSET = 0xFFFF
         private const val MIN_MATCH = 4
-        private const val LAST_MATCH = 12 // the format forbids a match to begin within this many bytes of the end
+        private const val LAST_MATCH = 12 // the format forbids a match to begin this close to the end, in bytes
         private const val LAST_LITERALS = 5
         private const val NIBBLE = 15
         private const val NIBBLE_BITS = 4
         private const val FULL_BYTE = 255
 
         /**
-         * Returns the [length] bytes that [frame] holds. Reads any frame without a dictionary, and ignores its checksums.
-         * @throws McapException if [frame] does not hold so many bytes
+         * Returns the [length] bytes in [frame]. Reads any frame without a dictionary, and ignores its checksums.
+         * @throws McapException if [frame] does not contain that many bytes
          */
         fun decompress(frame: ByteBuffer, length: Int): ByteBuffer = try {
             Frame(frame.order(ByteOrder.LITTLE_ENDIAN), ByteArray(length)).read()

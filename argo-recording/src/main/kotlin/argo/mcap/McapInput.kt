@@ -11,7 +11,6 @@ import java.util.zip.CRC32
 internal class McapInput(val path: Path) : AutoCloseable {
     private val file = FileChannel.open(path, StandardOpenOption.READ)
 
-    /** The length of the file when it was opened. */
     val size = file.size()
 
     fun read(at: Long, length: Long): ByteBuffer {
@@ -32,7 +31,7 @@ internal class McapInput(val path: Path) : AutoCloseable {
     override fun close() = file.close()
 
     companion object {
-        /** The longest record that is read. Longer ones are refused, so that a damaged length takes no memory. */
+        /** The longest readable record. Longer ones are refused, so that a damaged length takes no memory. */
         const val MAX_RECORD_BYTES = 64L * 1024 * 1024
 
         private const val BLOCK_BYTES = 64L * 1024

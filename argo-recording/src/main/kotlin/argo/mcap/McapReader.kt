@@ -6,14 +6,13 @@ import java.nio.file.Path
 import kotlin.io.path.inputStream
 
 /**
- * Reads a file of MCAP version 0 whose chunks are compressed by LZ4 or not at all. If a file was cut off or has damaged
- * parts, reads its whole parts.
+ * Reads a file of MCAP version 0 with uncompressed or LZ4 chunks. Of a damaged or cut-off file it reads the whole parts.
  *
  * Opening scans the whole file once, with one chunk in memory at a time. For one thread.
  *
  * @param path the file; it should not change while it is read
- * @throws McapException if it is empty or no MCAP file, or of a newer version of the format
- * @throws java.io.IOException if it cannot be read
+ * @throws McapException if the file is empty, no MCAP file, or of a newer version of the format
+ * @throws java.io.IOException if the file cannot be read
  */
 class McapReader(path: Path) : Closeable {
     private val input = McapInput(path)
@@ -27,7 +26,7 @@ class McapReader(path: Path) : Closeable {
     /** The channels, in the order of their first appearance. */
     val channels: List<McapChannel> get() = contents.channels.values.toList()
 
-    /** The files inside, in their order. Each reads its data on demand, for which this reader must be open. */
+    /** The files inside, in their order. Each reads its data on demand, while this reader is open. */
     val attachments: List<McapAttachment> get() = contents.attachments
 
     /** The entries that [McapWriter.metadata] wrote, in their order. */
@@ -42,7 +41,7 @@ class McapReader(path: Path) : Closeable {
     /** The range from the earliest to the latest log time; null: there is no message. */
     val times: LongRange? get() = contents.times
 
-    /** The parts of the file that cannot be read: one sentence for a person for each of the first hundred, and one if there are others. */
+    /** The unreadable parts of the file: one sentence for each of the first hundred, and one if there are more. */
     val problems: List<String> get() = contents.problems
 
     /** True if the writer closed the file, and all of it can be read. */
@@ -54,7 +53,7 @@ class McapReader(path: Path) : Closeable {
      * @param from the first log time in ns
      * @param until the end of the log times in ns, itself excluded
      * @param topics the channels' topics; null: all
-     * @return a sequence that reads the file while it is iterated, and throws [McapException] if the file has changed meanwhile
+     * @return a sequence that reads the file during the iteration, and throws [McapException] if the file has changed
      */
     fun messages(from: Long = 0, until: Long = Long.MAX_VALUE, topics: Set<String>? = null): Sequence<McapMessage> {
         val wanted = contents.channels.filterValues { topics == null || it.topic in topics }
@@ -72,9 +71,9 @@ class McapReader(path: Path) : Closeable {
 
     companion object {
         /**
-         * Returns true if the file [path] begins as an MCAP file of any version.
-         * @throws McapException if it is empty
-         * @throws java.io.IOException if it cannot be read
+         * Returns true if the file [path] begins like an MCAP file of any version.
+         * @throws McapException if the file is empty
+         * @throws java.io.IOException if the file cannot be read
          */
         fun isMcap(path: Path): Boolean {
             val start = path.inputStream().use { it.readNBytes(VERSION_AT) }

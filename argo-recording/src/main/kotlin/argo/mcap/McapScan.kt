@@ -42,7 +42,6 @@ internal class McapContents {
     }
 }
 
-/** Returns the problem of [path], a file without any byte, for a person. */
 internal fun emptyFile(path: Path) = "$path is empty: the recording ended, or the disk was full, before anything was written"
 
 /** Scans a file from its beginning, as far as its records are whole. */
@@ -159,7 +158,7 @@ internal class McapScan(private val input: McapInput) {
     }
 
     /**
-     * Reads the schemas and channels in [records]. If there are messages, notes the part that [partOf] makes of the range of their times.
+     * Reads the schemas and channels in [records]. If there are messages, adds the part that [partOf] makes for the range of their times.
      */
     private fun messages(records: ByteBuffer, partOf: (LongRange) -> MessagePart) {
         var times: LongRange? = null
@@ -219,7 +218,7 @@ internal class McapScan(private val input: McapInput) {
     private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
 
     private companion object {
-        /** More bytes than the name and the type of an attachment take. */
+        /** More bytes than the name and the type of an attachment need. */
         const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
     }
 }

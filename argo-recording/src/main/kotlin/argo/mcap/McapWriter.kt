@@ -4,15 +4,14 @@ import java.nio.channels.WritableByteChannel
 import java.util.zip.CRC32
 
 /**
- * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks that LZ4 compresses, each with its checksum and an index
- * behind it, and a summary at the end. A reader can read the file up to its last whole chunk without the rest.
+ * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks compressed by LZ4, each with a checksum and an index, and a
+ * summary at the end. A reader can read a cut-off file up to its last whole chunk.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink; then only the parts of the file that were whole before are of
- * use.
+ * For one thread. Each function throws the [java.io.IOException] of the sink. After that only the whole parts before are usable.
  *
- * @param sink receives the file, from its first byte on; [close] closes it
- * @param library the name of the program that writes the file, for people
- * @param chunkBytes the length from which a chunk ends without [flush]
+ * @param sink receives the file from its first byte on; [close] closes it
+ * @param library the name of the program that writes the file
+ * @param chunkBytes the length at which a chunk ends without [flush]
  */
 class McapWriter(
     private val sink: WritableByteChannel,
@@ -28,14 +27,11 @@ class McapWriter(
 
     private var written = 0L
 
-    /**
-     * The length of the file up to the last whole chunk, attachment or other record. Bytes that a failed function has written lie behind
-     * it.
-     */
+    /** The length of the file up to the last whole chunk, attachment or other record. Bytes of a failed function lie behind it. */
     var wholeBytes = 0L
         private set
 
-    /** The number of bytes of messages that wait for the end of their chunk. */
+    /** The number of bytes of messages in the unfinished chunk. */
     val pendingBytes: Int get() = chunk.size
 
     init {
@@ -57,7 +53,7 @@ class McapWriter(
     /**
      * Adds a channel of messages in JSON, and returns its number.
      *
-     * @param schema the number that the function [schema] returned
+     * @param schema the number from the function [schema]
      */
     fun channel(topic: String, schema: Int, metadata: Map<String, String> = emptyMap()): Int {
         require(schema in 1..summary.schemas.size) { "no schema $schema has been written" }
@@ -71,9 +67,9 @@ class McapWriter(
     /**
      * Adds a message.
      *
-     * @param channel the number that the function [channel] returned
-     * @param logTimeNs when it was recorded, in ns, not below 0
-     * @param publishTimeNs when it was made, in ns, not below 0
+     * @param channel the number from the function [channel]
+     * @param logTimeNs the time of recording, in ns, not below 0
+     * @param publishTimeNs the time at which the message was made, in ns, not below 0
      */
     fun message(channel: Int, logTimeNs: Long, publishTimeNs: Long, data: ByteArray) {
         require(channel in summary.channels.indices) { "no channel $channel has been written" }
@@ -98,7 +94,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Ends the chunk, so that the sink has received everything that was added. */
+    /** Ends the chunk. The sink has then received all added records. */
     fun flush() {
         if (chunk.size == 0) return
         val compressed = compression.compress(chunk.records.array(), chunk.size)
@@ -114,7 +110,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Writes the rest and the summary, and closes the sink even if writing fails. May be called twice. */
+    /** Writes the rest and the summary. Closes the sink even if writing fails. May be called twice. */
     override fun close() {
         if (isClosed) return
         isClosed = true

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.zip.CRC32
 
-/** A growing buffer that writes values in the formats of MCAP: little-endian numbers, texts and maps behind their length. */
+/** A growing buffer that writes values in MCAP's formats: little-endian numbers, and texts and maps behind their length. */
 internal class RecordBytes(capacity: Int = 256) {
     private var buffer = ByteBuffer.allocate(capacity).order(ByteOrder.LITTLE_ENDIAN)
 
@@ -25,7 +25,7 @@ internal class RecordBytes(capacity: Int = 256) {
         u32(bytes.size.toLong()).bytes(bytes)
     }
 
-    /** Writes the bytes that [write] writes, behind their length in four bytes. */
+    /** Writes the bytes of [write] behind their length in four bytes. */
     fun sized(write: RecordBytes.() -> Unit) = apply {
         val at = size
         u32(0).write()
@@ -42,10 +42,10 @@ internal class RecordBytes(capacity: Int = 256) {
 
     fun clear() = apply { buffer.clear() }
 
-    /** Returns the array that holds the bytes; its first [size] bytes are in use. */
+    /** Returns the array with the bytes. Only the first [size] bytes of the array are in use. */
     fun array(): ByteArray = buffer.array()
 
-    /** Returns the bytes as a buffer to read. The next call changes it. */
+    /** Returns the bytes as a buffer to read. The next call of this object changes the buffer. */
     fun toRead(): ByteBuffer = buffer.duplicate().flip()
 
     private fun room(bytes: Int): ByteBuffer {

@@ -27,7 +27,6 @@ internal fun ByteBuffer.bytes(length: Long): ByteArray {
     return ByteArray(length.toInt()).also { get(it) }
 }
 
-/** Returns the next [length] bytes, and skips them in this buffer. */
 internal fun ByteBuffer.part(length: Long): ByteBuffer {
     need(length)
     return slice(position(), length.toInt()).order(order()).also { position(position() + length.toInt()) }

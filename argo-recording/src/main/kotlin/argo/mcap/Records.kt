@@ -8,7 +8,7 @@ import java.io.IOException
  * @property id its number in the file, from 1
  * @property name its name, such as `argo.Cycle`
  * @property encoding `jsonschema` in the files of [McapWriter]
- * @property text the schema, of JSON Schema in the files of [McapWriter]
+ * @property text the schema itself
  */
 data class McapSchema(val id: Int, val name: String, val encoding: String, val text: String)
 
@@ -32,13 +32,13 @@ data class McapChannel(
 /**
  * One message of a channel.
  *
- * @property sequence counts the messages of the channel, from 0, in the files of [McapWriter]
+ * @property sequence the number of the message in its channel, from 0, in the files of [McapWriter]
  * @property logTimeNs the time of recording, in ns; since 1970 if it is a time of day
  * @property publishTimeNs the time at which the message was made, on the same clock
- * @property data its bytes; not to be changed
+ * @property data its bytes; do not change them
  */
 class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: Long, val publishTimeNs: Long, val data: ByteArray) {
-    /** [data] as text in UTF-8, such as the text of messages in JSON. */
+    /** [data] as text in UTF-8. */
     val text: String get() = data.decodeToString()
 
     override fun toString() = "${channel.topic} #$sequence @$logTimeNs: ${data.size} bytes"
@@ -51,7 +51,7 @@ class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: L
  * @property timeNs the time of recording, on the clock of the messages
  */
 class McapAttachment internal constructor(val name: String, val mediaType: String, val timeNs: Long, read: () -> ByteArray) {
-    /** The file's bytes; not to be changed. The first call reads them, for which the reader must be open. */
+    /** The file's bytes; do not change them. The first call reads them, and needs an open reader. */
     val data: ByteArray by lazy(LazyThreadSafetyMode.NONE, read)
 
     /** [data] as text in UTF-8. */
@@ -63,5 +63,5 @@ class McapAttachment internal constructor(val name: String, val mediaType: Strin
 /** Names and values under a name, such as versions. */
 data class McapMetadata(val name: String, val values: Map<String, String>)
 
-/** A file cannot be read as MCAP, or holds something that this version cannot read. The message is for a person. */
+/** A file cannot be read as MCAP, or contains something that this version cannot read. */
 class McapException(message: String) : IOException(message)

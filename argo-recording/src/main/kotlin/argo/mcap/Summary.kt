@@ -23,7 +23,7 @@ internal class AttachmentIndex(
 
 internal class MetadataIndex(val at: Long, val length: Long, val name: String)
 
-/** The summary at the end of a file, by which a reader finds the rest: schemas, channels, indexes and counts. */
+/** The summary at the end of a file, the index for readers: schemas, channels, chunk indexes and counts. */
 internal class Summary {
     val schemas = ArrayList<McapSchema>()
     val channels = ArrayList<McapChannel>()
@@ -35,7 +35,7 @@ internal class Summary {
     /** Counts a message of [channel], and returns the number of messages before it. */
     fun count(channel: Int): Long = counts.getOrDefault(channel, 0L).also { counts[channel] = it + 1 }
 
-    /** Returns the summary, the places of its groups of records, and the footer, for a summary that begins at [start] in the file. */
+    /** Returns the summary, the places of its groups of records, and the footer. The summary begins at [start] in the file. */
     fun bytes(start: Long): RecordBytes {
         val bytes = RecordBytes()
         val groups = listOf<Pair<Int, RecordBytes.() -> Unit>>(

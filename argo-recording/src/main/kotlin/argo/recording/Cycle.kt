@@ -2,7 +2,7 @@ package argo.recording
 
 import kotlinx.serialization.Serializable
 
-/** A reasoning cycle of an agent: its input, and the course that the agent took. Immutable. */
+/** A reasoning cycle of an agent: its input, and the agent's course. Immutable. */
 @Serializable
 data class Cycle(
     @Holds("counts the recorded cycles of the agent, from 1; cycles in which nothing happened are not recorded")
@@ -69,7 +69,9 @@ data class Input(
 internal fun Input.texts(): Sequence<String> = events.asSequence() + percepts?.now.orEmpty() + mail.asSequence().map { it.content } +
     calls.asSequence().flatMap { it.answers }.flatMap { it.values }
 
-/** The change from one list of percepts to the next: the first [keep] and the last [keepLast] percepts stay, [now] stands between them. */
+/**
+ * The change from one list of percepts to the next. The first [keep] and the last [keepLast] percepts stay, and [now] stands between them.
+ */
 @Serializable
 data class PerceptChange(
     @Holds("how many at the beginning stay")
@@ -86,7 +88,7 @@ data class PerceptChange(
     internal val others: Map<Int, String> = emptyMap(),
 )
 
-/** A message between agents, such as Jason's internal action `.send` sends. */
+/** A message between agents, such as Jason's `.send` sends. */
 @Serializable
 data class Mail(
     @Holds("the message's kind, such as tell or achieve")
@@ -105,7 +107,7 @@ data class Mail(
     val failure: String? = null,
 )
 
-/** The end of something that an agent began outside of its thread. */
+/** The end of an operation that an agent began outside of its thread. */
 @Serializable
 data class End(
     @Holds("its number, in the order in which the agent began things; 0: another thread began it")
@@ -163,7 +165,7 @@ data class Sent(
     val text: String,
 )
 
-/** A change to a filter, through which the agent perceives from then on. */
+/** A change of the filter through which the agent perceives. */
 @Serializable
 data class FilterChange(
     @Holds("the port of the only board that is perceived so; missing: all boards are")
@@ -174,7 +176,7 @@ data class FilterChange(
     val file: String? = null,
 )
 
-/** The course of a cycle: the choices, steps and actions of the agent. */
+/** The course of a cycle: the agent's choices, steps and actions. */
 @Serializable
 data class Course(
     @Holds("the trigger of the event that was chosen")
@@ -266,27 +268,27 @@ data class ReflexEnd(
     val failure: CallFailure? = null,
 )
 
-/** The reason for which an agent asked to save the recording at this place. */
+/** The agent's reason to save the recording at this place. */
 @Serializable
 internal data class Mark(
     @Holds("the argument of argo.record")
     val why: String,
 )
 
-/** The beliefs and events of an agent just after Jason read its program, which may draw numbers or read clocks meanwhile. */
+/** An agent's beliefs and events just after Jason read its program. Reading may draw numbers or read clocks. */
 @Serializable
 data class Beginning(val beliefs: List<String>, val events: List<String>)
 
 /**
  * The agent of a recording, in its metadata.
  *
- * @property source the name of the attachment that holds its program
+ * @property source the name of the attachment with its program
  * @property options its options in the `.mas2j`
- * @property isConditional whether Jason left out the parts of a cycle in which there was nothing to do, as its Local infrastructure does
- * @property address the address of the program as Jason shows it in annotations and errors; null: not known
+ * @property isConditional whether Jason skipped parts of a cycle without work, as its Local infrastructure does
+ * @property address the address of the program in Jason's annotations and errors; null: not known
  * @property beginning its beliefs and events at the beginning; null: not known
- * @property firstLabel the number that Jason gave its first plan without a name; null: it has none
- * @property config settings of Jason's for all agents
+ * @property firstLabel the number that Jason gave to its first plan without a name; null: it has no such plan
+ * @property config Jason's settings for all agents
  */
 data class RecordedAgent(
     val name: String,

@@ -13,9 +13,7 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 
-/**
- * Describes the content of a field of a recording in [text]. The schema in the file has this text, for readers that use another program.
- */
+/** Describes a field of a recording by [text]. The schema in the file contains this text, for readers with another program. */
 @OptIn(ExperimentalSerializationApi::class)
 @SerialInfo
 @MustBeDocumented

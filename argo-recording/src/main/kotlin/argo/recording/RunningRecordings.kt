@@ -3,17 +3,16 @@ package argo.recording
 import java.nio.file.Path
 import java.util.concurrent.CopyOnWriteArrayList
 
-/** A recording of an agent of this program that is being made. */
+/** A recording in progress of an agent of this program. */
 interface RunningRecording {
-    /** The name of the agent. */
     val agent: String
 
-    /** The reason why the recording has ended before its agent, a sentence for a person; null: it has not. */
+    /** The reason why the recording has ended before its agent, in words; null: it has not. */
     val trouble: String?
 
     /**
-     * Calls [use] with a file that holds the recording so far. The file grows meanwhile, or is deleted afterwards. Waits for the disk, so
-     * the agent's thread must not call it.
+     * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. The
+     * function waits for the disk, so the agent's thread must not call it.
      *
      * @throws java.io.IOException if there is no such file, or it cannot be written
      */
@@ -21,8 +20,8 @@ interface RunningRecording {
 }
 
 /**
- * The recordings that agents of this program are making. The whole program knows them on purpose, since the live view, which shows them,
- * knows no recorder. Safe for use by several threads.
+ * The recordings in progress of this program's agents. The live view finds them here without knowing the recorder. Safe for use by several
+ * threads.
  */
 object RunningRecordings {
     private val all = CopyOnWriteArrayList<RunningRecording>()

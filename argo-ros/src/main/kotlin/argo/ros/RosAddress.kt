@@ -12,7 +12,6 @@ import java.net.URI
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {
-        /** The port at which a bridge listens by default. */
         private const val USUAL_PORT = 9090
         private const val ENCRYPTED_PORT = 443
         private const val USUAL_MAPPING = "robot"

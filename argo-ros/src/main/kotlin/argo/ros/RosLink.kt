@@ -48,11 +48,11 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * A robot behind a bridge of the rosbridge protocol. Its percepts are made of the newest message of each topic, unless the agent's filter
- * drops all percepts of that topic.
+ * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
+ * agent's filter drops completely.
  *
- * A thread of the HTTP client takes messages in and keeps the newest; the sensing thread makes percepts of them. So no message waits for a
- * thread, nor behind another message.
+ * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns them into percepts. So no message waits
+ * for a thread or for another message.
  */
 internal class RosLink private constructor(
     override val port: String,
@@ -76,7 +76,7 @@ internal class RosLink private constructor(
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private val frames = FrameTree(mapping.poses.mapNotNull { it.frames }) { warn("${mapping.source}: $it") }
     private var wish: Wish? = null
-    private var clockType: String? = null // the type of the topic with a simulator's time; null: there is none
+    private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
     private var subscribed: Map<String, Subscription> = emptyMap()
     private val silent = SilentTopics()
     private var aliveNanos = clock.nanos()
@@ -117,7 +117,7 @@ internal class RosLink private constructor(
         if (topic == RobotTime.CLOCK) message.part("clock")?.rosNanos()?.let { time.show(it, nowNanos) }
         val trueNanos = time.trueAt(topic, message.part("header")?.part("stamp")?.rosNanos(), nowNanos)
         lock.withLock {
-            if (topic !in subscribed) return // a message that was on its way when the topic was unsubscribed
+            if (topic !in subscribed) return // the message was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
             if (topic in Frames.TOPICS) moved(message, topic, nowNanos)
             if (topic !in perceived) return
@@ -149,7 +149,6 @@ internal class RosLink private constructor(
         }?.let(::wants)
     }
 
-    /** Returns the subscriptions for [wish]: its topics, and a simulator's time. */
     private fun wantedFor(wish: Wish): Map<String, Subscription> {
         val wanted = wish.subscriptions(mapping.percepts).associateBy { it.topic }
         val type = clockType?.takeIf { wish.isSensed && RobotTime.CLOCK !in wanted } ?: return wanted
@@ -180,7 +179,7 @@ internal class RosLink private constructor(
         "queue_length" to one.queueLength,
     )
 
-    /** Waits for a message of a topic. If none has come after half of the time, the bridge is asked to show that it is there. */
+    /** Waits for a message. If none has come after half of [timeoutMs], pings the bridge. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
         explain(lock.withLock { silent.next(clock.nanos()) })
@@ -212,13 +211,13 @@ internal class RosLink private constructor(
     }
 
     /**
-     * Ends a wait since [startNanos] in which no topic published: returns the held percepts if there are no subscriptions, else null.
-     * Throws if the bridge has not shown since that it is there.
+     * Ends a wait since [startNanos] without any message. Returns the held percepts if there are no subscriptions, null otherwise. Throws a
+     * [PortTimeoutException] if the bridge has given no sign of life during the wait.
      */
     private fun silence(startNanos: Long, timeoutMs: Int): BoardMessage? {
         val now = clock.nanos()
         if (aliveNanos - startNanos < 0) throw PortTimeoutException(port, "the bridge at port $port has not answered within $timeoutMs ms")
-        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, nothing more than the bridge is needed
+        return if (subscribed.isEmpty()) topics.take(now) else null // without subscriptions, a live bridge is enough
     }
 
     private fun await(nanos: Long) {
@@ -251,7 +250,7 @@ internal class RosLink private constructor(
 
     private fun send(message: Outgoing) {
         val bridge = bridge
-        val isOver = bridge == null || !isOpen // a socket that is closing may still take the command and lose it
+        val isOver = bridge == null || !isOpen // a closing socket may accept the command and lose it
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
@@ -276,7 +275,7 @@ internal class RosLink private constructor(
         private const val CHECKING_MS = 3_000L
 
         /**
-         * Connects to the bridge at [address], and checks the fields of [mapping] against their types as far as the bridge knows them.
+         * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.
          *
          * @param credentials what the bridge may want to know
          * @throws PortException if there is no bridge, or a field does not exist
@@ -314,7 +313,6 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Closes the link; its connection may have ended before the link was made. */
     private fun abandon() {
         close()
         bridge?.close()

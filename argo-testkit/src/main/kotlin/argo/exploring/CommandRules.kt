@@ -5,7 +5,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * No command gets lost in silence: each has an outcome within [within], and within [within] of a failure its agent sends a command, prints
+ * No command gets lost in silence. Each has an outcome within [within]. Within [within] of a failure, the agent sends a command, prints
  * something or sends a message. A command that a later one has replaced has not failed.
  */
 fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoCommand", "loses no command", within) { run, agent ->
@@ -14,8 +14,9 @@ fun losesNoCommand(within: Duration = 5.seconds): Rule = ReadyRule("losesNoComma
 }
 
 /**
- * If one of [commands] fails, the agent sends it or another of them within [within] of the time when it perceives the board again, if it
- * then perceives the same of that board as when it sent the command. An agent that wrongly believes that it has stopped drives on.
+ * If one of [commands] fails, the agent sends one of them again. The agent has [within] for that from its next perception of the board. The
+ * rule applies only if the agent then perceives the same as when it sent the command. An agent that breaks the rule may believe that it has
+ * stopped while it drives on.
  */
 fun sendsAgain(commands: List<String>, within: Duration = 3.seconds): Rule =
     ReadyRule("sendsAgain", "sends ${commands.joinToString(" or ")} again", commands, within) { run, agent ->
@@ -36,8 +37,8 @@ fun neverFloods(most: Int = 20): Rule = ReadyRule("neverFloods", "never floods",
 }
 
 /**
- * An agent does not change to and fro between two commands: A, B, A counts as one change back, and there are at most [most] of them in any
- * second.
+ * An agent does not change to and fro between two commands. A, B, A counts as one change back. In any second there are at most [most]
+ * changes back.
  */
 fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never oscillates", most) { run, agent ->
     run.planned(agent).windowed(3).filter { (a, b, c) -> a.command == c.command && a.command != b.command }
@@ -51,15 +52,15 @@ fun neverOscillates(most: Int = 3): Rule = ReadyRule("neverOscillates", "never o
 }
 
 /**
- * Agents send only these [actions], which are written as in the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number
- * of arguments.
+ * Agents send only these [actions], in the notation of the test kit's `knows`: `ledOn`, `speed/1`, `say/` with a star for any number of
+ * arguments.
  */
 fun sendsOnly(actions: List<String>): Rule = ReadyRule("sendsOnly", "sends only known commands", actions) { run, agent ->
     run.planned(agent).firstOrNull { !isKnown(it.command, actions) }
         ?.let { Breach(it.at, "$agent sends ${it.command} by ${it.plan}; the board knows ${actions.joinToString()}") }
 }
 
-/** An agent that has sent commands sends one again within [within] of the end of the last event. */
+/** An agent that has sent commands sends a command within [within] of the end of the last event. */
 fun actsAgain(within: Duration = 5.seconds): Rule = ReadyRule("actsAgain", "acts again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.planned(agent).lastOrNull()
@@ -86,10 +87,9 @@ private fun unnoticed(entries: List<AgentEntry>, ended: Duration, within: Durati
             else Breach(lost.at + within, "${lost.command} of ${lost.agent} failed with ${lost.error}, and the agent does nothing about it")
         }
 
-/** Errors after which it makes no sense to send the command again. */
+/** Errors after which it makes no sense to repeat the command. */
 private val FINAL = setOf("act_replaced", "act_refused")
 
-/** Returns the time by which [command] should have been sent again; null: its reason or its board has gone. */
 private fun wantedUntil(perceived: List<Perceived>, command: Issued, lost: Ended, within: Duration): Duration? {
     val reason = perceived.lastOrNull { it.at <= command.at } ?: return null
     val again = perceived.firstOrNull { it.received > lost.at } ?: return null
@@ -103,5 +103,4 @@ private fun isKnown(command: String, actions: List<String>): Boolean {
     return "$name/$count" in actions || "$name/*" in actions || count == 0 && name in actions
 }
 
-/** Returns the commands that plans of [agent] have sent. */
 internal fun Run.planned(agent: String) = of(agent).filterIsInstance<Issued>().filter { it.plan != null }

@@ -12,15 +12,14 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * A [WorldEvent] as its kind and its fields, from which Kotlin code, JSON and shorter events are made.
- *
- * @property fields in the order of the constructor; each a [Duration], an [Int] or a [String]
+ * A [WorldEvent] as its kind and its fields. Kotlin code, JSON and simpler events are made from it. The [fields] are in the order of the
+ * constructor; each is a [Duration], an [Int] or a [String].
  */
 internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) {
-    /** The call that makes the event, as in a program. */
+    /** The event's constructor call in Kotlin. */
     val kotlin: String get() = "$kind(${fields.joinToString { (_, value) -> kotlinOf(value) }})"
 
-    /** One object of JSON; times are in ms. */
+    /** The event as a JSON object, with times in ms. */
     val json: String
         get() = (listOf("event" to kind) + fields).joinToString(",", "{", "}") { (name, value) ->
             if (value is Duration) "\"${name}_ms\":${value.inWholeMilliseconds}"
@@ -30,7 +29,7 @@ internal class EventForm(val kind: String, val fields: List<Pair<String, Any>>) 
     fun with(index: Int, value: Any) =
         EventForm(kind, fields.mapIndexed { i, field -> if (i == index) field.first to value else field }).event()
 
-    /** @throws IllegalArgumentException if there is no such event */
+    /** @throws IllegalArgumentException if there is no event of this kind with these fields */
     fun event(): WorldEvent {
         fun time(name: String) = field(name) as? Duration ?: throw wrong("\"${name}_ms\" is a whole number of ms")
         fun text(name: String) = field(name) as? String ?: throw wrong("\"$name\" is a text")
@@ -81,24 +80,23 @@ internal val WorldEvent.form: EventForm
         },
     )
 
-/** Writes [value], a time, a number or a text, as in a program. */
 internal fun kotlinOf(value: Any): String = when (value) {
     is Duration -> "${value.inWholeMilliseconds}.milliseconds"
     is String -> "\"${value.replace("\\", "\\\\").replace("\"", "\\\"").replace("$", "\\$")}\""
     else -> "$value"
 }
 
-/** Writes the events as JSON: an array with an object for each, on a line of its own. */
+/** Writes the events as a JSON array with one object a line. */
 fun jsonOf(events: List<WorldEvent>): String = events.joinToString(",\n  ", "[\n  ", "\n]\n") { it.form.json }
 
 /**
- * Reads the events in [json], as [jsonOf] writes them.
+ * Reads the events that [jsonOf] wrote as [json].
  *
  * @throws IllegalArgumentException if they cannot be read
  */
 fun eventsOf(json: String): List<WorldEvent> = arrayIn(json).map { (it as? JsonObject ?: throw noEvents("$it is no object")).event() }
 
-/** Reads with Jason's own library for JSON: the filters' one has other names within `argo.jar`. */
+/** Uses Jason's JSON library, since `argo.jar` contains the filters' one under other names. */
 private fun arrayIn(json: String): List<JsonValue> = try {
     Json.createParser(StringReader(json)).use { parser ->
         if (parser.next() != JsonParser.Event.START_ARRAY) throw noEvents("it is no array")

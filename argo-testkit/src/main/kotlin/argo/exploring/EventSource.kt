@@ -4,20 +4,15 @@ import kotlin.random.Random
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
-/**
- * Draws the events of a run of [exploration]: the same list for the same seed.
- *
- * @param agents the names of the agents, for messages
- */
+/** Draws the events of a run of [exploration]. The same seed gives the same events. [agents] are the names of the agents, for messages. */
 internal class EventSource(private val exploration: Exploration, private val agents: List<String>) {
     private val ports = exploration.boards.keys.toList()
     private val sensing = exploration.boards.entries.flatMap { (port, board) -> board.sensors.map { port to it } }
 
-    /** Returns the events of the run with [seed], in the order of their times. */
     fun events(seed: Long): List<WorldEvent> {
         val random = Random(seed)
         val makers = makers(random)
-        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // few kinds at once find more than all together
+        val kinds = makers.shuffled(random).take(1 + random.nextInt(makers.size)) // a few kinds of events find more than all kinds together
         var at = FIRST_AT
         return (1..1 + random.nextInt(exploration.mostEvents)).mapNotNull {
             at += pause(random)
@@ -26,17 +21,18 @@ internal class EventSource(private val exploration: Exploration, private val age
     }
 
     /**
-     * Returns [events] with one more fault that hits a command of [run], the run that they drove: a fault of the command's board a moment
-     * before it was issued, while it was on the line, or at its outcome. Null: no command was sent, or none of these faults is played.
+     * Returns [events] with one more fault, which hits a command of [run], the run with these events. The fault hits the command's board
+     * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
+     * exploration plays none of these faults.
      *
-     * A command is on its way for so short a time that faults drawn only from a seed seldom hit it.
+     * A command is on its way so briefly that faults drawn only from a seed seldom hit it.
      */
     fun atCommand(run: Run, events: List<WorldEvent>, seed: Long): List<WorldEvent>? {
         val random = Random(seed.inv())
         val kinds = hits(random).takeIf { it.isNotEmpty() } ?: return null
         val sent = run.trace.filterIsInstance<Issued>().filter { it.port in exploration.boards && it.at <= exploration.eventful }
         val equal = sent.groupBy { it.command }.values.toList().takeIf { it.isNotEmpty() } ?: return null
-        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // rare commands are as likely as others
+        val command = equal[random.nextInt(equal.size)].let { it[random.nextInt(it.size)] } // rare commands are as likely as frequent ones
         val ended = run.of(command.agent).filterIsInstance<Ended>().find { it.number == command.number }?.at ?: command.at
         val from = (command.at.inWholeMilliseconds - AROUND_MS).coerceAtLeast(1)
         val until = minOf(ended, command.at + LONGEST).inWholeMilliseconds + AROUND_MS
@@ -44,7 +40,6 @@ internal class EventSource(private val exploration: Exploration, private val age
         return (events + kinds[random.nextInt(kinds.size)](at, command.port)).sortedBy { it.at }
     }
 
-    /** Returns makers of the events that can hit a command. */
     private fun hits(random: Random): List<(Duration, String) -> WorldEvent> = exploration.played.mapNotNull { fault ->
         when (fault) {
             Fault.CABLES -> { at, port -> Unplugged(at, port, lasts(random)) }
@@ -55,7 +50,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         }
     }
 
-    /** Draws the time to the next event: often so short that the agent is still handling the last one. */
+    /** Draws the time to the next event, often so short that the agent is still handling the previous event. */
     private fun pause(random: Random): Duration = when (random.nextInt(4)) {
         0 -> random.nextInt(1, 60)
         1 -> random.nextInt(60, 600)
@@ -64,7 +59,7 @@ internal class EventSource(private val exploration: Exploration, private val age
 
     private fun lasts(random: Random): Duration = LENGTHS[random.nextInt(LENGTHS.size)].let { random.nextInt(it / 2, it + 1) }.milliseconds
 
-    /** Returns makers of events at a given time, of each kind that is played; sensors twice as often as each fault. */
+    /** Returns makers of events at a given time, one for each kind of fault, and two for sensors. */
     private fun makers(random: Random): List<(Duration) -> WorldEvent> {
         fun port() = ports[random.nextInt(ports.size)]
         val makers = ArrayList<(Duration) -> WorldEvent>()
@@ -100,7 +95,7 @@ internal class EventSource(private val exploration: Exploration, private val age
         return Reads(at, port, sensor.name, sensor.percepts[index])
     }
 
-    /** Makes a sensor flicker between neighbouring values, as a noisy one does. */
+    /** Makes a sensor flicker between neighbouring values, like a noisy one. */
     private fun flickers(at: Duration, random: Random): Flickers {
         val (port, sensor) = sensing[random.nextInt(sensing.size)]
         val index = random.nextInt(sensor.percepts.size)
@@ -113,13 +108,13 @@ internal class EventSource(private val exploration: Exploration, private val age
     private companion object {
         val FIRST_AT = 200.milliseconds
 
-        /** The largest lengths of faults, in ms, from a loose contact to a board that is gone; one of them is drawn for each fault. */
+        /** The largest lengths of faults, in ms, from a loose contact to a missing board. One is drawn for each fault. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
-        /** The longest time, in ms, by which a fault that hits a command begins before the command's issue, or after its end. */
+        /** A fault that hits a command begins at most this long before the command's issue or after its end, in ms. */
         const val AROUND_MS = 3L
 
-        /** The longest time after the issue of a command at which a fault that hits it begins. */
+        /** A fault that hits a command begins at most this long after the command's issue. */
         val LONGEST = 200.milliseconds
 
         /** A sensor flickers by at most this part of its range. */

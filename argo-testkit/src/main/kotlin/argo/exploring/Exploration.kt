@@ -22,48 +22,48 @@ class Exploration internal constructor() {
     internal var kept: List<Rule> = usualRules()
         private set
 
-    /** The function that describes the exploration, with its package; null: it is not known. */
+    /** The function that describes the exploration, with its package; null: not known. */
     internal var describedBy: String? = null
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** The time of a run in which events happen. It begins 200 ms after the run. */
+    /** The time in which events happen. This time begins 200 ms after the run. */
     var eventful: Duration = 10.seconds
 
-    /** The time for which a run goes on after its last event. Some rules need it to see that something does not happen. */
+    /** The time for which a run goes on after its last event. Some rules need it to see that nothing happens. */
     var settling: Duration = 8.seconds
 
-    /** The largest number of events in a run. */
+    /** The most events in a run. */
     var mostEvents: Int = 8
 
     /** The first seed. */
     var seed: Long = 0
 
-    /** The largest number of runs. */
+    /** The most runs. */
     var runs: Int = 1_000
 
-    /** The longest time for all runs, in real time; a failing run is shortened afterwards. */
+    /** The time limit for all runs, in real time. A failing run is shortened after it. */
     var time: Duration = 60.seconds
 
-    /** Describes the board on [port], named as the agents name it. Each agent that runs on `argo.Arch` has one. */
+    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` has such a board. */
     fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
 
-    /** Lets [sender], who is not among the agents, send [agent] this message at any time: see the test kit's `hears`. */
+    /** Lets [sender], which is not among the agents, send [agent] this message at any time: see the test kit's `hears`. */
     fun message(agent: String, sender: String, performative: String, content: String) {
         messages += Hears(Duration.ZERO, agent, sender, performative, content)
     }
 
-    /** Sets the rules to be kept, in place of [usualRules]. */
+    /** Sets the rules to check, in place of [usualRules]. */
     fun rules(vararg rules: Rule) = rules(rules.toList())
 
-    /** Sets the rules to be kept, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
+    /** Sets the rules to check, in place of [usualRules]: `rules(usualRules() + sendsOnly(listOf("stop")))`. */
     fun rules(rules: List<Rule>) {
         kept = rules
     }
 
-    /** Sets the faults that are played, in place of all. Without any, only sensors change and messages come. */
+    /** Sets the faults to play, in place of all. Without faults, only sensors change and messages come. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }
@@ -73,7 +73,7 @@ class Exploration internal constructor() {
         setUps += setUp
     }
 
-    /** @throws IllegalArgumentException if nothing could be explored */
+    /** @throws IllegalArgumentException if there is nothing to explore */
     internal fun checked(): Exploration = apply {
         require(boards.isNotEmpty()) {
             "no board is described: name the port as the agent does, and what its sensors can show, as in " +
@@ -98,10 +98,10 @@ enum class Fault {
     /** Boards restart. */
     RESTARTS,
 
-    /** Bytes arrive wrongly. */
+    /** Bytes arrive with wrong bits. */
     NOISE,
 
-    /** Boards send messages that nobody asked for. */
+    /** Boards send unrequested messages. */
     FLOODS,
 
     /** Sensors change to and fro. */
@@ -111,7 +111,7 @@ enum class Fault {
     LATE_MESSAGES,
 }
 
-/** A board that is explored: the percepts that its sensors can show, and its behaviour without faults. */
+/** An explored board: the percepts that its sensors can show, and its behaviour without faults. */
 @TestSetUp
 class ExploredBoard internal constructor() {
     internal val sensors = ArrayList<Sensor>()
@@ -123,7 +123,7 @@ class ExploredBoard internal constructor() {
 
     /**
      * Adds a sensor that shows [percept] with a whole number of [range] in place of `%d`, at first [first].
-     * @throws IllegalArgumentException if there is no `%d` in it, or the range is empty
+     * @throws IllegalArgumentException if [percept] contains no `%d`, or the range is empty
      */
     fun sensor(percept: String, range: IntRange, first: Int = range.last) {
         require("%d" in percept) { "a sensor of numbers has %d where the number stands: dist(front,%d), not $percept" }
@@ -131,7 +131,7 @@ class ExploredBoard internal constructor() {
         sensors += Sensor(percept, range.toList().map { percept.replace("%d", "$it") }, first - range.first, range)
     }
 
-    /** Adds a sensor that shows one of [percepts], at first the first one; an empty text stands for no percept. */
+    /** Adds a sensor that shows one of [percepts], at first the first one. An empty text stands for no percept. */
     fun sensor(vararg percepts: String) {
         require(percepts.size > 1) { "a sensor shows one of several percepts: sensor(\"line(on)\", \"line(off)\")" }
         sensors += Sensor(percepts.joinToString("|"), percepts.toList(), 0, null)
@@ -149,8 +149,8 @@ class ExploredBoard internal constructor() {
     }
 
     /**
-     * Sets more of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. Percepts that it shows here
-     * replace the sensors; a script whose percepts depend on `commands` is a simulated robot. Called for each run, before it begins.
+     * Sets more of the board's behaviour, in the words of the test kit: `script { takes(2.seconds, "turn") }`. Percepts shown here replace
+     * the sensors. A script whose percepts depend on `commands` is a simulated robot. Called before each run.
      */
     fun script(behaviour: Board.() -> Unit) {
         scripts += behaviour
@@ -161,7 +161,7 @@ class ExploredBoard internal constructor() {
  * The percepts that a sensor can show.
  *
  * @property percepts all of them; an empty text is no percept
- * @property first the index of the percept that the sensor shows at first
- * @property range the numbers in the percepts; null: it has none
+ * @property first the index of the percept at first
+ * @property range the numbers in the percepts; null: they have none
  */
 internal class Sensor(val name: String, val percepts: List<String>, val first: Int, val range: IntRange?)

@@ -3,8 +3,8 @@ package argo.exploring
 import kotlin.time.TimeSource
 
 /**
- * Looks for a run of the agents in [source] in which they break a rule: plays changing sensors, faults of boards and lines, and messages
- * against the real agents in virtual time, drawn by seed.
+ * Looks for a run of the agents in [source] in which they break a rule. The real agents run in virtual time, against changing sensors,
+ * faults of boards and lines, and messages. A seed draws these events.
  *
  *     test("nothing that happens to its board confuses the robot") {
  *         explore("robot.asl") {
@@ -17,9 +17,10 @@ import kotlin.time.TimeSource
  *
  * @param source the file of an agent, or the `.mas2j` of a system; looked for as the test kit's `agent` does
  * @return the number and the time of the runs, if all rules were kept
- * @throws AssertionError if a rule is broken, with the run made as short as it gets, in words and as a spec; or if the agents are not
- *     deterministic
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or no agent opens one of them
+ * @throws AssertionError if a rule is broken, or if the agents are not deterministic. The message for a broken rule contains the shortened
+ *   run in words and as a spec.
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or no agent opens a described
+ *   board
  */
 fun explore(source: String, describe: Exploration.() -> Unit): NothingFound =
     when (val outcome = outcomeOf(source, describe)) {
@@ -33,8 +34,8 @@ fun outcomeOf(source: String, describe: Exploration.() -> Unit): Outcome = Searc
 /**
  * Plays [events] against the agents in [source], once, and returns the run. The same events give the same run.
  *
- * @throws IllegalArgumentException if there is no such file, Jason cannot read it, no board is described, or an event is about a board, a
- *     sensor or an agent that is not there
+ * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or no board is described. An event about a missing
+ *   board, sensor or agent is refused too.
  */
 fun runOf(source: String, events: List<WorldEvent>, describe: Exploration.() -> Unit): Run = scenario(source, describe).playWritten(events)
 

@@ -4,10 +4,10 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * At the end of a run no intention has waited at one step for longer than [longest] for something that need not come. A wait for a time
- * that the step names, as `.wait(9000)`, does not count.
+ * At the end of a run, no intention has waited at one step for longer than [longest] for something that may never come. A wait for a time
+ * in the step, such as `.wait(9000)`, does not count.
  *
- * @param except goals that may wait so: `patrol` stands for `patrol(3)` too
+ * @param except goals that may wait longer; `patrol` stands for `patrol(3)` too
  */
 fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = emptyList()): Rule =
     ReadyRule("neverWaitsForever", "never waits for ever", longest, except) { run, agent ->
@@ -18,12 +18,12 @@ fun neverWaitsForever(longest: Duration = 6.seconds, except: List<String> = empt
 
 private val Waits.goal get() = intention.substringBefore(" at ").trimStart('+', '-', '!')
 
-/** For each plan that fails there is a plan for the failure. */
+/** Each plan that fails has a plan for the failure. */
 fun handlesFailures(): Rule = ReadyRule("handlesFailures", "handles failures") { run, agent ->
     run.of(agent).filterIsInstance<FailedUnhandled>().firstOrNull()?.let { Breach(it.at, "$agent: ${it.what}") }
 }
 
-/** After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] events that wait. */
+/** After each reasoning cycle an agent has at most [intentions] intentions, [beliefs] beliefs and [events] waiting events. */
 fun staysSmall(intentions: Int = 20, beliefs: Int = 200, events: Int = 50): Rule =
     ReadyRule("staysSmall", "stays small", intentions, beliefs, events) { run, agent ->
         run.of(agent).filterIsInstance<MindSize>()
@@ -37,7 +37,7 @@ fun staysAlive(): Rule = ReadyRule("staysAlive", "stays alive") { run, agent ->
         ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }
 }
 
-/** The rules that fit any agent; [explore] checks them unless others are given. */
+/** The rules that fit any agent. [explore] checks them by default. */
 fun usualRules(): List<Rule> = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(), neverFloods(), neverOscillates(),
     perceivesAgain(),

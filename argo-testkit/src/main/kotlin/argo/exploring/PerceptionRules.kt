@@ -8,7 +8,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * No plan sends a command while the newest message of a board that has come to the agent is older than [maxAge].
+ * No plan sends a command while the newest message of a board is older than [maxAge].
  *
  * @param except commands that are right at any time, such as `stop`; `drive` stands for `drive(3)` too
  */
@@ -18,9 +18,10 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
     }
 
 /**
- * An agent that gets no percepts stops its motion. It is blind from [blindAfter] after its newest message until the next one. While it is
- * blind no plan sends one of [moving]. If it is blind for longer than [within], and was moving before by its last command of [moving] and
- * [safe], it sends [safe] within [within] of getting blind or, if the port was off meanwhile, of the time when the port is on again.
+ * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
+ * agent sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and
+ * [safe], was one of [moving]. The agent has [within] for sending [safe], from the time of getting blind or, if the port was off, from the
+ * port's return.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
@@ -32,11 +33,11 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
     }
 
 /**
- * Each time [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time of
- * the last byte of the first such message, unless its last command is one of them already.
+ * If [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time. The time
+ * begins with the last byte of the first such message. An agent whose last command is one of [commands] need not send another.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
- * @throws IllegalArgumentException if it is none
+ * @throws IllegalArgumentException if [percept] is neither
  */
 fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule {
     val condition = PerceivedFormula(percept)
@@ -59,10 +60,10 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
 }
 
 /**
- * While [percept] holds in the agent's percepts, and has held for [after], no plan sends one of [commands].
+ * No plan sends one of [commands] while [percept] holds in the agent's percepts, and has held for [after].
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
- * @throws IllegalArgumentException if it is none
+ * @throws IllegalArgumentException if [percept] is neither
  */
 fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seconds): Rule {
     val condition = PerceivedFormula(percept)
@@ -77,7 +78,7 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
     }
 }
 
-/** An agent that has perceived something perceives again within [within] of the end of the last event. */
+/** An agent that has perceived something perceives something within [within] of the end of the last event. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()
@@ -99,7 +100,7 @@ private fun actionOnStalePercepts(entries: List<AgentEntry>, maxAge: Duration, e
     return null
 }
 
-/** The time in which [agent] perceives no message: between [last] and [next]; it counts as blind from [blind] on. */
+/** The time between the messages [last] and [next] of [agent]. The agent counts as blind from [blind] on. */
 private class BlindTime(
     private val run: Run,
     private val agent: String,
@@ -124,11 +125,13 @@ private class BlindTime(
     }
 }
 
-/** A condition on an agent's percepts. */
 private class PerceivedFormula(text: String) {
     private val formula = formula(text)
 
-    /** Returns each message with which the condition begins to hold, and the message with which it ends; null: it holds at the end. */
+    /**
+     * Returns each message with which the condition begins to hold, and the message with which it ends; null: the condition holds at the
+     * end of the run.
+     */
     fun periodsIn(entries: List<AgentEntry>): List<Pair<Perceived, Perceived?>> {
         val believer = Agent().apply { initAg() }
         val periods = ArrayList<Pair<Perceived, Perceived?>>()

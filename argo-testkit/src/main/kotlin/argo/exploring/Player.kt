@@ -8,14 +8,13 @@ import argo.testkit.nanos
 import javino.PortException
 import kotlin.time.Duration
 
-/** Plays [events], which are in the order of their times, against agents with the boards of [exploration], once. */
+/** Plays [events], sorted by time, once against agents with the boards of [exploration]. */
 internal class Player(private val exploration: Exploration, private val events: List<WorldEvent>) {
     private val state = WorldState(exploration.boards, events)
     private val mas = TestMas()
     private val recorder = TraceRecorder(mas)
     private val faults = HashMap<Board, Trouble>()
 
-    /** The faults of a board at one moment. */
     private data class Trouble(val isUnplugged: Boolean, val hangs: Boolean)
 
     fun play(program: Program): Run = mas.use {
@@ -45,12 +44,11 @@ internal class Player(private val exploration: Exploration, private val events: 
         passUntil(end)
     }
 
-    /** Advances time to [at], unless an agent that waits inside its cycle has advanced it beyond. */
+    /** Advances time to [at], unless an agent that waits inside its cycle has advanced it further. */
     private fun passUntil(at: Duration) {
         mas.after((at - recorder.now).coerceAtLeast(Duration.ZERO))
     }
 
-    /** Returns the boards of all agents, with their ports. */
     private fun boards(): List<Pair<String, Board>> =
         mas.all.flatMap { it.platform.named().toList() }.filter { (port, _) -> port in exploration.boards }
 
@@ -95,7 +93,7 @@ internal class Player(private val exploration: Exploration, private val events: 
         mas.all.flatMap { agent -> agent.platform.named().filterValues(Board::wasOpened).keys }.toSet()
 
     private companion object {
-        /** A smaller limit than in a test: an agent that repeats a failing step at once grows with each cycle, and there are many runs. */
+        /** A smaller limit than in tests. An agent that repeats a failing step at once grows with each cycle, and there are many runs. */
         const val MOST_CYCLES = 500
     }
 }

@@ -2,7 +2,7 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** Describes the outcome of an exploration for a person. */
+/** Describes the outcome of an exploration in words. */
 fun reportOf(outcome: Outcome): String = when (outcome) {
     is NothingFound -> "no rule was broken in ${runsOf(outcome)}"
     is NotDeterministic ->

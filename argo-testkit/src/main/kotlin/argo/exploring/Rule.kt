@@ -9,17 +9,17 @@ import kotlin.time.Duration
  *         run.trace.filterIsInstance<Issued>().firstOrNull { it.command == "back" }?.let { Breach(it.at, "it reversed") }
  *     }
  *
- * Its result must depend only on the run.
+ * The result of a rule must depend only on the run.
  */
 fun interface Rule {
-    /** Returns where [run] breaks it first; null: it is kept. */
+    /** Returns the first breach of this rule in [run]; null: there is none. */
     fun breachIn(run: Run): Breach?
 
     /** The condition in a few words. */
     val name: String get() = javaClass.simpleName
 }
 
-/** A breach of a rule: its time, and a description for a person. */
+/** A breach of a rule: its time, and a description in words. */
 data class Breach(val at: Duration, val how: String)
 
 /** Makes a rule called [name]. */
@@ -32,10 +32,8 @@ fun rule(name: String, breachIn: (Run) -> Breach?): Rule = object : Rule {
 }
 
 /**
- * A rule of this package, which can be printed as a program: `toString` is the call that makes it.
- *
- * @property function makes it, from [arguments]
- * @property breachOf returns where an agent breaks it first in a run; null: it keeps the rule
+ * A rule of this package. `toString` returns the call that makes it. [breachOf] returns an agent's first breach in a run; null: the agent
+ * keeps the rule.
  */
 internal class ReadyRule(
     val function: String,
@@ -51,7 +49,7 @@ internal class ReadyRule(
     override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachOf(run, it) }.minByOrNull { it.at }
 }
 
-/** Returns true if [command] is [pattern], or begins with it as its name: `drive` stands for `drive(3)`. */
+/** Returns true if [command] is [pattern], or has it as its name: `drive` stands for `drive(3)`. */
 internal fun isCommand(command: String, pattern: String) = command == pattern || command.startsWith("$pattern(")
 
 internal fun List<String>.hasCommand(command: String) = any { isCommand(command, it) }

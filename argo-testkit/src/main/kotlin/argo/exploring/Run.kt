@@ -2,25 +2,26 @@ package argo.exploring
 
 import kotlin.time.Duration
 
-/** An entry of a run's trace, at a time since the run began. Immutable. */
+/** An entry of a run's trace. Immutable. */
 sealed interface TraceEntry {
-    /** The time of the entry. */
+    /** The time of the entry since the run began. */
     val at: Duration
 }
 
 /** An action of [agent], or an event that happens to it. */
 sealed interface AgentEntry : TraceEntry {
-    /** The name of the agent. */
     val agent: String
 }
 
 /** [event] begins. */
 data class Happened(override val at: Duration, val event: WorldEvent) : TraceEntry
 
-/** A message of the board on [port] has come, which the agent perceives soon, or never if a newer one comes before. */
+/** A message of the board on [port] has come. The agent perceives it soon, or never if a newer one comes before. */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
-/** The agent perceives a message of the board on [port], whose last byte came at [received]; the filter let [percepts] through. */
+/**
+ * The agent perceives a message of the board on [port]. The message's last byte came at [received], and the filter let [percepts] through.
+ */
 data class Perceived(
     override val at: Duration,
     override val agent: String,
@@ -33,7 +34,7 @@ data class Perceived(
  * The agent has called `argo.act`, or a reflex was sent.
  *
  * @property number counts the agent's commands
- * @property plan the plan that called it, with file and line; null: none did
+ * @property plan the plan that called it, with file and line; null: no plan did
  */
 data class Issued(
     override val at: Duration,
@@ -44,7 +45,7 @@ data class Issued(
     val plan: String?,
 ) : AgentEntry
 
-/** Command [number] of the agent has left or, in version 2, the board has acted; if not, [error] is the atom in `error(…)`. */
+/** Command [number] of the agent has left or, in version 2, the board has acted. If not, [error] is the atom in `error(…)`. */
 data class Ended(
     override val at: Duration,
     override val agent: String,
@@ -56,37 +57,34 @@ data class Ended(
 /** The state of a port of the agent: `on`, `off` or `timeout`. */
 data class PortChanged(override val at: Duration, override val agent: String, val port: String, val status: String) : AgentEntry
 
-/** The numbers of an agent's beliefs, intentions and events after a reasoning cycle. Recorded if they have changed. */
+/** The numbers of an agent's beliefs, intentions and events after a reasoning cycle that changed them. */
 data class MindSize(override val at: Duration, override val agent: String, val beliefs: Int, val intentions: Int, val events: Int) :
     AgentEntry
 
 /** The agent's [intention] waits, at the same step since [since]. Recorded at the end of a run. */
 data class Waits(override val at: Duration, override val agent: String, val intention: String, val since: Duration) : AgentEntry
 
-/** A plan of the agent has failed and there was no plan for the failure. [what] is Jason's message. */
+/** A plan of the agent has failed, and there was no plan for the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
-/** The agent has printed [text]. */
 data class Printed(override val at: Duration, override val agent: String, val text: String) : AgentEntry
 
-/** The agent has sent a message to another one: `tell(bob,ready)`. */
+/** The agent has sent a message to another agent: `tell(bob,ready)`. */
 data class Said(override val at: Duration, override val agent: String, val message: String) : AgentEntry
 
-/** The agent has ended. */
 data class Stopped(override val at: Duration, override val agent: String) : AgentEntry
 
-/** An agent reasons without an end, so that time stands still; the run ends with it. */
+/** An agent reasons without an end, so that time stands still. The run ends here. */
 data class NeverRests(override val at: Duration, val what: String) : TraceEntry
 
 /**
  * The events of a run from its beginning to its end.
  *
- * @property events the events that drove it, in the order of their times
+ * @property events the events of the world, in the order of their times
  * @property trace all recorded entries, in the order of their times
  * @property ended the length of the run
- * @property agents the names of its agents
  * @property arrived the commands that have arrived at each board, in their order
- * @property opened the ports that its agents have opened
+ * @property opened the ports that the agents have opened
  */
 class Run internal constructor(
     val events: List<WorldEvent>,
@@ -96,12 +94,11 @@ class Run internal constructor(
     val arrived: Map<String, List<String>>,
     internal val opened: Set<String>,
 ) {
-    /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"
 
-    /** Describes for a person how [other], which was driven by the same events, differs; null: it does not. */
+    /** Describes the difference from [other], a run with the same events; null: there is none. */
     internal fun differenceFrom(other: Run): String? {
         val pairs = trace.size.coerceAtLeast(other.trace.size)
         val first = (0 until pairs).firstOrNull { trace.getOrNull(it) != other.trace.getOrNull(it) }

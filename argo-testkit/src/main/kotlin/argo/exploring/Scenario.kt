@@ -19,16 +19,15 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.reader
 import kotlin.time.Duration
 
-/** The agents that are explored. Made anew for each run. */
+/** The explored agents. Made anew for each run. */
 internal fun interface Program {
-    /** Makes the agents, each with [setUp] besides the program's own settings. */
     fun MasSetUp.make(setUp: AgentSetUp.() -> Unit)
 }
 
 /**
- * Returns the agents in the file [source]: one in an `.asl`, all of a `.mas2j`. The file is found as by the test kit's `agent`.
+ * Returns the agents in the file [source]: one of an `.asl`, all of a `.mas2j`. The file is found as by the test kit's `agent`.
  *
- * @throws IllegalArgumentException if there is none, or it cannot be read
+ * @throws IllegalArgumentException if there is no such file, or it cannot be read
  */
 internal fun programIn(source: String): Program {
     val file = if (Path.of(source).isAbsolute) existing(Path.of(source)) else found(source)
@@ -67,7 +66,7 @@ private fun AgentSetUp.take(parameters: AgentParameters) {
     parameters.options.orEmpty().forEach { (name, value) -> options(name to textIn(value)) }
 }
 
-/** Returns the text of [value], an option's, without the quotes around it and the backslashes before quotes within. */
+/** Returns the text of an option's [value], without the quotes around it and the backslashes before quotes within. */
 private fun textIn(value: String) = if (value.startsWith('"')) value.removeSurrounding("\"").replace("\\\"", "\"") else value
 
 private fun environmentOf(project: MAS2JProject): Environment? = project.envClass?.let { wanted ->
@@ -85,13 +84,12 @@ private fun <T> classOf(name: String, type: Class<T>): Class<out T> = try {
 
 /** The subject of an exploration: [program] with the boards and rules of [exploration]. */
 internal class Scenario(private val program: Program, private val source: String, val exploration: Exploration) {
-    /** Plays a run with [events], in the order of their times. */
     fun play(events: List<WorldEvent>): Run = Player(exploration, events.sortedBy { it.at }).play(program)
 
     /**
-     * Plays [events] that a person has written.
+     * Plays [events] that a user has written.
      *
-     * @throws IllegalArgumentException if one is about a board, a sensor or an agent that is not there, so that nothing would happen
+     * @throws IllegalArgumentException if an event is about an unknown board, sensor or agent, so that nothing would happen
      */
     fun playWritten(events: List<WorldEvent>): Run {
         events.map { it.form }.forEach { form ->
@@ -105,17 +103,14 @@ internal class Scenario(private val program: Program, private val source: String
     private fun requireThere(event: EventForm, wanted: Any?, there: Collection<String>) =
         require(wanted == null || wanted in there) { "${event.kotlin} is about $wanted, and there are only ${there.joinToString()}" }
 
-    /** Returns the first rule that [run] breaks, and where; null: all are kept. */
     fun breachIn(run: Run): Pair<Rule, Breach>? =
         exploration.kept.mapNotNull { rule -> rule.breachIn(run)?.let { rule to it } }.minByOrNull { (_, breach) -> breach.at }
 
-    /** The name of the spec's class. */
     val name: String get() = Path.of(source).nameWithoutExtension
 
     val file: String get() = source
 }
 
-/** Adds the settings and boards of [exploration] to an agent. */
 internal fun AgentSetUp.describedBy(exploration: Exploration, state: WorldState) {
     exploration.setUps.forEach { it() }
     if (arch == null) return

@@ -6,7 +6,7 @@ import kotlin.time.TimeSource
 
 /** The outcome of an exploration. */
 sealed interface Outcome {
-    /** The number of runs, including the runs for shrinking. */
+    /** The number of runs, including those for shrinking. */
     val runs: Int
 
     /** The length of all runs together, in virtual time. */
@@ -16,19 +16,18 @@ sealed interface Outcome {
 /** No run broke a rule. */
 data class NothingFound(override val runs: Int, override val played: Duration) : Outcome
 
-/** Two runs with the same [events] differ; [difference] names the first place at which they do. So one run says nothing about another. */
+/**
+ * Two runs with the same [events] differ, so one run proves nothing about another. [difference] names the first place at which they differ.
+ */
 data class NotDeterministic(override val runs: Int, override val played: Duration, val events: List<WorldEvent>, val difference: String) :
     Outcome
 
 /**
  * A run breaks a rule.
  *
- * @property seed the seed of the run; null: it is the run without any events
- * @property rule the name of the rule
- * @property breach the breach in the shortened run
- * @property events the events that are left after shrinking
+ * @property seed the seed of the run; null: the run has no events
+ * @property events the events after shrinking
  * @property drawn the number of events before shrinking
- * @property run the shortened run
  */
 class Found internal constructor(
     override val runs: Int,
@@ -42,7 +41,6 @@ class Found internal constructor(
     internal val scenario: Scenario,
 ) : Outcome
 
-/** Looks for a run of [scenario] that breaks a rule. */
 internal class Search(private val scenario: Scenario, private val clock: TimeSource) {
     private val exploration = scenario.exploration
     private var runs = 0
@@ -75,12 +73,11 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     /**
-     * Returns true if the list of [seed] is played again with one more fault, which hits a command. Most faults are found without it, and
-     * by shorter lists.
+     * Returns true if the events of [seed] are played again with one more fault, which hits a command. Most faults are found without it,
+     * and by fewer events.
      */
     private fun isHit(seed: Long) = seed - exploration.seed >= HIT_FROM && seed % HIT_EACH == 0L
 
-    /** Returns the outcome of [run], which [events] drove; null: it keeps the rules. */
     private fun outcome(seed: Long, events: List<WorldEvent>, run: Run): Outcome? {
         val (rule, _) = scenario.breachIn(run) ?: return null
         run.differenceFrom(play(events))?.let { return NotDeterministic(runs, played, events, it) }
@@ -104,7 +101,7 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
         require(it.agent in run.agents) { "a message is for the agent ${it.agent}; there are ${run.agents.joinToString()}" }
     }
 
-    /** Refuses a board that nothing can have happened to: its name may be misspelt. */
+    /** Refuses a board that no agent opened, since its name may be misspelt. */
     private fun requireOpened() {
         val missed = exploration.boards.keys - opened
         require(missed.isEmpty()) {
@@ -114,11 +111,11 @@ internal class Search(private val scenario: Scenario, private val clock: TimeSou
     }
 
     private companion object {
-        /** After this many lists, one in [HIT_EACH] is played once more. */
+        /** After this many lists of events, one in [HIT_EACH] is played once more. */
         const val HIT_FROM = 20L
         const val HIT_EACH = 3L
 
-        /** The largest number of runs for shrinking. */
+        /** The most runs for shrinking. */
         const val MOST_SHRINKING = 400
     }
 }

@@ -6,14 +6,11 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * Makes a list of events that breaks a rule shorter and plainer, as long as it still breaks the rule (delta debugging): leaves out halves,
- * smaller parts, single events; then gives those that are left rounder times and numbers.
- *
- * @param budget the number of times that it may call [breaks]
- * @param breaks plays events and returns true if they still break the rule
+ * Makes a list of events shorter and plainer while it still breaks the rule (delta debugging). The shrinker leaves out halves, smaller
+ * parts and single events. The remaining events then get rounder times and numbers. [breaks] plays events and returns true if they still
+ * break the rule.
  */
 internal class Shrinker(private var budget: Int, private val breaks: (List<WorldEvent>) -> Boolean) {
-    /** Returns the shortened list of [events], which break the rule. */
     fun shrink(events: List<WorldEvent>): List<WorldEvent> {
         var left = withoutParts(events)
         while (budget > 0) {
@@ -50,7 +47,7 @@ internal class Shrinker(private var budget: Int, private val breaks: (List<World
         return left
     }
 
-    /** Returns values that are easier to read than [value], or smaller: the best first. The beginning of an event is only rounded. */
+    /** Returns values that are easier to read than [value], or smaller, the best first. The beginning of an event is only rounded. */
     private fun plainer(name: String, value: Any): List<Any> = when (value) {
         is Duration -> {
             val ms = value.inWholeMilliseconds

@@ -1,8 +1,8 @@
 package argo.exploring
 
 /**
- * Writes a Kotest spec that plays the shortened run of [found] and fails until the agent keeps the rule. It compiles in a project with the
- * test kit that has the agent in its folders.
+ * Writes a Kotest spec that plays the shortened run of [found] and fails until the agent keeps the rule. The spec compiles in a project
+ * with the test kit and with the agent in its folders.
  */
 fun specOf(found: Found): String {
     val name = found.scenario.name.split(Regex("\\W|_")).joinToString("") { it.replaceFirstChar(Char::uppercase) }
@@ -28,7 +28,7 @@ ${descriptionOf(found).prependIndent("            ")}
 """.trimStart()
 }
 
-/** Writes the exploration as a program; or, if its description holds code, as the call of the function that describes it. */
+/** Writes the exploration in Kotlin. If its description contains code, writes the call of the function that describes it. */
 private fun descriptionOf(found: Found): String {
     val exploration = found.scenario.exploration
     val broken = exploration.kept.first { it.name == found.rule }

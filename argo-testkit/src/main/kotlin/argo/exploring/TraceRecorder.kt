@@ -15,7 +15,7 @@ import jason.asSyntax.InternalActionLiteral
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Records the trace of a run of [mas], whose threads run one at a time. */
+/** Records the trace of a run of [mas]. The threads of [mas] run one at a time. */
 internal class TraceRecorder(private val mas: TestMas) {
     private val entries = ArrayList<TraceEntry>()
     private val minds = ArrayList<AgentWatch>()
@@ -30,7 +30,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         entries += entry
     }
 
-    /** Watches the reasoning of [agent], which has not begun. */
     fun watch(agent: TestAgent) {
         minds += AgentWatch(agent).also(agent.infra::insertAgArch)
     }
@@ -75,25 +74,23 @@ internal class TraceRecorder(private val mas: TestMas) {
             super.stop()
         }
 
-        /** Returns the waits in an order that does not depend on the numbers of intentions, which differ from run to run. */
+        /** Returns the waits in an order without the numbers of intentions, which differ from run to run. */
         fun waits() = waiting.values.map { (words, since) -> Waits(now, agent.name, words, since) }
             .sortedWith(compareBy({ it.since }, { it.intention }))
     }
 
-    /** True if the run is over; agents that stop now stop for that reason. */
+    /** True if the run is over. Agents that stop after the run stop because of its end. */
     var isOver = false
 
     private fun intentionsOf(c: Circumstance) = c.allIntentions.asSequence().distinctBy { it.id }.toList()
 
-    /** Returns the intentions that wait for something that need not come, as keys and words. The same key means the same step. */
+    /** Returns the intentions that wait for something that may never come, as keys and words. The same key means the same step. */
     private fun waitingIn(c: Circumstance): List<Pair<String, String>> =
         (c.pendingIntentions.values + c.pendingActions.values.mapNotNull { it.intention }).distinctBy { it.id }
             .filterNot { it.isFinished || endsByItself(it) }
             .map { "${it.id} ${it.size()} ${stepOf(it)}" to "${it.last().trigger.literal.copy().apply { clearAnnots() }} at ${stepOf(it)}" }
 
-    /**
-     * Returns true if [intention] waits for a time that its step names, as `.wait(9000)` and `.send(bob, askOne, price(P), A, 9000)` do.
-     */
+    /** Returns true if [intention] waits for a time in its step, such as `.wait(9000)` or `.send(bob, askOne, price(P), A, 9000)`. */
     private fun endsByItself(intention: Intention): Boolean {
         val means = intention.peek()
         val step = means.currentStep?.bodyTerm as? InternalActionLiteral ?: return false
@@ -116,7 +113,6 @@ internal class TraceRecorder(private val mas: TestMas) {
         override fun commandIssued(command: IssuedCommand) =
             record(Issued(now, agent.name, command.number, command.port, command.text, planThatRuns()))
 
-        /** Returns the plan that runs; null on sensing threads, which send reflexes. */
         private fun planThatRuns() = if (mas.time.running == null) planOf(agent.circumstance.selectedIntention) else null
 
         override fun commandEnded(command: IssuedCommand, failure: CommandFailure?) =
@@ -134,10 +130,10 @@ internal class TraceRecorder(private val mas: TestMas) {
     }
 
     private companion object {
-        /** Beginnings of Jason's messages about a failure that no plan handles. */
+        /** Beginnings of Jason's messages about a failure without a plan. */
         val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
 
-        /** The text behind the goal in them. */
+        /** The text behind the goal in such messages. */
         const val SOURCE = "["
 
         /** The place of the time limit among the arguments of `.send`, from 0. */

@@ -4,28 +4,27 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 
 /**
- * An event in the outside world during a run, at a time since the run began. Immutable. A run is a function of the agents' programs, the
- * description of the boards, and a list of these.
+ * An event in the outside world during a run. Immutable. A run depends only on the agents' programs, the description of the boards, and a
+ * list of such events.
  *
- * Times are whole milliseconds. If several events overlap on one board, the strongest has effect.
+ * Times are whole milliseconds since the run began. If several events overlap on one board, the strongest takes effect.
  */
 sealed interface WorldEvent {
-    /** The event's beginning. */
     val at: Duration
 
-    /** The event's end; [at] if it takes no time. */
+    /** The event's end; equal to [at] if the event takes no time. */
     val ends: Duration get() = at
 
-    /** A description for a person, without the time. */
+    /** A description without the time. */
     val words: String
 }
 
-/** The sensor called [sensor] of the board on port [board] shows [percept] from now on; nothing if that is empty. */
+/** The sensor called [sensor] of the board on port [board] shows [percept] from now on; no percept if it is empty. */
 data class Reads(override val at: Duration, val board: String, val sensor: String, val percept: String) : WorldEvent {
     override val words get() = "the board on $board shows ${percept.ifEmpty { "nothing in place of $sensor" }}"
 }
 
-/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts]; then it shows its former percept again. */
+/** The sensor called [sensor] changes between [percept] and [other] each [every] for [lasts], and then shows its former percept. */
 data class Flickers(
     override val at: Duration,
     val board: String,
@@ -41,19 +40,19 @@ data class Flickers(
     private fun shown(text: String) = text.ifEmpty { "nothing" }
 }
 
-/** The cable of the board on port [board] is out for [lasts]; the board has no power meanwhile. */
+/** The cable of the board on port [board] is out for [lasts]. The board has no power during that time. */
 data class Unplugged(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "the cable of $board is pulled, and back after $lasts"
 }
 
-/** The board on port [board] neither answers nor acts for [lasts]; then it continues with what has arrived meanwhile. */
+/** The board on port [board] neither answers nor acts for [lasts]. The board then continues with the bytes that have arrived. */
 data class Hangs(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "the board on $board hangs for $lasts"
 }
 
-/** The board on port [board] answers no request for percepts for [lasts]; it takes commands. */
+/** The board on port [board] answers no request for percepts for [lasts], but takes commands. */
 data class IgnoresRequests(override val at: Duration, val board: String, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "the board on $board answers no requests for $lasts, though it takes commands"
@@ -65,7 +64,7 @@ data class AnswersLate(override val at: Duration, val board: String, val by: Dur
     override val words get() = "the board on $board answers $by late, for $lasts"
 }
 
-/** The board on port [board] restarts, and loses what arrives within [booting]. Its port stays open. */
+/** The board on port [board] restarts, and loses bytes that arrive within [booting]. The port stays open. */
 data class Restarts(override val at: Duration, val board: String, val booting: Duration) : WorldEvent {
     override val ends get() = at + booting
     override val words get() = "the board on $board restarts, which takes it $booting"
@@ -83,7 +82,7 @@ data class Floods(override val at: Duration, val board: String, val messages: In
     override val words get() = "the board on $board sends ${if (messages == 1) "a message" else "$messages messages"} that nobody asked for"
 }
 
-/** The agent [agent] receives a message from [sender], who is not in the run. */
+/** The agent [agent] receives a message from [sender], an agent outside of the run. */
 data class Hears(
     override val at: Duration,
     val agent: String,
@@ -94,11 +93,10 @@ data class Hears(
     override val words get() = "$sender sends $agent: $performative $content"
 }
 
-/** Messages from other agents that are sent to [agent] within [lasts] arrive [by] late, so later ones can overtake them. */
+/** Messages from other agents sent to [agent] within [lasts] arrive [by] late, so later ones can overtake them. */
 data class MessagesLate(override val at: Duration, val agent: String, val by: Duration, val lasts: Duration) : WorldEvent {
     override val ends get() = at + lasts
     override val words get() = "messages to $agent take $by, for $lasts"
 }
 
-/** The time between two messages of [Floods]. */
 internal val FLOOD_INTERVAL = 5.milliseconds

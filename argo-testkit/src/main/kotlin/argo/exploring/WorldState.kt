@@ -4,7 +4,6 @@ import kotlin.time.Duration
 
 /** The outside world at any time of a run. Depends only on [events]. */
 internal class WorldState(private val boards: Map<String, ExploredBoard>, private val events: List<WorldEvent>) {
-    /** Returns the percepts that the sensors of the board on [port] show at [at]. */
     fun percepts(port: String, at: Duration): List<String> =
         boards.getValue(port).sensors.map { shownBy(port, it, at) }.filter { it.isNotEmpty() }
 

@@ -17,13 +17,12 @@ import jason.runtime.SourcePath
 import jason.util.Config
 import java.nio.file.Path
 
-/** Reads the beliefs and intentions of an agent under test. */
 internal class AgentInspector(private val ts: TransitionSystem) {
-    /** Its beliefs without their annotations and without rules, in alphabetical order. */
+    /** The agent's beliefs without annotations and rules, in alphabetical order. */
     val beliefs: List<String>
         get() = ts.ag.bb.filterNot { it.isRule || it.ns.functor == KQML }.map { it.copy().apply { clearAnnots() }.toString() }.sorted()
 
-    /** Its intentions, each with the goals that led to it, the latest first, and its next step; in alphabetical order. */
+    /** The agent's intentions in alphabetical order, each with the goals that led to it, the latest first, and its next step. */
     val intentions: List<String>
         get() = ts.c.allIntentions.asSequence().toList().distinctBy { it.id }.map(::described).filter(String::isNotEmpty).sorted()
 
@@ -50,7 +49,6 @@ internal fun goal(text: String): Trigger = parsed(text, "a goal such as patrol o
     ASSyntax.parseTrigger("+!" + text.removePrefix("+").removePrefix("!"))
 }
 
-/** Reads [text] as a literal; null: it is none. */
 internal fun literalIn(text: String): Literal? = try {
     ASSyntax.parseLiteral(text)
 } catch (_: ParseException) {
@@ -68,11 +66,8 @@ internal fun <T> parsed(text: String, expected: String, parse: () -> T): T = try
 }
 
 /**
- * Creates the agent in [file] behind [infra], as an infrastructure does. Jason has one source path for the whole Java program; this sets
- * it.
+ * Creates the agent in [file] behind [infra], as an infrastructure does. Sets Jason's source path for the whole Java program.
  *
- * @param file null: it has no program
- * @param called the program's name in messages
  * @throws IllegalArgumentException if Jason cannot read it
  */
 @Synchronized

@@ -14,7 +14,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     /**
      * One record.
      *
-     * @property logger its name, which ends in the name of the agent that it is about
+     * @property logger the logger's name, which ends in the name of the record's agent
      * @property isPrinted whether a plan has printed it, with `.print` or `.log`
      */
     class Entry(val atNanos: Long, val level: Level, val logger: String, val text: String, val isPrinted: Boolean) {
@@ -32,7 +32,6 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         root.handlers.filterIsInstance<ConsoleHandler>().forEach { if (it.filter !is Quiet) it.filter = Quiet(it.filter) }
     }
 
-    /** All records, in their order. */
     val entries: List<Entry> get() = all
 
     fun printedBy(agent: String): List<String> = all.filter { it.isPrinted && it.isOf(agent) }.map { it.text }
@@ -43,7 +42,7 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
         all += Entry(time.nanos(), record.level, record.loggerName.orEmpty(), text, isPrinted(record))
     }
 
-    /** Returns true if a plan printed [record]: Jason uses the agent's logger for its own messages, too. */
+    /** Returns true if a plan printed [record]. Jason uses the agent's logger for its own messages, too. */
     private fun isPrinted(record: LogRecord): Boolean {
         val jason = TransitionSystem::class.java
         return record.loggerName.orEmpty().startsWith("${jason.name}.") &&
@@ -51,8 +50,8 @@ internal class AgentLog(private val time: VirtualTime) : Handler(), AutoCloseabl
     }
 
     /**
-     * Keeps the log of agents under test from the console: an expectation that fails shows it, and the passing ones would flood the
-     * console. The property `argo.testkit.log`, set to `console`, shows it all the same.
+     * Keeps the agents' log off the console. A failing expectation shows the log; passing ones would flood the console. If the property
+     * `argo.testkit.log` is `console`, the log appears anyway.
      */
     private class Quiet(private val other: Filter?) : Filter {
         override fun isLoggable(record: LogRecord): Boolean =

@@ -10,25 +10,25 @@ import kotlin.time.Duration
 /** The configuration of an agent under test and of its boards: the receiver of [argo.testkit.agent]'s last argument. */
 @TestSetUp
 class AgentSetUp internal constructor(time: VirtualTime, name: String) {
-    /** Its name. */
+    /** The agent's name. */
     var name: String = name
 
     /** The class of the agent: `agentClass` in a `.mas2j`. */
     var agentClass: Class<out Agent> = Agent::class.java
 
     /**
-     * Creates its architecture: [Arch], or a subclass of the project's own that passes the platform on. Null: an agent of plain Jason,
-     * which has no board.
+     * Creates the agent's architecture: [Arch], or a subclass of the project that passes the platform on. Null: an agent of plain Jason,
+     * without a board.
      */
     var arch: ((Platform) -> Arch)? = ::Arch
 
     /**
-     * The Jason environment that it is in, for actions that are not internal and for percepts that are not a board's; null: none. Its
-     * actions take no time. Several agents of a test may share one. Its own threads, if any, run in real time.
+     * The agent's Jason environment, for actions that are not internal and for percepts that are not a board's; null: none. An
+     * environment's actions take no time. Several agents of a test may share it. Threads of the environment run in real time.
      */
     var environment: Environment? = null
 
-    /** The time that each of its reasoning cycles takes; the next cycle begins when that time is over. */
+    /** The time of each reasoning cycle of the agent. The next cycle begins when that time is over. */
     var cycleTime: Duration = Duration.ZERO
 
     internal val platform = TestPlatform(time)
@@ -36,7 +36,7 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     internal val options = LinkedHashMap<String, String>()
     internal val sourcePaths = ArrayList<String>()
 
-    /** Sets options, which a `.mas2j` has in brackets: `options("argo_sensing" to "every")`. */
+    /** Sets options, which a `.mas2j` writes in brackets: `options("argo_sensing" to "every")`. */
     fun options(vararg options: Pair<String, String>) {
         this.options += options
     }
@@ -46,9 +46,8 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
         sourcePaths += directories
     }
 
-    /** The board on the first port that the agent opens, if no other is named with [board]. */
+    /** The board on the agent's first port, unless [board] names another port. */
     val board: Board get() = platform.first()
 
-    /** Returns the board on [port]. */
     fun board(port: String): Board = platform.at(port)
 }

@@ -9,11 +9,11 @@ import java.nio.file.Path
  *     robot.perceives("dist(front,30)")
  *     robot.shouldSend("stop")
  *
- * Jason reads it and it runs on `argo.Arch`, as in a project; only time and the boards are simulated. Its name is its file's. Close it
- * at the end of the test, with `use` or Kotest's `autoClose`.
+ * Jason reads the agent and runs it on `argo.Arch`, as in a project. Only time and the boards are simulated. The agent has its file's name.
+ * Close it at the end of the test, with `use` or Kotest's `autoClose`.
  *
  * @param source a path from the directory in which the test runs, or from `src/agt`, `src/main/asl` or `src/test/resources` under it
- * @param setUp configures the agent and its boards before it starts
+ * @param setUp configures the agent and its boards before the agent starts
  * @throws IllegalArgumentException if there is no such file, or Jason cannot read it
  */
 fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(source, setUp) }.first
@@ -21,7 +21,7 @@ fun agent(source: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { 
 /** Starts the agent in [file]: see [agent]. */
 fun agent(file: Path, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agent(file, setUp) }.first
 
-/** Starts an agent with [program], as [agent] does; its name is `agent` unless [setUp] sets another. */
+/** Starts an agent with [program], like [agent]. The agent's name is `agent` unless [setUp] sets another. */
 fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas { agentOf("agent", program, setUp) }.first
 
 /**
@@ -34,7 +34,7 @@ fun agentOf(program: String, setUp: AgentSetUp.() -> Unit = {}): TestAgent = mas
  *     fleet["coordinator"].hears("user", "achieve", "patrol")
  *     fleet["scout1"].shouldSend("goto(north)")
  *
- * All exist before the first one runs. Close it at the end of the test, with `use` or Kotest's `autoClose`.
+ * All agents exist before the first one runs. Close the result at the end of the test, with `use` or Kotest's `autoClose`.
  *
  * @throws IllegalArgumentException if there is no such file, Jason cannot read it, or two agents have the same name
  */

@@ -2,10 +2,5 @@ package argo.testkit
 
 import kotlin.time.Duration
 
-/**
- * A command that has arrived at a board.
- *
- * @property command the command, as the agent has sent it
- * @property at the virtual time since the test began at which the board took it up
- */
+/** A [command] that a board took up at the virtual time [at] since the test began. */
 data class Arrival(val command: String, val at: Duration)

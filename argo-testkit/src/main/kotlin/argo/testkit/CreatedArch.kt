@@ -4,10 +4,10 @@ import argo.Arch
 import argo.platform.Platform
 
 /**
- * Returns the factory of the architecture of an agent that another one creates.
+ * Returns the factory of the architecture of an agent that another agent creates.
  *
- * @param classes the classes in `agentArchClass(…)`; none: that of [father]
- * @throws IllegalArgumentException if it cannot run in a test
+ * @param classes the classes in `agentArchClass(…)`; empty: that of [father]
+ * @throws IllegalArgumentException if the architecture cannot run in a test
  */
 internal fun archOf(classes: List<String>, father: TestAgent?): ((Platform) -> Arch)? = when {
     classes.isEmpty() -> if (father == null) ::Arch else father.setUp.arch

@@ -3,7 +3,7 @@ package argo.testkit
 import kotlin.time.Duration
 
 /**
- * Runs the reasoning cycles of [agent]: each takes the agent's cycle time, and only a limited number may run at one instant, since time
+ * Runs the reasoning cycles of [agent]. Each takes the agent's cycle time. Only a limited number may run at one instant, since time
  * advances only when the agent sleeps.
  */
 internal class CycleLimit(private val agent: TestAgent) {
@@ -12,7 +12,9 @@ internal class CycleLimit(private val agent: TestAgent) {
     private var cyclesAt = -1L
     private var isBusy = false
 
-    /** Runs one cycle and returns true; false: the agent sleeps, or its last cycle is not over. Fails if the agent never sleeps. */
+    /**
+     * Runs one cycle and returns true. Returns false if the agent sleeps, or its last cycle is not over. Fails if the agent never sleeps.
+     */
     fun step(): Boolean {
         if (isBusy || !reason()) return false
         takeTime()
@@ -43,7 +45,7 @@ internal class CycleLimit(private val agent: TestAgent) {
     }
 
     companion object {
-        /** The largest number of cycles of an agent at one instant, unless [TestMas.mostCycles] is set to another. */
+        /** The most cycles of an agent at one instant, unless [TestMas.mostCycles] is changed. */
         const val MOST = 10_000
     }
 }

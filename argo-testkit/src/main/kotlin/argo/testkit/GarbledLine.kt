@@ -3,14 +3,14 @@ package argo.testkit
 import javino.Transport
 
 /**
- * The agent's end of [line], on which bytes arrive wrongly in both directions: one in [oneIn], which may change; none while that is 0.
- * The wrong bytes are counted out and not drawn, so a run is the same each time.
+ * The agent's end of [line], on which one in [oneIn] bytes arrives wrongly in each direction. [oneIn] may change; 0 means none. The wrong
+ * bytes are counted out, not drawn, so each run is the same.
  */
 internal class GarbledLine(private val line: Transport, private val oneIn: () -> Int) : Transport by line {
     private var received = 0
     private var sent = 0
 
-    // neither is passed on by delegation, since the interface has a body for it
+    // Delegation passes neither on, since the interface has bodies for both.
     override fun mayVanish() = line.mayVanish()
 
     override fun doubt(): String = line.doubt()

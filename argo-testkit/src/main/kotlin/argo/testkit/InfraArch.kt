@@ -13,20 +13,16 @@ import jason.runtime.RuntimeServices
 import jason.runtime.RuntimeServicesFactory
 
 /**
- * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking.
- *
- * @param mas the agents that it exchanges messages with
- * @param environment null: it has none
+ * The infrastructure of an agent under test: its name, its mailbox, its environment, and its waking. [mas] are the agents with which it
+ * exchanges messages.
  */
 internal class InfraArch(private val name: String, private val mas: TestMas, private val environment: Environment?) : AgArch() {
     private val mail = ArrayDeque<Message>()
     private var awake = true
     private var running = true
 
-    /** The agent's messages to others, in their order. */
     val said = ArrayList<Message>()
 
-    /** Runs one reasoning cycle and returns true, unless the agent sleeps. */
     fun reason(): Boolean {
         if (!running || !awake && ts.canSleep()) return false
         awake = false
@@ -37,13 +33,12 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
         return true
     }
 
-    /** Puts [message] into the agent's mailbox. */
     fun receive(message: Message) {
         mail += message
         wake()
     }
 
-    /** Stops the agent as an infrastructure does, once. */
+    /** Stops the agent once, as an infrastructure does. */
     fun end() {
         if (!running) return
         running = false
@@ -88,7 +83,7 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
 
     override fun perceive(): MutableCollection<Literal>? = environment?.getPercepts(name)
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks here for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 gets some services here
     override fun getRuntimeServices(): RuntimeServices = RuntimeServicesFactory.get()
 
     override fun act(action: ActionExec) {
@@ -98,7 +93,6 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 
     companion object {
-        /** The receiver of broadcast messages. */
         const val EVERYBODY = "everybody"
         private const val NO_ENVIRONMENT =
             "this agent under test has no environment, so it can only do internal actions: " +
@@ -106,7 +100,6 @@ internal class InfraArch(private val name: String, private val mas: TestMas, pri
     }
 }
 
-/** The infrastructure of the environment of agents under test. */
 internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier {
     override fun informAgsEnvironmentChanged(vararg agents: String) =
         mas.running().filter { agents.isEmpty() || it.name in agents }.forEach { it.infra.wake() }
@@ -119,7 +112,7 @@ internal class EnvironmentTier(private val mas: TestMas) : EnvironmentInfraTier 
         throw UnsupportedOperationException("the outcome of $action is what executeAction returns")
 }
 
-/** Counts how often the agent has perceived something new; this is the first of the agent's architectures. */
+/** Counts how often the agent has perceived something new. This architecture is the first of the agent's. */
 internal class PerceptionCounter : AgArch(), Transparent {
     var perceptions = 0
         private set

@@ -8,7 +8,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Jason's scheduler, which `.wait` and `.at` use: in virtual time for agents under test, in real time for all others. */
+/** Jason's scheduler for `.wait` and `.at`: in virtual time for agents under test, in real time for all others. */
 internal class JasonTime private constructor(machine: ScheduledExecutorService) : SchedulerLayer(machine) {
     override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
         val time = VirtualTime.active() ?: return below.schedule(work, delay, unit)
@@ -29,7 +29,7 @@ internal class JasonTime private constructor(machine: ScheduledExecutorService) 
     }
 
     companion object {
-        /** Puts this in the place of Jason's scheduler, once for all agents of this program. */
+        /** Replaces Jason's scheduler once for all agents of this program. */
         fun install() = install(JasonTime::class.java, Place.TIME, ::JasonTime)
     }
 }

@@ -26,6 +26,6 @@ class MasSetUp internal constructor(private val mas: TestMas) {
     }
 }
 
-/** Marks configurations, so that one agent's cannot be written within another's. */
+/** Marks configurations, so that one agent's configuration cannot stand within another's. */
 @DslMarker
 annotation class TestSetUp

@@ -4,7 +4,6 @@ import argo.links.BoardLink
 import argo.links.SentCommand
 import javino.link.SendOptions
 
-/** Passes each command to [note] as it is sent over [link]. */
 internal class NotedLink(private val link: BoardLink, private val note: (String) -> Unit) : BoardLink by link {
     override fun send(text: String, options: SendOptions): SentCommand {
         note(text)

@@ -9,8 +9,8 @@ import kotlin.io.path.writeText
 /**
  * Finds the file of the agent [source].
  *
- * @param first directories to look in before the usual ones
- * @throws IllegalArgumentException if there is none
+ * @param first directories that are searched before the usual ones
+ * @throws IllegalArgumentException if there is no such file
  */
 internal fun found(source: String, first: List<String> = emptyList()): Path {
     val places = (first + DIRECTORIES).map { Path.of(it, source).toAbsolutePath().normalize() }
@@ -24,7 +24,6 @@ internal fun existing(file: Path): Path {
     return file.toAbsolutePath().normalize()
 }
 
-/** Does [work] with a temporary file that holds [program]. */
 internal fun written(program: String, work: (Path) -> Unit) {
     val directory = createTempDirectory("argo-testkit")
     val file = directory.resolve("agent.asl").apply { writeText(program) }

@@ -14,18 +14,18 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.toJavaDuration
 
 /**
- * Runs an agent as it is now on a recorded drive, which the option `argo_record` has made:
+ * Runs an agent's present program on a recorded drive, which the option `argo_record` has made:
  *
  *     test("the robot does in the corridor what it did") {
  *         replayed("corridor.mcap").shouldSendTheSame()
  *     }
  *
- * [WhatIf] says how far the result is exact.
+ * [WhatIf] describes how far the result is exact.
  *
  * @param file the recording, a path from the directory in which the test runs or from `src/test/resources` under it
  * @param agent the name of the agent; null: the recording has only one
- * @param program its program as it is now, found as by [argo.testkit.agent]; null: the file with the name of the recorded one
- * @param filter the filter through which it perceives its boards; null: the recorded filters
+ * @param program the agent's present program, found as by [argo.testkit.agent]; null: the file with the name of the recorded one
+ * @param filter the filter through which the agent perceives its boards; null: the recorded filters
  * @throws IllegalArgumentException if there is no such file, agent or program, or the recording cannot be replayed
  */
 fun replayed(
@@ -54,7 +54,7 @@ private fun <T> refusedInWords(work: () -> T): T = try {
     throw IllegalArgumentException(refused.message, refused)
 }
 
-/** An agent as it is now on a recorded drive: see [replayed]. */
+/** An agent's present program on a recorded drive: see [replayed]. */
 class ReplayedDrive internal constructor(private val file: String, private val agent: String, whatIf: WhatIf) {
     private val before = whatIf.commands.toList()
     private val now = whatIf.commandsNow.toList()
@@ -65,11 +65,11 @@ class ReplayedDrive internal constructor(private val file: String, private val a
     /** The commands of the recording, in their order. */
     val recorded: List<String> get() = before.map { it.text }
 
-    /** The commands that the agent sends now, in their order. */
+    /** The commands of the present program, in their order. */
     val sent: List<String> get() = now.map { it.text }
 
     /**
-     * Expects that the agent sends the commands that were recorded, in their order, each at the same time.
+     * Expects the recorded commands, in their order, each at its recorded time.
      *
      * @param within the time by which a command may be earlier or later
      * @throws AssertionError with the first command that differs
@@ -96,7 +96,6 @@ class ReplayedDrive internal constructor(private val file: String, private val a
 
     private fun at(command: SentCommand) = "${(command.ns - firstNs).nanoseconds.inWholeMilliseconds} ms"
 
-    /** Lists the commands from a few before the one with the index [first] on. */
     private fun listed(commands: List<SentCommand>, first: Int): String {
         val shown = commands.drop(maxOf(0, first - SHOWN_BEFORE)).take(SHOWN).ifEmpty { return "nothing" }
         return shown.joinToString("") { "\n    ${at(it)}: ${it.text}${it.place?.let { place -> " ($place)" }.orEmpty()}" }

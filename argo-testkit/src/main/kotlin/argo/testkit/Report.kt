@@ -6,7 +6,6 @@ import argo.perception.whyLeftOut
 import java.util.logging.Level
 import kotlin.time.Duration.Companion.nanoseconds
 
-/** Describes the state of this agent, to show why an expectation is not met. */
 internal fun TestAgent.report(): String {
     val found = listOf(
         "sent" to accounted(), "boards" to boards(), "believes" to beliefs, "intends" to intentions, "said" to said,
@@ -18,10 +17,8 @@ internal fun TestAgent.report(): String {
     }
 }
 
-/** True if this agent perceives through the port in use. */
 internal val TestAgent.isPerceiving: Boolean get() = observed()?.isPerceiving ?: false
 
-/** Explains why this agent has not perceived its first board. */
 internal fun TestAgent.whyBlind(): String {
     val agent = observed()
     val port = agent?.ports()?.find { it.isInUse }
@@ -37,10 +34,10 @@ internal fun TestAgent.whyBlind(): String {
     }
 }
 
-/** Describes the percepts of its boards, their fate in the filters, and whether the agent perceives them. */
+/** Describes the percepts of the agent's boards, their fate in the filters, and whether the agent perceives them. */
 private fun TestAgent.boards(): List<String> {
     val agent = observed() ?: return emptyList()
-    val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // a name is a literal
+    val ports = agent.ports().associateBy { it.name.removeSurrounding("\"") } // port names are literals
     val blocked = if (agent.isPerceiving) emptyList() else listOf("perceiving is blocked: the agent starts it with argo.percepts(open)")
     return blocked + platform.named().flatMap { (name, board) ->
         val port = ports[name]
@@ -63,7 +60,6 @@ private fun TestAgent.fate(agent: ObservedAgent, percept: String, isFiltered: Bo
     }
 }
 
-/** The largest number of a board's percepts whose fate is described. */
 private const val MOST_PERCEPTS = 24
 
 private fun TestAgent.observed(): ObservedAgent? =
@@ -74,10 +70,9 @@ private fun TestAgent.accounted(): List<String> = platform.all().flatMap { it.ac
         "at ${arrival.at.inWholeMilliseconds} ms: ${arrival.command}${if (isTaken) ", taken by an earlier expectation" else ""}"
     }
 
-/** Selects the newest entries, and all errors, however old: a program that cannot be read is reported at the start. */
+/** Selects the newest entries, and all errors, even old ones: an unreadable program is reported at the start. */
 private fun newest(entries: List<AgentLog.Entry>): List<String> =
     entries.filterIndexed { i, entry -> entry.level == Level.SEVERE || i >= entries.size - LOGGED }
         .map { "at ${it.atNanos.nanoseconds.inWholeMilliseconds} ms: $it" }
 
-/** The number of the log's newest records that are shown. */
 private const val LOGGED = 20

@@ -11,16 +11,17 @@ import kotlin.time.Duration.Companion.seconds
 
 /**
  * An agent under test, in virtual time. Virtual time advances only inside [after], [perceives] and the functions that begin with `should`,
- * once every thread is waiting: the agent reasons until it sleeps, then time jumps to the end of the shortest wait of the agent, its boards
+ * once every thread is waiting. The agent reasons until it sleeps. Time then jumps to the end of the shortest wait of the agent, its boards
  * and their lines.
  *
- * An expectation waits up to one second of virtual time, or the given time, until it is met; an expectation that something does not happen
- * watches for that time. One that fails throws an [AssertionError] with the commands, beliefs, intentions, messages and the log.
+ * An expectation waits until it is met, up to one second of virtual time or the given time. An expectation that something does not happen
+ * watches for the whole time. A failing expectation throws an [AssertionError] with the commands, beliefs, intentions, messages and the
+ * log.
  *
  * May be used by one thread at a time.
  */
 class TestAgent internal constructor(
-    /** The agents that run in its test, itself among them: those that were started with it, and those that they have created. */
+    /** The agents of this agent's test, itself among them: those of the start, and those that they have created. */
     val mas: TestMas,
     file: Path?,
     called: String,
@@ -41,59 +42,58 @@ class TestAgent internal constructor(
     private val inspector = AgentInspector(ts)
     internal val cycles = CycleLimit(this)
 
-    /** The first directories of the search for programs of agents that it creates. */
+    /** The first directories of the search for programs of agents that this agent creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
-    /** Its name. */
     val name: String get() = setUp.name
 
-    /** True if it has been neither stopped, as by `.stopMAS` or `.kill_agent`, nor closed. */
+    /** False if the agent has been stopped, as by `.stopMAS` or `.kill_agent`, or closed. */
     val isRunning: Boolean get() = infra.isRunning
 
-    /** The board on its first port. */
+    /** The board on the agent's first port. */
     val board: Board get() = platform.first()
 
-    /** Returns the board on [port], named as the agent names it. */
+    /** Returns the board on [port], in the agent's notation. */
     fun board(port: String): Board = platform.at(port)
 
     /** The virtual time since the test began. */
     val now: Duration get() = time.nanos().nanoseconds
 
-    /** The commands that have arrived at its boards, board by board in their order. */
+    /** The commands that have arrived at the agent's boards, board by board in their order. */
     val sent: List<String> get() = platform.all().flatMap { it.commands }
 
-    /** The commands that have arrived at its boards, each with its time, in the order of these times. */
+    /** The commands that have arrived at the agent's boards, each with its time, in the order of these times. */
     val arrivals: List<Arrival> get() = platform.all().flatMap { it.arrivals }.sortedBy { it.at }
 
-    /** Its beliefs, without annotations and rules, in alphabetical order. */
+    /** The agent's beliefs, without annotations and rules, in alphabetical order. */
     val beliefs: List<String> get() = inspector.beliefs
 
-    /** Its intentions: `!patrol at .wait(500)`; of an intention with several goals the latest first. */
+    /** The agent's intentions: `!patrol at .wait(500)`; in an intention with several goals the latest goal comes first. */
     val intentions: List<String> get() = inspector.intentions
 
-    /** The lines that it has printed, with `.print` and the like. */
+    /** The lines that the agent has printed, with `.print` and similar actions. */
     val printed: List<String> get() = mas.log.printedBy(name)
 
-    /** The log so far, each record with its level; without the records about other agents of the test. */
+    /** The log so far, each record with its level, without records about other agents of the test. */
     val log: List<String> get() = entries.map { "$it" }
 
     internal val entries: List<AgentLog.Entry> get() = mas.entriesOf(name)
 
-    /** The messages that it has sent to other agents: `tell(bob,ready)`. */
+    /** The messages that the agent has sent to other agents: `tell(bob,ready)`. */
     val said: List<String> get() = infra.said.map(::described)
 
     /** Advances time by [duration]. */
     fun after(duration: Duration): TestAgent = apply { mas.pass(duration) { false } }
 
     /**
-     * The sensors of its first [board] show [percepts] from now on; then time advances until the agent has perceived them. Fails if they
-     * have not reached it [within] that time, because perceiving is blocked, for example.
-     * @throws IllegalArgumentException if an agent would leave out one of them, as `dist(front`: see [perceivesRaw]
+     * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived them. Fails if they
+     * have not reached the agent [within] that time, for example because perceiving is blocked.
+     * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [perceivesRaw]
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
         perceives(percepts.joinToString().ifEmpty { "no percepts" }, within) { shows(*percepts) }
 
-    /** As [perceives], with exactly [message] as the board's whole message, even one that no sensor should send: `dist(front;)(;`. */
+    /** Like [perceives], with exactly [message] as the board's message, even one that no sensor should send: `dist(front;)(;`. */
     fun perceivesRaw(message: String, within: Duration = PATIENCE): TestAgent = perceives(message, within) { showsRaw(message) }
 
     private fun perceives(what: String, within: Duration, shows: Board.() -> Unit): TestAgent = apply {
@@ -108,7 +108,7 @@ class TestAgent internal constructor(
         mas.pass((end - now).coerceAtLeast(Duration.ZERO)) { counter.perceptions > before }
     }
 
-    /** Sends it [content] from the agent [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
+    /** Sends the agent [content] from [sender]: `hears("boss", "achieve", "patrol")`; [performative] is one of `.send`'s. */
     fun hears(sender: String, performative: String, content: String): TestAgent = apply {
         require(performative in Message.knownPerformatives) {
             "$performative is not a performative; there are ${Message.knownPerformatives.joinToString()}"
@@ -120,13 +120,13 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects [command] at one of its boards. Each command that arrives fulfils one expectation. */
+    /** Expects [command] at one of the agent's boards. Each arrived command fulfils one expectation. */
     fun shouldSend(command: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of its boards between [since], a past value of [now], and [within] later. So a test checks how promptly the
-     * agent reacts to the test's step at [since]. Each command that arrives fulfils one expectation.
+     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. So a test checks how
+     * promptly the agent reacts to the test's step at [since]. Each arrived command fulfils one expectation.
      * @throws IllegalArgumentException if [since] is yet to come
      */
     fun shouldSend(command: String, within: Duration, since: Duration): TestAgent = apply {
@@ -138,42 +138,42 @@ class TestAgent internal constructor(
         }
     }
 
-    /** Expects that [command] has not arrived at its boards and does not arrive, except for arrivals that [shouldSend] has taken. */
+    /** Expects that [command] has not arrived at the agent's boards and does not arrive, except arrivals that [shouldSend] has taken. */
     fun shouldNotSend(command: String, during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends $command") { platform.all().any { command in it.unexpected } }
 
-    /** Expects that no command has arrived at its boards and none arrives, except for arrivals that [shouldSend] has taken. */
+    /** Expects that no command has arrived at the agent's boards and none arrives, except arrivals that [shouldSend] has taken. */
     fun shouldSendNothingElse(during: Duration = PATIENCE): TestAgent =
         refuse(during, "sends anything else") { platform.all().any { it.unexpected.isNotEmpty() } }
 
-    /** Expects that it believes [formula] at some time: a belief such as `dist(front,_)`, or a condition as in the context of a plan. */
+    /** Expects that the agent believes [formula] at some time: a belief such as `dist(front,_)`, or a condition as in a plan's context. */
     fun shouldBelieve(formula: String, within: Duration = PATIENCE): TestAgent =
         formula(formula).let { expect(within, "believes $formula") { inspector.believes(it) } }
 
-    /** Expects that it does not believe [formula] at any time. */
+    /** Expects that the agent does not believe [formula] at any time. */
     fun shouldNotBelieve(formula: String, during: Duration = PATIENCE): TestAgent =
         formula(formula).let { refuse(during, "believes $formula") { inspector.believes(it) } }
 
-    /** Expects [goal] among its intentions at some time: `patrol`, `goto(3,_)`. */
+    /** Expects [goal] among the agent's intentions at some time: `patrol`, `goto(3,_)`. */
     fun shouldIntend(goal: String, within: Duration = PATIENCE): TestAgent =
         goal(goal).let { expect(within, "intends $goal") { inspector.intends(it) } }
 
-    /** Expects that [goal] is not among its intentions at any time. */
+    /** Expects that [goal] is not among the agent's intentions at any time. */
     fun shouldNotIntend(goal: String, during: Duration = PATIENCE): TestAgent =
         goal(goal).let { refuse(during, "intends $goal") { inspector.intends(it) } }
 
-    /** Expects that it has printed a line that contains [text], or prints one. */
+    /** Expects that the agent has printed a line that contains [text], or prints one. */
     fun shouldPrint(text: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "prints $text") { printed.any { text in it } }
 
-    /** Expects that it has sent, or sends, [message] to another agent: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
+    /** Expects that the agent has sent, or sends, [message] to another: `shouldSay("tell(bob,ready)")`; to all: `tell(everybody,ready)`. */
     fun shouldSay(message: String, within: Duration = PATIENCE): TestAgent =
         expect(within, "says $message") { infra.said.any { described(it) == message.filterNot(Char::isWhitespace) } }
 
-    /** Expects that it is stopped, as by `.stopMAS` or `.kill_agent`. */
+    /** Expects that the agent is stopped, as by `.stopMAS` or `.kill_agent`. */
     fun shouldStop(within: Duration = PATIENCE): TestAgent = expect(within, "stops") { !isRunning }
 
-    /** Stops it, as `.kill_agent` does; its boards remain, with their ports closed. */
+    /** Stops the agent, as `.kill_agent` does. The agent's boards remain, with their ports closed. */
     fun stops(): TestAgent = apply {
         mas.open {
             mas.stop(listOf(this), 0)
@@ -204,7 +204,7 @@ class TestAgent internal constructor(
     internal fun takeBoardsAway() = platform.all().forEach(Board::end)
 
     /**
-     * Stops it and all other agents of its test, and takes their boards away.
+     * Stops the agent and all other agents of its test, and takes their boards away.
      * @throws IllegalStateException if an architecture leaves a thread behind
      */
     override fun close() = mas.close()
@@ -215,7 +215,7 @@ class TestAgent internal constructor(
     }
 }
 
-/** The time that an expectation waits by default. */
+/** The default time limit of an expectation. */
 internal val PATIENCE = 1.seconds
 
 /** @throws IllegalArgumentException if [duration] is negative or longer than a test can be */

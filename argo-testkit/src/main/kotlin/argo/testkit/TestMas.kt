@@ -12,38 +12,36 @@ import java.util.logging.Logger
 import kotlin.time.Duration
 
 /**
- * Agents under test that exchange messages, in one virtual time: see [mas]. Each has ports of its own, as on a computer of its own.
+ * Agents under test that exchange messages, in one virtual time: see [mas]. Each has its own ports, as on a computer of its own.
  *
  * May be used by one thread at a time.
  */
 class TestMas internal constructor() : AutoCloseable {
     internal val time = VirtualTime().also { it.mas = this }
     internal val log = AgentLog(time)
-    private val agents = LinkedHashMap<String, TestAgent>() // by name: the last agent that had it
+    private val agents = LinkedHashMap<String, TestAgent>() // the last agent of each name
     private val made = ArrayList<TestAgent>()
     private val strangers = HashSet<Pair<String, String>>() // a sender, and a receiver that does not run here
     private var closed = false
 
-    /** The time that a message from one agent of the test to another takes; asked when it is sent. */
+    /** Returns the time that a message between agents of the test takes. Called when the message is sent. */
     internal var delayOf: (Message) -> Duration = { Duration.ZERO }
 
-    /** The largest number of reasoning cycles of an agent at one instant: see [CycleLimit]. */
     internal var mostCycles = CycleLimit.MOST
 
-    /** Opens the observer of an agent that is being made; null: nobody observes. */
+    /** Opens the observer of a new agent; null: nobody observes. */
     internal var observing: ((ObservedAgent) -> AgentObserver)? = null
 
-    /** The names of the agents that run, in the order in which they were made. */
+    /** The names of the running agents, in the order in which they were made. */
     val names: List<String> get() = agents.values.filter { it.isRunning }.map { it.name }
 
     /**
-     * Returns the agent called [name], also one that has been stopped.
-     * @throws IllegalArgumentException if there is none
+     * Returns the agent called [name], even if it has been stopped.
+     * @throws IllegalArgumentException if there is no such agent
      */
     operator fun get(name: String): TestAgent =
         agents[name] ?: throw IllegalArgumentException("there is no agent $name; there are ${agents.keys.joinToString()}")
 
-    /** The agents in the order in which they were made, also those that have been stopped. */
     internal val all: List<TestAgent> get() = made
 
     internal val first: TestAgent get() = made.first()
@@ -52,18 +50,18 @@ class TestMas internal constructor() : AutoCloseable {
     fun after(duration: Duration): TestMas = apply { pass(duration) { false } }
 
     /**
-     * Advances time until [reached] is true, at most by [duration], and returns whether it is.
+     * Advances time until [reached] is true, at most by [duration]. Returns whether [reached] is true.
      * @throws IllegalStateException if the test agents are closed
      */
     internal fun pass(duration: Duration, reached: () -> Boolean): Boolean = open { time.advanceUntil(nanos(duration), reached) }
 
-    /** Does [work], which changes something, unless it is closed. */
+    /** Does [work], which changes something, unless the agents are closed. */
     internal fun <T> open(work: () -> T): T {
         check(!closed) { "the test agents ${agents.keys.joinToString()} are closed; expectations of them belong before that" }
         return work()
     }
 
-    /** Does [making], which makes agents, and then lets all agents run; if that fails, no agent is left. */
+    /** Does [making], which makes agents, and then lets all agents run. If that fails, no agent is left. */
     internal fun begin(making: () -> Unit): TestMas = apply {
         try {
             JasonTime.install()
@@ -79,12 +77,7 @@ class TestMas internal constructor() : AutoCloseable {
         }
     }
 
-    /**
-     * Makes an agent that runs from the next instant on.
-     *
-     * @param file its program; null: none
-     * @param called the program's name in messages
-     */
+    /** Makes an agent that runs from the next instant on. */
     internal fun make(file: Path?, called: String, wanted: AgentSetUp): TestAgent {
         require(wanted.name !in names) {
             "there is an agent ${wanted.name} already; give the other one another name, by \"name = …\" in its braces"
@@ -104,7 +97,7 @@ class TestMas internal constructor() : AutoCloseable {
 
     internal fun find(name: String): TestAgent? = agents[name]?.takeIf { it.isRunning }
 
-    /** Takes [message] to its receiver; if that is not in the test, the sender's log tells so once. */
+    /** Takes [message] to its receiver. If the receiver is not in the test, the sender's log says so once. */
     internal fun deliver(message: Message) {
         val passed = message.clone()
         val delay = delayOf(message)
@@ -121,12 +114,12 @@ class TestMas internal constructor() : AutoCloseable {
         )
     }
 
-    /** Takes [message] to all but its sender. */
+    /** Takes [message] to all agents except its sender. */
     internal fun broadcast(message: Message) = running().filter { it.name != message.sender }.forEach { other ->
         deliver(message.clone().apply { receiver = other.name })
     }
 
-    /** Stops [agents] in [deadlineMs] ms of this time, and tells them so at once. */
+    /** Stops [agents] in [deadlineMs] ms of virtual time, and tells them so at once. */
     internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
         if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
         time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // never within a reasoning cycle
@@ -139,7 +132,7 @@ class TestMas internal constructor() : AutoCloseable {
     internal fun entriesOf(name: String): List<AgentLog.Entry> = log.entries.filter { it.isOf(name) || agents.keys.none(it::isOf) }
 
     private fun step(): Boolean {
-        TestServices.install() // a multi-agent system that has started meanwhile has put its own services there
+        TestServices.install() // a multi-agent system may have started and installed its own services
         var isBusy = false
         for (agent in running()) if (agent.cycles.step()) isBusy = true
         return isBusy

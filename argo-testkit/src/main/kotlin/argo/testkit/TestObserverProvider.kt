@@ -5,7 +5,7 @@ import argo.observing.AgentObserverProvider
 import argo.observing.ObservedAgent
 import java.util.logging.Logger
 
-/** Gives an agent under test the observer that its [TestMas] has for it. */
+/** Gives an agent under test the observer from its [TestMas]. */
 class TestObserverProvider : AgentObserverProvider {
     override val option: String get() = OPTION
 

@@ -8,7 +8,7 @@ import javino.link.Link
 import javino.link.LinkSettings
 import java.util.concurrent.TimeUnit
 
-/** The platform of an agent under test: [time] and simulated boards. A port that the test has not named gets a board when it is opened. */
+/** The platform of an agent under test: [time] and simulated boards. A port without a name in the test gets a board when it is opened. */
 internal class TestPlatform(private val time: VirtualTime) : Platform {
     private val boards = LinkedHashMap<String, Board>()
     private var unnamed: Board? = null
@@ -30,13 +30,12 @@ internal class TestPlatform(private val time: VirtualTime) : Platform {
 
     override fun isPresent(port: String) = at(port).isPresent
 
-    /** Returns the board on [port]; the first port that is named gets the board that [first] has returned. */
+    /** Returns the board on [port]. The first named port gets the board that [first] has returned. */
     fun at(port: String): Board = boards.getOrPut(port) { unnamed?.also { unnamed = null } ?: Board(time) }
 
-    /** Returns the board of the first port; if there is none yet, of the first that the agent will open. */
+    /** Returns the board of the first port. If there is no port so far, the board is that of the first port that the agent will open. */
     fun first(): Board = boards.values.firstOrNull() ?: unnamed ?: Board(time).also { unnamed = it }
 
-    /** Returns the boards on the ports that have been named, by these names. */
     fun named(): Map<String, Board> = boards
 
     fun all(): Collection<Board> = boards.values + listOfNotNull(unnamed)

@@ -12,8 +12,8 @@ import java.lang.reflect.Proxy
 import java.rmi.RemoteException
 
 /**
- * The runtime services that Jason's internal actions call, `.create_agent` and `.stopMAS` for instance: of the [TestMas] whose agent calls,
- * or of a real multi-agent system that runs beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
+ * The runtime services for Jason's internal actions, such as `.create_agent` and `.stopMAS`. A call goes to the [TestMas] of the calling
+ * agent, or to a real multi-agent system beside the tests. Versions of Jason name some services differently, hence the dispatch by name.
  */
 internal class TestServices private constructor(private val real: RuntimeServices?) : InvocationHandler {
     override fun invoke(proxy: Any, method: Method, arguments: Array<out Any?>?): Any? {
@@ -75,7 +75,6 @@ internal class TestServices private constructor(private val real: RuntimeService
     }
 
     companion object {
-        /** Replaces Jason's present services by those of the tests. */
         @Synchronized
         fun install() {
             val there: RuntimeServices? = RuntimeServicesFactory.get()

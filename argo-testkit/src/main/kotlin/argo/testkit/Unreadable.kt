@@ -6,7 +6,7 @@ import jason.asSyntax.parser.TokenMgrError
 import java.nio.file.Path
 import kotlin.io.path.readLines
 
-/** Does [work] with the program in [file], whose name in messages is [called]; reports the place at which Jason cannot read it. */
+/** Does [work] with the program in [file]. Reports the place at which Jason cannot read it, with [called] as the program's name. */
 internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     work()
 } catch (unreadable: ParseException) {
@@ -15,7 +15,7 @@ internal fun <T> reading(file: Path?, called: String, work: () -> T): T = try {
     throw IllegalArgumentException("Jason cannot read $called: ${unreadable.message.orEmpty().trim()}", unreadable)
 }
 
-/** Shows that place: the line, and a mark below it. */
+/** Shows the line of that place, with a mark below it. */
 private fun whatWasFound(unreadable: ParseException, file: Path?): String {
     val found = unreadable.currentToken?.next
     val line = found?.let { file?.readLines().orEmpty().getOrNull(it.beginLine - 1) } ?: return unreadableAt(unreadable)

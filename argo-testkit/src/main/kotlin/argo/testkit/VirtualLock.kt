@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
-/** A reentrant, fair lock for the threads of [time]; only one of these runs at a time. */
+/** A reentrant, fair lock for the threads of [time]. Only one of these runs at a time. */
 internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var owner: Any? = null
     private var holds = 0
     private val asking = ArrayDeque<Any>()
 
-    private fun me(): Any = time.running ?: time // else the driver
+    private fun me(): Any = time.running ?: time // otherwise the driver
 
     private fun isFree() = holds == 0 || owner === me()
 
@@ -75,7 +75,7 @@ internal class VirtualLock(private val time: VirtualTime) : Lock {
         override fun awaitNanos(nanosTimeout: Long): Long {
             requireMine()
             val deadline = time.nanos() + nanosTimeout
-            wait(if (deadline < 0) null else deadline, true) // a sum beyond the largest number is never reached
+            wait(if (deadline < 0) null else deadline, true) // a sum that overflows is never reached
             return deadline - time.nanos()
         }
 

@@ -8,10 +8,10 @@ import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
 /**
- * Virtual time: it advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest wait. One
- * of these threads runs at a time, always in the same order, so a test gives the same result on any machine.
+ * Virtual time. Virtual time advances only when every thread that it has [start]ed is waiting, and then at once to the end of the shortest
+ * wait. The threads run one at a time, always in the same order, so a test gives the same result on any machine.
  *
- * The thread that calls [advance] or [advanceUntil], or waits for a lock or a condition of this time, is its driver: the test's thread.
+ * The driver of this time is the test's thread, which calls [advance] or [advanceUntil], or waits for a lock or a condition of this time.
  * There must be one driver at a time.
  */
 internal class VirtualTime : LineClock {
@@ -21,10 +21,9 @@ internal class VirtualTime : LineClock {
     private var nowNanos = 0L
     private var timersSoFar = 0L
 
-    /** Does a part of the agents' work that is due, on the driver's thread; false if there was none. */
+    /** Does a part of the agents' due work on the driver's thread; returns false if there was none. */
     var work: () -> Boolean = { false }
 
-    /** The agents that run in it; null before there are any. */
     var mas: TestMas? = null
 
     override fun nanos(): Long = nowNanos
@@ -39,14 +38,14 @@ internal class VirtualTime : LineClock {
         later(nanos, action::run)
     }
 
-    /** Starts a thread in this time; it runs when the driver resumes it. */
+    /** Starts a thread in this time. The thread runs when the driver resumes it. */
     fun start(name: String, run: () -> Unit): Thread = VirtualThread(name, run).also {
         threads += it
         it.isDaemon = true
         it.start()
     }
 
-    /** Does [action] on the driver's thread in [delayNanos]; it must not wait. Returns a function that cancels it. */
+    /** Does [action] on the driver's thread in [delayNanos]. The action must not wait. Returns a function that cancels it. */
     fun later(delayNanos: Long, action: () -> Unit): () -> Unit {
         val timer = Timer(nowNanos + maxOf(0, delayNanos), timersSoFar++, action)
         timers += timer
@@ -56,7 +55,8 @@ internal class VirtualTime : LineClock {
     fun advance(nanos: Long) = advanceUntil(nanos) { false }
 
     /**
-     * Advances time until [reached] is true, at most by [nanos], and returns whether it is. Work that is due at the last instant is done.
+     * Advances time until [reached] is true, at most by [nanos]. Returns whether [reached] is true. Work that is due at the last instant is
+     * done.
      * @throws InterruptedException if the driver is interrupted, as by a test's time limit
      */
     fun advanceUntil(nanos: Long, reached: () -> Boolean): Boolean = driving {
@@ -65,14 +65,14 @@ internal class VirtualTime : LineClock {
             if (Thread.interrupted()) throw InterruptedException("the test was interrupted")
             val rests = settle()
             if (reached()) return@driving true
-            if (nowNanos > end) return@driving false // an agent that waited inside its cycle has advanced time
+            if (nowNanos > end) return@driving false // an agent has waited inside its cycle and advanced time
             if (rests) nowNanos = nextInstant()?.takeIf { it <= end } ?: break
         }
         nowNanos = maxOf(nowNanos, end)
         false
     }
 
-    /** Runs all threads until each waits for a later time; false if time has advanced meanwhile. */
+    /** Runs all threads until each waits for a later time. Returns false if time has advanced. */
     fun settle(): Boolean = driving {
         val instant = nowNanos
         var ran = true
@@ -80,17 +80,16 @@ internal class VirtualTime : LineClock {
         !ran
     }
 
-    /** Returns the names of the threads that have not ended. */
     fun living(): List<String> = threads.filter { !it.over }.map { it.name }
 
     fun interruptAll() = threads.forEach { it.interrupt() }
 
-    /** The thread of this time that runs now; null: the driver. */
+    /** The running thread of this time; null: the driver. */
     val running: Any? get() = Thread.currentThread().let { if (it is VirtualThread && it.time === this) it else null }
 
     /**
-     * Waits until [ready] is true, or until the time is [deadlineNanos] (null: without limit). Called by the thread that runs.
-     * @throws InterruptedException if it is [interruptible] and was interrupted
+     * Waits until [ready] is true, or until the time [deadlineNanos]; null: without limit. The running thread calls this.
+     * @throws InterruptedException if the wait is [interruptible] and was interrupted
      */
     fun block(deadlineNanos: Long?, interruptible: Boolean, ready: () -> Boolean) {
         val thread = running as VirtualThread?
@@ -104,12 +103,12 @@ internal class VirtualTime : LineClock {
         }
     }
 
-    /** Runs one thread or timer that is due; false if none is. */
+    /** Runs one thread or timer that is due; returns false if none is due. */
     private fun runReady(): Boolean {
         threads.removeAll { it.over }
         val thread = threads.firstOrNull { it.canRun() }
         if (thread != null) {
-            threads -= thread // the other threads run first, before this one runs again
+            threads -= thread // the other threads run before this one runs again
             threads += thread
             resume(thread)
             return true
@@ -129,8 +128,8 @@ internal class VirtualTime : LineClock {
     }
 
     /**
-     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted: no thread runs beside
-     * it.
+     * Returns true if the resumed thread waits or ends within [STUCK_S]. The driver waits even if it is interrupted, since no thread may
+     * run beside it.
      */
     private fun returns(): Boolean {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(STUCK_S)
@@ -153,7 +152,7 @@ internal class VirtualTime : LineClock {
         (threads.mapNotNull { if (it.over) null else it.deadlineNanos } + listOfNotNull(timers.peek()?.atNanos))
             .minOrNull()?.let { maxOf(it, nowNanos) }
 
-    /** Does [work] in this time: threads that it starts and records that it logs belong to it. */
+    /** Does [work] in this time. Threads that it starts and records that it logs belong to this time. */
     fun <T> driving(work: () -> T): T {
         val before = ACTIVE.get()
         ACTIVE.set(this)
@@ -168,7 +167,7 @@ internal class VirtualTime : LineClock {
 
     /**
      * A thread that runs only when the driver resumes it, and resumes the driver when it waits or ends. An interrupt while it waits for the
-     * driver takes effect when it runs again.
+     * driver takes effect when the thread runs again.
      */
     private inner class VirtualThread(name: String, private val body: () -> Unit) : Thread(name) {
         val time get() = this@VirtualTime
@@ -192,7 +191,7 @@ internal class VirtualTime : LineClock {
             awaitTurn()
             try {
                 body()
-            } catch (cause: Throwable) { // kept for the driver, which throws it
+            } catch (cause: Throwable) { // the driver throws it
                 failure = cause
             } finally {
                 over = true
@@ -228,10 +227,10 @@ internal class VirtualTime : LineClock {
     companion object {
         private val ACTIVE = ThreadLocal<VirtualTime?>()
 
-        /** Returns the time that the calling thread belongs to or drives; null if it does neither. */
+        /** Returns the time that the calling thread belongs to or drives; null: none. */
         fun active(): VirtualTime? = (Thread.currentThread() as? VirtualThread)?.time ?: ACTIVE.get()
 
-        /** The time that a resumed thread may run in real time, in s. */
+        /** The limit of a resumed thread's run in real time, in s. */
         private const val STUCK_S = 30L
     }
 }

@@ -15,16 +15,15 @@ import java.nio.charset.Charset
 import kotlin.system.exitProcess
 
 /**
- * Runs the tool that the arguments name, and ends the program with its exit status: 0 done, 1 failed, 2 wrong arguments.
- *
- * The property `argo.command` is the command that the user has typed.
+ * Runs the tool in the arguments. Ends the program with the tool's exit status: 0 done, 1 failed, 2 wrong arguments. The property
+ * `argo.command` is the command as the user has typed it.
  */
 fun main(args: Array<String>) {
     val command = System.getProperty("argo.command") ?: "java -jar argo.jar"
     exitProcess(run(args, FileOutputStream(FileDescriptor.out), tools().setCommandName(command)))
 }
 
-/** Runs the tool that [arguments] name, writes its results to [target], and returns its exit status. */
+/** Runs the tool in [arguments], writes its results to [target], and returns its exit status. */
 internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandLine): Int {
     val output = WatchedOutput(target)
     tools.setOut(PrintWriter(output.bufferedWriter(standardCharset()), true))
@@ -35,18 +34,15 @@ internal fun run(arguments: Array<String>, target: OutputStream, tools: CommandL
     return if (status == ExitStatus.DONE) ExitStatus.FAILED else status
 }
 
-/** The character set of the terminal. */
 private fun standardCharset(): Charset {
     val encoding = listOf("stdout.encoding", "sun.stdout.encoding", "native.encoding").firstNotNullOfOrNull(System::getProperty)
     return if (encoding != null && Charset.isSupported(encoding)) Charset.forName(encoding) else Charset.defaultCharset()
 }
 
-/** Returns the tools, to be run in this program or in a test. */
 internal fun tools(): CommandLine = allTools()
     .refusingInWords("command")
     .setColorScheme(CommandLine.Help.defaultColorScheme(if (System.getenv("TERM") == "dumb") Ansi.OFF else Ansi.AUTO))
 
-/** Returns the commands, with those of other modules. */
 internal fun allTools(): CommandLine = CommandLine(Tools()).apply {
     val others = Services.providers(ToolProvider::class.java).distinctBy { it.type() }.mapNotNull { Services.make(it) }
     others.forEach { addSubcommand(it.command()) }

@@ -23,7 +23,6 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.IVersionProvider
 import picocli.CommandLine.Option
 
-/** The parent of all commands. */
 @Command(
     name = "argo",
     description = ["Tools for boards, filters and projects of ARGO.", ""],

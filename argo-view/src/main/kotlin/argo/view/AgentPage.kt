@@ -3,12 +3,7 @@ package argo.view
 import argo.observing.ObservedAgent
 import java.net.URLEncoder
 
-/**
- * The page of one agent.
- *
- * @property routes respond to its requests
- * @property states are streamed to it
- */
+/** The page of one agent: [routes] respond to its requests, and [states] are streamed to it. */
 internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val states: Broadcast) {
     constructor(agent: ObservedAgent) : this(agent, Routes(agent), Broadcast())
 

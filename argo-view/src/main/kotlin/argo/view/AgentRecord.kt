@@ -13,12 +13,10 @@ import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
 /**
- * Records the latest events of [agent] for its view. Its memory is bounded, however much happens.
- *
- * Safe for use by several threads; each event holds the lock only while it is noted.
+ * Records the latest events of [agent] for its view, in bounded memory. Safe for use by several threads; each event holds the lock only
+ * briefly.
  */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
-    /** The agent's beliefs and intentions. */
     val mind = MindWatch({ MindState.of(agent) }, log, agent::nanos)
 
     private val lock = ReentrantLock()
@@ -33,13 +31,13 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     private var changes = 0L
     private val printed = PrintRecord(agent::nanos) { changing {} }
 
-    /** A number that grows with each event, except the end of a cycle. */
+    /** A number that grows with each event, but not with the end of a cycle. */
     val version: Long get() = lock.withLock { changes }
 
     /** Reads the agent's log from now on, until [close]. */
     fun begin() = agent.printed.addHandler(printed)
 
-    /** Returns everything recorded at [now]. [Recorded.unseen] has the messages since the last call. */
+    /** Returns the whole record at [now]. [Recorded.unseen] has the messages since the last call. */
     fun take(now: Long): Recorded = lock.withLock {
         val counted = counts.copy(commands = commands.count)
         Recorded(
@@ -87,7 +85,6 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
         mind.cycleFinished()
     }
 
-    /** Stops reading the agent's log. */
     override fun close() = agent.printed.removeHandler(printed)
 
     private inline fun changing(event: () -> Unit) = lock.withLock {
@@ -97,10 +94,9 @@ internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : Agen
     }
 
     private companion object {
-        /** The largest number of ports whose changes are kept. */
         const val MAX_PORTS = 256
 
-        /** The most messages kept until they are shown: a board that sends percepts one by one sends as many in 0.1 s at 115200 baud. */
+        /** The most messages kept until they are shown: as many as a board sends in 0.1 s at 115200 baud, percept by percept. */
         const val MAX_UNSEEN = 64
     }
 }
@@ -128,5 +124,5 @@ internal class PortChange(val status: String, val reason: String?, val nanos: Lo
 /** A message was perceived at [nanos], [delayNanos] after its last byte. */
 internal class PerceptionTime(val nanos: Long, val delayNanos: Long)
 
-/** The number of messages that came, of messages that were perceived, of commands that were done or failed, and of cycles. */
+/** The numbers of received messages, of perceived messages, of commands that have ended, and of cycles. */
 internal data class Counts(val frames: Long, val handOvers: Long, val commands: Long, val cycles: Long)

@@ -11,8 +11,8 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. The option `argo_view=8080` of an agent
- * opens it, as does `argo_view=0`, which takes any free port; it is among [argo.Arch.observers]. Agents of one program whose options have
- * the same number share the port, and their pages have links to each other.
+ * opens it; `argo_view=0` takes any free port. It is one of [argo.Arch.observers]. Agents of one program with the same number share the
+ * port, and their pages have links to each other.
  *
  * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
  */
@@ -30,7 +30,7 @@ class AgentView private constructor(
     private var publishedNanos: Long? = null
     private val publisher = Thread(::publish, "argo-${agent.name}-view").apply { isDaemon = true }
 
-    /** Tells the pages of the agent's end when the whole program ends. */
+    /** Shows the agent's end on the pages when the whole program ends. */
     private val farewell = Farewell(MAX_FAREWELL_MS) {
         close()
         publisher.join()
@@ -48,15 +48,15 @@ class AgentView private constructor(
     val address: URI get() = server.address.resolve(page.path)
 
     /**
-     * Shows a picture above all else. [picture] is called by the view's thread: ten times a second at most while a page is open, and
-     * once when the agent has ended. It must return soon, with null if there is nothing to show. If it throws, the exception is logged and
-     * it is not called again.
+     * Shows a picture at the top of the page. The view's thread calls [picture]: ten times a second at most while a page is open, and once
+     * when the agent has ended. It must return soon; null: nothing to show. If it throws, the exception is logged, and it is not called
+     * again.
      */
     fun show(picture: () -> Picture?) {
         composer.picture = picture
     }
 
-    /** Tells the pages of the agent's end, frees the port and ends all threads. Returns at once. A second call does nothing. */
+    /** Shows the agent's end on the pages, frees the port and ends all threads. Returns at once. Idempotent. */
     override fun close() {
         record.close()
         closing.countDown()

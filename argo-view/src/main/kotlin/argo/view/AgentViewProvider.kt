@@ -8,7 +8,7 @@ import java.net.BindException
 import java.util.concurrent.atomic.AtomicBoolean
 import java.util.logging.Logger
 
-/** Opens the live views of agents that have the option `argo_view`. */
+/** Opens the live views of agents with the option `argo_view`. */
 class AgentViewProvider : AgentObserverProvider {
     override val option = "argo_view"
     override val usage = "a port number"
@@ -33,7 +33,7 @@ class AgentViewProvider : AgentObserverProvider {
 
     private companion object {
         const val MAX_PORT = 65535
-        val hasToldOfInspector = AtomicBoolean() // there is one inspector for all agents of the program
+        val hasToldOfInspector = AtomicBoolean() // the program has one inspector for all agents
 
         fun besideInspector() =
             "the live view is for this computer only, but Jason's mind inspector beside it, at ${MindInspectorWeb.getURL()}, listens on " +

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Passes the newest state of an agent on to the pages that show it. A page that is slower than the agent misses states. Safe for use
- * by several threads.
+ * Passes an agent's newest state to the pages that show it. A page that is slower than the agent misses states. Safe for use by several
+ * threads.
  */
 internal class Broadcast {
     private val lock = ReentrantLock()
@@ -20,16 +20,16 @@ internal class Broadcast {
     /** Returns true if a page has come since the last call. */
     fun takeNewPage(): Boolean = lock.withLock { hasNewPage.also { hasNewPage = false } }
 
-    /** Replaces the newest state by [json]. With [isLast], no state follows it. */
+    /** Replaces the newest state by [json]. [isLast]: no state follows. */
     fun publish(json: String, isLast: Boolean) = lock.withLock {
         newest = Published(newest.number + 1, json, isLast)
         changed.signalAll()
     }
 
     /**
-     * Serves a page on the calling thread: calls [begin], then [send] with each state that is published from now on, up to the last one,
-     * and finally [end]. [send] is called with null when [HEARTBEAT_NANOS] ns pass without a state, so that a closed connection is noticed.
-     * The page counts as open until [end] has returned; after that the port may be closed.
+     * Serves a page on the calling thread: calls [begin], then [send] with each new state up to the last, then [end]. After
+     * [HEARTBEAT_NANOS] ns without a state it calls [send] with null, which shows a closed connection. The page counts as open until [end]
+     * has returned; then the port may be closed.
      */
     fun serve(begin: () -> Unit, send: (String?) -> Unit, end: () -> Unit) {
         var number = lock.withLock {
@@ -59,7 +59,7 @@ internal class Broadcast {
         newest.takeIf { it.number > after }
     }
 
-    /** Waits until there is no page, at most [limitMs] ms. */
+    /** Waits until no page is open, at most [limitMs] ms. */
     fun awaitNoPage(limitMs: Long) = lock.withLock {
         var left = TimeUnit.MILLISECONDS.toNanos(limitMs)
         while (pages > 0 && left > 0) left = changed.awaitNanos(left)

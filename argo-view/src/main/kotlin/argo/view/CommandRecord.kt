@@ -5,7 +5,7 @@ import argo.observing.IssuedCommand
 import java.util.concurrent.TimeUnit
 
 /**
- * The commands of an agent: those that have not gone out, and the last ones that have. Equal commands in a row that ended alike become one
+ * An agent's commands: those that have not gone out, and the last ones that have. Equal commands in a row with the same outcome become one
  * command with a count. Not safe for use by several threads.
  */
 internal class CommandRecord {
@@ -35,14 +35,14 @@ internal class CommandRecord {
         finished.addFirst(Ended(command, nanos, failure))
     }
 
-    /** Returns the commands at [now]. The oldest command of each port counts as on the line, since only urgent commands overtake others. */
+    /** Returns the commands at [now]. The oldest command of a port counts as on the line: only urgent commands overtake others. */
     fun state(now: Long): CommandsState {
         val ports = HashSet<String>()
         val waiting = unfinished.values.map { it.state(now, if (ports.add(it.port)) "line" else "waiting") }
         return CommandsState((issued - count).toInt(), folded(waiting), finished.map { it.state(now) })
     }
 
-    /** Replaces equal commands in a row by the first of them, with their count. */
+    /** Replaces equal commands in a row by the first of them with a count. */
     private fun folded(commands: List<CommandState>): List<CommandState> = commands.fold(emptyList()) { folded, next ->
         val last = folded.lastOrNull()
         if (last == null || last.text != next.text || last.port != next.port || last.state != next.state) folded + next

@@ -7,16 +7,15 @@ import kotlinx.serialization.Serializable
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * What a board that describes its percepts says of one.
- *
+ * A percept in the light of its board's description.
  * @property text the percept with its units
- * @property deviation the reason why it is not as described; null: it is
- * @property ranges of each of its numbers, in their order, the range; null: nothing is said of that number
+ * @property deviation the reason why the percept is not as described; null: it is as described
+ * @property ranges the range of each of its numbers, in order; null: no range is described
  */
 @Serializable
 internal data class DescribedPercept(val text: String, val deviation: String?, val ranges: List<NumberRange?>) {
     companion object {
-        /** Returns what [kinds], at least one, say of [percept]. */
+        /** Describes [percept] by [kinds], of which there is at least one. */
         fun of(percept: String, kinds: List<PerceptKind>): DescribedPercept {
             val term = PerceptTerm.of(percept)
             val kind = PerceptKind.of(term, kinds).getOrNull()
@@ -36,7 +35,7 @@ internal data class DescribedPercept(val text: String, val deviation: String?, v
 /**
  * The numbers that a board may send.
  *
- * @property unit their unit; empty: none is said
+ * @property unit their unit; empty: none is given
  * @property min the least; null: there is no limit
  * @property max the most; null: there is no limit
  */

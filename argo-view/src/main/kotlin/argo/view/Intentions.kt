@@ -11,7 +11,7 @@ import kotlinx.serialization.Serializable
  * An intention and its plans.
  *
  * @property state `running`, `waiting`, or `suspended` (by the internal action `.suspend`)
- * @property waitsFor the step in which it waits; null: it does not wait
+ * @property waitsFor the step in which the intention waits; null: it does not wait
  * @property plans the latest first
  * @property more the number of plans left out of [plans]
  */
@@ -27,9 +27,9 @@ internal data class IntentionState(
 /**
  * A plan of an intention.
  *
- * @property trigger its triggering event, such as `+!start`
- * @property file its file; null: it is in no file
- * @property line the line of its beginning in [file]
+ * @property trigger the triggering event, such as `+!start`
+ * @property file the plan's file; null: none
+ * @property line the plan's first line in [file]
  */
 @Serializable
 internal data class PlanState(val trigger: String, val file: String?, val line: Int?)
@@ -39,8 +39,7 @@ private val WAITING = setOf(IntentionPlace.PendingActions, IntentionPlace.Pendin
 
 /**
  * Returns the present state of [intention]. For the agent's thread only.
- *
- * @param key Jason's key for it while it is pending; null: it is not pending
+ * @param key Jason's key for a pending intention; null: [intention] is not pending
  */
 internal fun intentionState(intention: Intention, key: String?): IntentionState {
     val means = intention.toList()

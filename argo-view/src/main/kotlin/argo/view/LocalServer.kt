@@ -9,9 +9,8 @@ import java.net.URI
 import java.util.concurrent.Executor
 
 /**
- * Makes a server for browsers on this computer. Drops a connection when its browser has gone or its thread was interrupted.
- *
- * @param port 0 to 65535; 0: any that is free
+ * Makes a server for browsers on this computer. Drops a connection if its browser has gone or its thread was interrupted.
+ * @param port 0 to 65535; 0: any free port
  * @param threads run [handle] for each exchange
  * @throws IOException if the port cannot be opened
  */
@@ -24,7 +23,7 @@ internal fun localServer(port: Int, threads: Executor, handle: (HttpExchange) ->
         } catch (_: IOException) {
             // the browser has gone
         } catch (_: InterruptedException) {
-            // the server is being closed, or has waited for too long
+            // the server is being closed, or has waited too long
         } finally {
             exchange.close()
         }
@@ -44,10 +43,10 @@ internal fun HttpExchange.send(response: HttpResponse) {
     response.location?.let { responseHeaders.add("Location", it) }
     response.allow?.let { responseHeaders.add("Allow", it) }
     begin(response.status, response.type, if (response.body.isEmpty()) -1 else response.body.size.toLong())
-    responseBody.use { it.write(response.body) } // sends the response before the server reads the rest of a long request
+    responseBody.use { it.write(response.body) } // the response goes out before the server reads the rest of a long request
 }
 
-/** Begins the response to an exchange with [status], content of [type] and [length] bytes; see [HttpExchange.sendResponseHeaders]. */
+/** Begins a response with [status], content of [type] and [length] bytes; see [HttpExchange.sendResponseHeaders]. */
 internal fun HttpExchange.begin(status: Int, type: String, length: Long) {
     HEADERS.forEach { (name, value) -> responseHeaders.add(name, value) }
     responseHeaders.add("Content-Type", "$type; charset=utf-8")

@@ -8,7 +8,7 @@ import jason.bb.BeliefBase
 /**
  * The beliefs and intentions of an agent at one moment.
  *
- * @property believed the number of all beliefs, without those that Jason itself hides
+ * @property believed the number of all beliefs, without those that Jason hides
  * @property intended the number of all intentions
  */
 internal class MindState(

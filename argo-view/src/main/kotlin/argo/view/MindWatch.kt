@@ -4,9 +4,8 @@ import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
 /**
- * Looks into an agent's mind while somebody watches: on the agent's own thread, between two reasoning cycles, at most ten times a second.
- *
- * @param look returns the mind; called by the agent's thread only
+ * While somebody watches, looks into an agent's mind: on the agent's thread, between two cycles, at most ten times a second.
+ * @param look returns the mind; called only by the agent's thread
  * @param nanos a clock in ns that never goes back
  */
 internal class MindWatch(private val look: () -> MindState, private val log: Logger, private val nanos: () -> Long) {
@@ -17,7 +16,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
             field = value
         }
 
-    /** The last look; null: there was none. */
+    /** The last look; null: none yet. */
     @Volatile
     var newest: Seen? = null
         private set
@@ -29,7 +28,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
     private var lookedNanos: Long? = null
     private var hasFailed = false
 
-    /** Looks if somebody watches and it is time. Called by the agent's thread. */
+    /** Looks if somebody watches and the last look is old enough. Called by the agent's thread. */
     fun cycleFinished() {
         if (!isWatched) return
         if (isTooEarly()) {
@@ -41,14 +40,14 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
         }
     }
 
-    /** Returns true if the watch should have looked since a cycle ended, but has not: the agent may be sleeping. */
+    /** Returns true if the watch missed a look at the end of a cycle and is due: the agent may be asleep. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true
 
     private fun seen(): Seen? = try {
         Seen(nanos(), look())
-    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or because another thread changed it
+    } catch (changed: RuntimeException) { // thrown by a project's own belief base, or if another thread changes it
         if (!hasFailed) log.warning("the live view cannot read the agent's beliefs and intentions: $changed")
         hasFailed = true
         null

@@ -5,8 +5,8 @@ import javino.PerceptKind
 import java.util.concurrent.TimeUnit
 
 /**
- * The last percept of each sensor. Percepts of a board that differ only in numbers belong to one sensor. A sensor without a percept for
- * [FORGOTTEN_NANOS] ns is forgotten, unless its whole board is silent. Not safe for use by several threads.
+ * The last percept of each sensor. Percepts of a board that differ only in numbers belong to one sensor. After [FORGOTTEN_NANOS] ns without
+ * a percept a sensor is forgotten, unless its whole board is silent. Not safe for use by several threads.
  */
 internal class PerceptRows {
     private val rows = LinkedHashMap<String, Row>()
@@ -14,15 +14,14 @@ internal class PerceptRows {
     private val sizes = HashMap<String, Int>() // number of percepts in the newest message, by port
     private val newest = HashMap<String, Long>() // time of the newest message, by port
 
-    /** The time of the last byte of the newest message, by the agent's clock; null: there was none. */
+    /** The time of the last byte of the newest message, by the agent's clock; null: none has come. */
     var newestNanos: Long? = null
         private set
 
-    /** The number of sensors that [courses] has left out. */
     var moreCourses = 0
         private set
 
-    /** Takes in the next message. @param isAlone whether the agent perceives no other board: then the rows of other boards go */
+    /** Takes in the next message. [isAlone]: the agent perceives no other board, so the rows of other boards go. */
     fun add(message: PerceivedMessage, isAlone: Boolean) {
         if (isAlone && message.portName != port) {
             rows.clear()
@@ -57,10 +56,10 @@ internal class PerceptRows {
     }
 
     /**
-     * Returns all rows at [now], in the order of the sensors' first percepts, and the number of those left out.
+     * Returns the rows at [now], in the order of the sensors' first percepts, and the number of left-out rows.
      *
-     * @param kindsOf the kinds of percepts that the board on a port describes
-     * @param isSilent whether nothing comes from the board on a port
+     * @param kindsOf returns the kinds of percepts that the board on a port describes
+     * @param isSilent returns true if nothing comes from the board on a port
      */
     fun state(
         now: Long, kindsOf: (String) -> List<PerceptKind> = { emptyList() }, isSilent: (String) -> Boolean,
@@ -79,7 +78,7 @@ internal class PerceptRows {
         return shown to sizes.values.sum() - rows.values.count { it.seenNanos == newest[it.port] }
     }
 
-    /** Returns the courses of the first [MAX_COURSES] sensors with numbers until [now]: [RecentNumbers.values] by their keys. */
+    /** Returns the courses of the first [MAX_COURSES] sensors with numbers, until [now]: their [RecentNumbers.values], by key. */
     fun courses(now: Long): Map<String, List<List<Double?>>> {
         val all = rows.mapValues { it.value.course.values(now) }.filterValues { it.isNotEmpty() }
         moreCourses = maxOf(0, all.size - MAX_COURSES)
@@ -93,7 +92,7 @@ internal class PerceptRows {
     }
 
     companion object {
-        /** The time for which a sensor without a new percept is shown, in ns. */
+        /** Ns for which a sensor without a new percept is shown. */
         val FORGOTTEN_NANOS: Long = TimeUnit.SECONDS.toNanos(10)
         private const val MAX_ROWS = 200
         private const val MAX_COURSES = 60

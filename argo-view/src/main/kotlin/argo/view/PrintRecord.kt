@@ -8,10 +8,10 @@ import java.util.logging.LogRecord
 import java.util.logging.SimpleFormatter
 
 /**
- * The last lines of an agent's log. Safe for use by several threads; a thread that prints waits only until its line is noted.
+ * The last lines of an agent's log. Safe for use by several threads; a printing thread waits only until its line is noted.
  *
  * @param nanos a clock in ns that never goes back
- * @param changed is called after each line
+ * @param changed called after each line
  */
 internal class PrintRecord(private val nanos: () -> Long, private val changed: () -> Unit) : Handler() {
     private val lines = ArrayDeque<Line>()
@@ -58,9 +58,9 @@ internal class PrintRecord(private val nanos: () -> Long, private val changed: (
 /**
  * A line that an agent has printed, or that Jason has logged about it.
  *
- * @property times the number of times that the line has come in a row
+ * @property times how many times in a row the line has come
  * @property warning whether it is a warning or worse
- * @property ageMs the time since the line came last, in ms
+ * @property ageMs ms since the line last came
  */
 @Serializable
 internal data class LineState(val number: Long, val text: String, val times: Int, val warning: Boolean, val ageMs: Long)

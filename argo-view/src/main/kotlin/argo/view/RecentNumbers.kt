@@ -2,11 +2,11 @@ package argo.view
 
 import java.util.concurrent.TimeUnit
 
-/** The numbers of one sensor during the last minute: the last ones of each half second. Not safe for use by several threads. */
+/** The numbers of one sensor in the last minute: the last ones of each half second. Not safe for use by several threads. */
 internal class RecentNumbers {
     private val points = ArrayDeque<Point>()
 
-    /** Notes that the sensor gave [numbers] at [nanos], which is never less than before. */
+    /** Notes that the sensor gave [numbers] at [nanos]; [nanos] never goes back. */
     fun add(numbers: List<Double>, nanos: Long) {
         val step = Math.floorDiv(nanos, STEP_NANOS)
         if (points.lastOrNull()?.step == step) points.removeLast()
@@ -14,7 +14,7 @@ internal class RecentNumbers {
         while (points.size > STEPS) points.removeFirst()
     }
 
-    /** Returns the values of each number until [now], oldest first, [STEPS] of them; null stands for a half second without a number. */
+    /** Returns [STEPS] values of each number until [now], oldest first; null: the half second had no number. */
     fun values(now: Long): List<List<Double?>> {
         val last = Math.floorDiv(now, STEP_NANOS)
         val numbers = points.lastOrNull()?.numbers?.size ?: 0

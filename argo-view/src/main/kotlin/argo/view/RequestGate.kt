@@ -1,8 +1,8 @@
 package argo.view
 
 /**
- * Keeps web pages that a browser shows elsewhere away from an agent: such a page can make its browser send requests here, under a
- * host name of its own that leads to this computer (DNS rebinding) or in the name of its visitor (CSRF).
+ * Keeps foreign web pages in a browser away from an agent. Such a page can make its browser send requests here: under its own host name
+ * that leads to this computer (DNS rebinding), or in its visitor's name (CSRF).
  */
 internal object RequestGate {
     private val LOOPBACK = Regex("""(127\.0\.0\.1|localhost|\[::1])(:\d{1,5})?""", RegexOption.IGNORE_CASE)
@@ -10,12 +10,12 @@ internal object RequestGate {
     /**
      * Returns the reason for refusing a request, in words; null: it is accepted.
      *
-     * [host] may name any port, since the view may be reached through a tunnel.
+     * [host] may name any port: the view may be behind a tunnel.
      *
      * @param host the header `Host`
-     * @param origin the header `Origin`, which browsers put into each request that is not a plain GET of their own
+     * @param origin the header `Origin`; browsers send it with every request but their own plain GETs
      * @param fetchSite the header `Sec-Fetch-Site`
-     * @param isPage whether the page itself is asked for, which any link may do
+     * @param isPage whether the request is for the page itself, which any link may ask for
      */
     fun refusal(host: String?, origin: String?, fetchSite: String?, isPage: Boolean): String? = when {
         host == null || !LOOPBACK.matches(host) ->

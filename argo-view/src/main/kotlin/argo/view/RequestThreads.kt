@@ -9,10 +9,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer the requests to a server of views, each one request at a time. A client that does not finish its request, or does
- * not read its response, holds its thread up until [interruptStalled]. Safe for use by several threads.
+ * The threads that answer requests to a server of views, each one request at a time. A client that does not finish its request or read its
+ * response blocks its thread until [interruptStalled]. Safe for use by several threads.
  *
- * @param name of the server, for the threads' names
+ * @param name the server's name, for the threads' names
  * @param nanos a clock in ns that never goes back
  */
 internal class RequestThreads(name: String, private val nanos: () -> Long) : Executor {
@@ -23,10 +23,10 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         Thread(work, "argo-$name-view-${numbers.incrementAndGet()}").apply { isDaemon = true }
     }.apply { allowCoreThreadTimeOut(true) }
 
-    /** Runs [request], which begins by reading from its client: see [stopWaiting]. */
+    /** Runs [request], which begins by reading from its client; see [stopWaiting]. */
     override fun execute(request: Runnable) = pool.execute { waiting { request.run() } }
 
-    /** Does [io], in which the calling thread waits for its client. */
+    /** Does [io] while the calling thread waits for its client. */
     inline fun waiting(io: () -> Unit) {
         lock.withLock { waitingSince[Thread.currentThread()] = nanos() }
         try {
@@ -38,26 +38,26 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
 
     /** Ends the calling thread's wait for its client. */
     fun stopWaiting() = lock.withLock {
-        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interruption of this wait, which is over
+        if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interrupt of a wait that is over
     }
 
-    /** Ends waits longer than [MAX_WAIT_NANOS], or than a tenth of that while requests are queued. This closes their connections too. */
+    /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of that while requests are queued. This also closes their connections. */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }
     }
 
-    /** Ends all requests and threads; returns when they have ended, or after a second. */
+    /** Ends all requests and threads. Returns when they have ended, or after a second. */
     fun stop() {
         pool.shutdownNow()
         pool.awaitTermination(1, TimeUnit.SECONDS)
     }
 
     companion object {
-        /** The time that a client has to send its request or to read its response: enough for a slow tunnel. */
+        /** The time that a client has to send its request or to read its response; enough for a slow tunnel. */
         val MAX_WAIT_NANOS = TimeUnit.SECONDS.toNanos(10)
 
-        /** Twice the largest number of pages, each of which holds one thread. */
+        /** Twice the largest number of pages; each page holds one thread. */
         private const val MAX_THREADS = 24
         private const val MAX_QUEUED = 200
         private const val IDLE_S = 5L

@@ -16,8 +16,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Responds to all requests of [agent]'s page and its buttons, except that for the stream of states. The thread of a request finds and reads
- * filters; the agent's own thread changes the agent. Safe for use by several threads.
+ * Responds to the requests of [agent]'s page and its buttons, except for the stream of states. The thread of a request finds and reads
+ * filters; the agent's thread changes the agent. Safe for use by several threads.
  */
 internal class Routes(private val agent: ObservedAgent) {
     private val routes: Map<String, Route> = mapOf(
@@ -39,7 +39,7 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
         if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
-            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // an HTML form cannot send this type
+            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // an HTML form cannot send JSON
         }
         if (body.size > MAX_BYTES) return HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
         val content = try {
@@ -69,11 +69,10 @@ internal class Routes(private val agent: ObservedAgent) {
         HttpResponse.message(422, files.map { (source, problems) -> listed(source, problems) }.joinToString("\n"))
     } catch (broken: ServiceConfigurationError) {
         HttpResponse.message(500, "a filter provider on the class path cannot be used: ${broken.message}")
-    } catch (broken: Exception) { // a file that cannot be read, or a failure of a provider, which is a project's own code
+    } catch (broken: Exception) { // an unreadable file, or a failure of a provider, which is a project's own code
         HttpResponse.message(500, "looking for $what ended in $broken")
     }
 
-    /** Lists the problems of one file below the file's name. */
     private fun listed(source: String, problems: List<Problem>) =
         problems.joinToString("\n", "$source is refused:\n") { "line ${it.line}, column ${it.column}: ${it.message}" }
 
@@ -89,7 +88,7 @@ internal class Routes(private val agent: ObservedAgent) {
         return awaitDone(if (open) "the agent perceives again" else closed) { agent.perceive(open, it) }
     }
 
-    /** Has the agent send [command] and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
+    /** Has the agent send [command], and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
     private fun act(command: String): HttpResponse {
         val outcome = CompletableFuture<CommandFailure?>()
         agent.act(command, outcome::complete)
@@ -101,7 +100,7 @@ internal class Routes(private val agent: ObservedAgent) {
         }
     }
 
-    /** Has the agent do something and waits a while for its thread, which may be busy or not yet running. */
+    /** Has the agent do something, and waits a while for its thread, which may be busy or not yet running. */
     private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
         val done = CountDownLatch(1)
         ask(done::countDown)
@@ -124,7 +123,7 @@ internal class Routes(private val agent: ObservedAgent) {
     private class PerceivingRequest(val open: Boolean)
 
     companion object {
-        /** The length of the longest request body that is read. */
+        /** The longest request body that is read, in bytes. */
         const val MAX_BYTES = 10_000
         private const val MAX_WAIT_S = 3L
     }
@@ -138,7 +137,7 @@ internal class Routes(private val agent: ObservedAgent) {
  */
 internal class Request(val method: String, val path: String, val query: String?, val type: String?, val body: ByteArray)
 
-/** Returns the names and values in [query], the part of the address behind `?`, which may be missing. */
+/** Returns the names and values in [query], the part of the address behind `?`; null: there is none. */
 internal fun parametersOf(query: String?): Map<String, String> =
     query.orEmpty().split('&').filter { '=' in it }.associate { it.substringBefore('=') to decoded(it.substringAfter('=')) }
 

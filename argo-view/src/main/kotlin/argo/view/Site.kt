@@ -7,21 +7,20 @@ import java.util.concurrent.CopyOnWriteArrayList
 internal class Site {
     private val pages = CopyOnWriteArrayList<AgentPage>()
 
-    /** True if no agent has a page. */
     val isEmpty: Boolean get() = pages.isEmpty()
 
-    /** Adds [page]. It comes before the page of an agent of the same name that is about to end. */
+    /** Adds [page], in front of the page of an ending agent with the same name. */
     fun add(page: AgentPage) = pages.add(0, page)
 
     fun remove(page: AgentPage) = pages.remove(page)
 
-    /** Returns the tabs of the first [MAX_TABS] agents in the order of their names, and the number of the others. */
+    /** Returns the tabs of the first [MAX_TABS] agents by name, and the number of the other agents. */
     fun tabs(): Pair<List<AgentTab>, Int> {
         val all = pages.distinctBy { it.path }
         return all.sortedBy { it.agent.name }.take(MAX_TABS).map { it.tab() } to maxOf(0, all.size - MAX_TABS)
     }
 
-    /** Finds the page, if any, to which [path] belongs, and the path within that page. [path] is still URL-encoded. */
+    /** Finds the page to which [path] belongs, and the path within the page. [path] is still URL-encoded. */
     fun find(path: String): Found {
         val parts = path.split('/').drop(1) // without the empty text before the first slash
         val name = parts.takeIf { it.size == 2 }?.let { decoded(it[0]) }
@@ -52,7 +51,7 @@ internal class Site {
 
     /**
      * @property page the agent's page; null: [path] belongs to no agent
-     * @property path within the page, such as `/events`, or else within the site
+     * @property path the path within the page, such as `/events`, or else within the site
      */
     class Found(val page: AgentPage?, val path: String)
 

@@ -13,9 +13,9 @@ import java.util.logging.Level
 import java.util.logging.Logger
 
 /**
- * Composes the states that the page shows. For the view's thread only; any thread may set [picture].
+ * Composes the states of the page. For the view's thread only; any thread may set [picture].
  *
- * @param tabs returns the tabs of all agents, and the number of those left out
+ * @param tabs returns the tabs of agents, and the number of left-out agents
  */
 internal class StateComposer(
     private val agent: ObservedAgent,
@@ -32,20 +32,16 @@ internal class StateComposer(
     private var shownPicture: Picture? = null
     private var shownRules: List<WatchedRule> = emptyList()
 
-    /** Gives the project's picture. */
     @Volatile
     var picture: () -> Picture? = { null }
 
     private var shownFilter: Pair<PerceptionFilter, FilterState>? = null
 
-    /**
-     * Returns true if the page would show anything else than the last [state]. It asks for the project's picture, which may change at any
-     * time.
-     */
+    /** Returns true if the page would differ from the last [state]. Asks for the project's picture, which may change at any time. */
     fun hasNews(): Boolean = record.version != shownVersion || record.mind.newest !== shownMind || currentPicture() != shownPicture ||
         agent.criticalRules() != shownRules || tabs() != shownTabs
 
-    /** Takes in the last message of each board while nobody watches, so that the courses of numbers have no gap. */
+    /** Takes in the last message of each board while nobody watches: the courses of numbers then have no gap. */
     fun takeIn() = takeIn(record.takeUnseen().associateBy { it.portName }.values, agent.ports())
 
     private fun takeIn(messages: Collection<PerceivedMessage>, ports: List<ObservedPort>) {
@@ -53,7 +49,7 @@ internal class StateComposer(
         messages.forEach { rows.add(it, isAlone) }
     }
 
-    /** Returns the filter in words, with its parts that have no effect; these are searched for only once. */
+    /** Returns the filter in words, with its parts that have no effect. Searches for such parts only once. */
     private fun filterState(filter: PerceptionFilter): FilterState {
         if (shownFilter?.first !== filter) {
             val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")
@@ -62,7 +58,10 @@ internal class StateComposer(
         return checkNotNull(shownFilter).second
     }
 
-    /** Returns the state to show now; [isLast] if the agent has ended. It has courses of numbers once a second, or always if [isFull]. */
+    /**
+     * Returns the state to show now. [isLast]: the agent has ended. The state has courses of numbers once a second, or always with
+     * [isFull].
+     */
     fun state(isLast: Boolean, isFull: Boolean = true): ViewState {
         val now = agent.nanos()
         shownVersion = record.version
@@ -106,7 +105,7 @@ internal class StateComposer(
 
     private fun currentPicture(): Picture? = try {
         picture()
-    } catch (broken: Exception) { // the picture is made by a project's own code
+    } catch (broken: Exception) { // a project's own code makes the picture
         log.log(Level.WARNING, "the live view shows no picture any more, since asking for it failed", broken)
         picture = { null }
         null

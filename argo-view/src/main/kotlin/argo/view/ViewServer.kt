@@ -7,17 +7,14 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Serves the views of agents to browsers on this computer.
- *
- * The port is taken when this is made. Call [start] on a daemon thread: the server's own thread is a daemon only then.
- *
- * @param name begins the names of its threads
- * @param port 0 to 65535; 0: any that is free
+ * Serves the views of agents to browsers on this computer. The constructor takes the port. Call [start] on a daemon thread: only then is
+ * the server's own thread a daemon.
+ * @param name begins the threads' names
+ * @param port 0 to 65535; 0: any free port
  * @param nanos a clock in ns that never goes back
  * @throws IOException if the port cannot be opened
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
-    /** The pages that it serves. */
     val site = Site()
     private val seats = Semaphore(MAX_PAGES)
     private val isStarted = AtomicBoolean()
@@ -26,7 +23,6 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
 
     val address: URI = server.uri
 
-    /** Begins to serve, unless it has begun. */
     fun start() {
         if (!isStarted.getAndSet(true)) server.start()
     }
@@ -37,7 +33,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     /** Ends all threads, after [closePort]. */
     fun endThreads() = threads.stop()
 
-    /** Closes the connections of clients that have been waited for too long: see [RequestThreads.interruptStalled]. */
+    /** Closes the connections of clients that take too long: see [RequestThreads.interruptStalled]. */
     fun closeStalled() = threads.interruptStalled()
 
     private fun handle(exchange: HttpExchange) {
@@ -81,10 +77,10 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     private companion object {
         const val EVENTS = "/events"
 
-        /** The largest number of pages, of all agents together, that can watch at once. */
+        /** The most pages, of all agents together, that can watch at once. */
         const val MAX_PAGES = 12
 
-        /** The time after which a browser whose connection is lost tries again, in ms. */
+        /** A browser that has lost its connection tries again after this time, in ms. */
         const val RETRY_MS = 1000
     }
 }

@@ -4,23 +4,19 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The servers of this program, one for each port that agents ask for: agents that ask for the same port share a server, so that a person
- * finds all agents of a system at one address. Agents that ask for 0, any free port, share a server too. Safe for use by several threads.
+ * The servers of this program, one for each port. Agents that ask for one port share a server, so a person finds all agents of a system at
+ * one address. Agents that ask for any free port (0) share a server too. Safe for use by several threads.
  */
 internal object ViewServers {
     private val lock = ReentrantLock()
     private val servers = HashMap<Int, ViewServer>()
 
-    /**
-     * Puts [page] on the server for [port].
-     *
-     * @throws java.io.IOException if the port cannot be opened
-     */
+    /** Puts [page] on the server for [port]. Throws [java.io.IOException] if the port cannot be opened. */
     fun join(port: Int, page: AgentPage): ViewServer = lock.withLock {
         servers.getOrPut(port) { ViewServer("$port", port) }.also { it.site.add(page) }
     }
 
-    /** Takes [page] off [server], which was joined for [port]. The server ends with its last page. */
+    /** Takes [page] off [server], joined for [port]. The server ends with its last page. */
     fun leave(port: Int, server: ViewServer, page: AgentPage) {
         val isLast = lock.withLock {
             server.site.remove(page)

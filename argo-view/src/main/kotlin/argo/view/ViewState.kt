@@ -3,11 +3,11 @@ package argo.view
 import kotlinx.serialization.Serializable
 
 /**
- * The content of a page at one moment. Times are ages in ms at that moment; long lists are cut off, with the number of entries left out.
+ * The content of a page at one moment. Times are ages in ms. Long lists are cut; the state then has the number of left-out entries.
  *
- * @property intervalMs the sensing interval of boards without one of their own
- * @property skewMs the time between the oldest and the newest reading of its boards; null: it perceives fewer than two
- * @property printed the lines that the agent has printed, the latest first
+ * @property intervalMs the sensing interval of boards without their own
+ * @property skewMs the time between the oldest and the newest reading of the boards; null: the agent perceives fewer than two
+ * @property printed the agent's printed lines, the latest first
  * @property courses the numbers of sensors during the last minute, by [PerceptState.key]: see [RecentNumbers.values]; null: unchanged
  * @property moreCritical the number of critical rules left out of [critical]
  * @property agents the agents whose views this server has
@@ -47,10 +47,10 @@ internal data class FilterState(val name: String, val words: String)
  *
  * @property rule the rule and its reflex in words
  * @property watcher `board` or `computer`
- * @property reflex the last outcome of its reflex, `done` or `failed`; null: there was none
- * @property by the side that had that reflex carried out: `board` or `computer`
- * @property ageMs the age of that outcome
- * @property error the reason of its failure
+ * @property reflex the reflex's last outcome, `done` or `failed`; null: none yet
+ * @property by the side that had the reflex carried out: `board` or `computer`
+ * @property ageMs the age of the outcome
+ * @property error the reason of the reflex's failure
  */
 @Serializable
 internal data class CriticalState(
@@ -65,13 +65,13 @@ internal data class CriticalState(
 /**
  * A port.
  *
- * @property stale whether nothing comes from it although the agent perceives
- * @property perceived whether the agent perceives its board
+ * @property stale whether no message comes from the port although the agent perceives
+ * @property perceived whether the agent perceives the port's board
  * @property namespace the namespace of its board's percepts; null: the default namespace
- * @property intervalMs the sensing interval of its board; null: it is not perceived
- * @property filter the name of the filter of its board; null: there is none
- * @property reason the reason why it is not on, if known
- * @property ageMs the time for which it has been in this state
+ * @property intervalMs the sensing interval of its board; null: the board is not perceived
+ * @property filter the name of the board's filter; null: none
+ * @property reason the reason why the port is not on, if known
+ * @property ageMs the time since the port came into this state
  */
 @Serializable
 internal data class PortState(
@@ -91,10 +91,10 @@ internal data class PortState(
  * The percepts of the boards, and the times of the newest message and perception.
  *
  * @property frameAgeMs the age of the newest message; null: no message has come
- * @property handedOverAgeMs the time since the agent last perceived a message; null: it has not
- * @property delayMs the age of that message when the agent perceived it
+ * @property handedOverAgeMs the time since the agent last perceived a message; null: it has perceived none
+ * @property delayMs the age of that message at its perception
  * @property more the number of percepts left out of [percepts]
- * @property moreCourses the number of sensors with numbers whose course is not shown
+ * @property moreCourses the number of sensors with numbers but without a shown course
  */
 @Serializable
 internal data class SensorState(
@@ -109,13 +109,13 @@ internal data class SensorState(
 /**
  * A percept as it came off the line.
  *
- * @property key identifies its sensor; the readings of one sensor differ only in numbers
- * @property board the namespace of the board that it came from; null: it has none
+ * @property key identifies the sensor; readings of one sensor differ only in numbers
+ * @property board the namespace of the percept's board; null: none
  * @property fate `kept`, `dropped`, `held` (back), or `unreadable` if the filter keeps it but it is not a percept
- * @property silent whether nothing comes from its board
- * @property ageMs the time since it came last
- * @property sameMs the time for which it has been the same
- * @property described what its board says of such percepts; null: the board describes none
+ * @property silent whether the board is silent
+ * @property ageMs the time since the percept last came
+ * @property sameMs the time since the percept last changed
+ * @property described the percept in the light of the board's description; null: the board describes none
  */
 @Serializable
 internal data class PerceptState(
@@ -132,8 +132,8 @@ internal data class PerceptState(
 /**
  * The agent's beliefs.
  *
- * @property ageMs the age of this picture of the belief base; null: there is none yet
- * @property total the number of all beliefs, with those left out of [beliefs]
+ * @property ageMs the age of this look at the belief base; null: there was none yet
+ * @property total the number of all beliefs, also of those that [beliefs] leaves out
  */
 @Serializable
 internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: List<Belief>)
@@ -141,32 +141,28 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
 /**
  * A belief, or a rule.
  *
- * @property sources its sources: `percept`, `self` or agents
+ * @property sources `percept`, `self` or agents
  */
 @Serializable
 internal data class Belief(val text: String, val sources: List<String>)
 
-/**
- * The agent's intentions.
- *
- * @property total the number of all intentions, with those left out of [intentions]
- */
+/** The agent's intentions; [total] also counts those that [intentions] leaves out. */
 @Serializable
 internal data class IntentionsState(val total: Int, val intentions: List<IntentionState>)
 
 /**
  * An agent on this server.
  *
- * @property name its name; its page is at `/NAME/`
- * @property silent whether nothing comes from a board that it perceives
+ * @property name the agent's name; its page is at `/NAME/`
+ * @property silent whether a board that the agent perceives is silent
  */
 @Serializable
 internal data class AgentTab(val name: String, val silent: Boolean)
 
 /**
- * The agent's commands: [unfinished] has those that have not gone out, the oldest first; [finished] the others, the newest first.
+ * The agent's commands: [unfinished] has those that have not gone out, the oldest first; [finished] has the others, the newest first.
  *
- * @property waiting the number of all commands that have not gone out, with those left out of [unfinished]
+ * @property waiting the number of all commands that have not gone out, also of those that [unfinished] leaves out
  */
 @Serializable
 internal data class CommandsState(val waiting: Int, val unfinished: List<CommandState>, val finished: List<CommandState>)
@@ -174,12 +170,12 @@ internal data class CommandsState(val waiting: Int, val unfinished: List<Command
 /**
  * A command.
  *
- * @property number its number, which stays the same as long as it is shown
+ * @property number the command's number; it does not change while the command is shown
  * @property times the number of equal commands in a row; the other properties are about the last of them
  * @property state one of `line` (the next command of its port), `waiting`, `done` and `failed`
- * @property ageMs the time since it was issued
- * @property tookMs the time from its issue until it was done or had failed
- * @property error the reason of its failure
+ * @property ageMs the time since the command was issued
+ * @property tookMs the time from the issue to the outcome
+ * @property error the reason of the failure
  * @property last the agent's number of the last of these equal commands
  */
 @Serializable
@@ -202,7 +198,6 @@ internal data class Rates(val frames: Double, val handOvers: Double, val command
 @Serializable
 internal data class PictureState(val svg: String, val words: String)
 
-/** Cuts [text] down to [MAX_CHARACTERS] to be shown. */
 internal fun shown(text: String): String = if (text.length <= MAX_CHARACTERS) text else text.take(MAX_CHARACTERS) + "…"
 
 private const val MAX_CHARACTERS = 300

@@ -1,6 +1,6 @@
 'use strict';
-// Draws the numbers of a sensor during the last minute: one small line for each number, with a gap where no message came. A number whose
-// board describes its range is drawn in that range.
+// Draws a sensor's numbers of the last minute: a small line for each number, with a gap where no message came. If the board describes a
+// range, the number is drawn in that range.
 
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 20;
@@ -29,7 +29,7 @@ function coursePath(values, low, high) {
 
 const inWords = ({ unit, min, max }) => [min, '…', max, unit].filter(word => word !== null && word !== '').join(' ');
 
-/** Draws the limits of [range] as lines, and the [values] beyond them as a path of their own. */
+/** Draws the limits of [range] as lines, and the [values] beyond them as a second path. */
 function drawRange(svg, values, range, low, high) {
   for (const limit of [range.min, range.max]) {
     if (limit === null || low === high) continue;
@@ -42,7 +42,7 @@ function drawRange(svg, values, range, low, high) {
   drawn('path', { class: 'beyond', d: coursePath(beyond, low, high), 'vector-effect': 'non-scaling-stroke' }, svg);
 }
 
-/** Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has the range of each number; null: none. */
+/** Shows [numbers], the values of each number, in [box]; nothing if there are none. [ranges] has each number's range; null: none. */
 function showCourse(box, numbers, ranges = []) {
   const key = JSON.stringify([numbers || [], ranges]);
   if (box.dataset.shown === key) return;

@@ -1,25 +1,25 @@
 'use strict';
-// The timeline of a recording, or of the last minutes of an agent that runs. The server sends the part in view. Lanes with too many items
-// for the screen come as heaps.
+// The timeline of a recording, or of the last minutes of a running agent. The server sends the part in view. A lane with too many items for
+// the screen comes as heaps.
 
 const $ = id => document.getElementById(id);
 const LANES = ['LINE', 'PERCEPTS', 'EVENTS', 'INTENTIONS', 'COMMANDS', 'PRINTED'];
 const NAMES = { LINE: 'line', PERCEPTS: 'percepts', EVENTS: 'events', INTENTIONS: 'intentions', COMMANDS: 'commands', PRINTED: 'printed' };
 const LANE_HEIGHT = 44;
-const HEAD = 26;           // of an agent: its name
+const HEAD = 26;           // height of an agent's name
 const AXIS = 24;
 const PIXELS_EACH = 3;     // the least width of an item; more items than fit become heaps
-const NEAR = 14;           // pixels from an item at which a click still chooses it
+const NEAR = 14;           // pixels from an item within which a click chooses it
 const LEAST_SPAN = 0.002;  // seconds
-const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that is asked about
+const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that the address asks about
 
 const canvas = $('lanes');
 let recording = null;
 let from = 0, until = 1;   // the part in view, in seconds
-let parts = [];            // of the lanes, as they were sent
+let parts = [];            // of the lanes, as the server sent them
 let chosen = null;         // an item with its links
 let lit = new Set();       // the ids of the chosen item and its links
-let asked = 0;             // counts requests for parts, so that only the last one's answer is shown
+let asked = 0;             // counts requests for parts: only the answer to the last one is shown
 
 // --- from the server ---
 
@@ -53,7 +53,7 @@ async function load() {
   }
 }
 
-/** Names the timeline in a request, since a running agent's timeline is replaced when a page asks anew. */
+/** Names the timeline in a request: a running agent's timeline is replaced when a page asks anew. */
 const ofNumber = () => `&of=${recording.number}`;
 
 const choose = (id, beside) => chooseBy(`id=${id}${beside ? `&beside=${beside}` : ''}`);
@@ -105,9 +105,9 @@ function tell() {
 
 // --- why, in sentences ---
 
-let whyAsked = 0; // counts questions, so that only the last one's answer is shown
+let whyAsked = 0; // counts questions: only the answer to the last one is shown
 
-/** Shows a sentence of the tool why, which two blanks indent for each cause that it lies behind. */
+/** Shows a sentence of the tool why, indented by two blanks for each cause in front of it. */
 function sentence(words) {
   const depth = (words.length - words.trimStart().length) / 2;
   const made = line(words.trimStart());
@@ -122,7 +122,7 @@ function shownSentences(title, lines) {
   $('sentences').replaceChildren(...lines.map(sentence));
 }
 
-/** Tells why the chosen command was sent. For that the recorded agent is run again, which takes a while. */
+/** Tells why the chosen command was sent. The server runs the recorded agent again for the answer, which takes a while. */
 async function askWhy() {
   const { item } = chosen;
   const number = ++whyAsked;
@@ -211,7 +211,7 @@ function drawFrame(pen, colour, agent, place, width) {
   }
 }
 
-/** Sets the colour of an item, dimmed while another one is chosen. */
+/** Sets the colour of an item; it is dimmed while another item is chosen. */
 function paint(pen, colour, id, isBad) {
   const isLit = lit.has(id);
   pen.globalAlpha = lit.size && !isLit ? 0.25 : 1;
@@ -242,7 +242,7 @@ function drawPart(pen, colour, part, width) {
   pen.globalAlpha = 1;
 }
 
-/** Writes the text of an item behind it if there is room before the next one. */
+/** Writes the text of an item behind it, if there is room before the next item. */
 function drawTexts(pen, colour, items, top, tall, width) {
   pen.font = '12px system-ui, sans-serif';
   items.forEach((item, place) => {
@@ -365,7 +365,7 @@ const KEYS = {
   End: () => see(recording.seconds - (until - from), recording.seconds * 1.01),
   ',': () => beside('before'), '.': () => beside('after'), Enter: chooseFirst, Escape: forget,
 };
-const ON_CANVAS = ['Arrow', 'Page', 'Home', 'End', 'Enter']; // elsewhere they scroll the page, or press a button
+const ON_CANVAS = ['Arrow', 'Page', 'Home', 'End', 'Enter']; // elsewhere these keys scroll the page, or press a button
 document.addEventListener('keydown', event => {
   const act = KEYS[event.key];
   if (event.target !== canvas && ON_CANVAS.some(name => event.key.startsWith(name))) return;
@@ -381,10 +381,10 @@ $('after').addEventListener('click', () => beside('after'));
 new ResizeObserver(() => { if (recording) { draw(); load(); } }).observe(canvas.parentElement);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
 
-/** Returns the number of the running agent's command that the page's address asks about; null: it asks about none. */
+/** Returns the number of the command that the page's address asks about; null: none. */
 const askedCommand = () => /^#command=(\d+)$/.exec(location.hash)?.[1];
 
-/** Chooses the command that is asked about, so that its causes are listed. */
+/** Chooses the command that the address asks about, so its causes are listed. */
 async function chooseAsked() {
   const number = askedCommand();
   if (!number) return;
@@ -395,7 +395,7 @@ async function chooseAsked() {
   await askWhy();
 }
 
-/** Loads the recording, or its present state for a running agent. */
+/** Loads the recording; of a running agent, its present state. */
 async function open() {
   $('now').disabled = true;
   try {

@@ -1,17 +1,17 @@
 'use strict';
-// Shows one agent. Texts of boards and agents are put in as text, never as markup.
+// Shows one agent. Texts of boards and agents go into the page as text, never as markup.
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
 let state = null;          // the newest one
-let receivedAt = 0;        // when that came
+let receivedAt = 0;        // when the newest state came
 let source = null;
 let connection = 'connecting';
-let frozen = null;         // shown instead while the page is frozen
-let courses = {};          // of the sensors' numbers, by the sensors' keys
+let frozen = null;         // shown instead of the newest state while the page is frozen
+let courses = {};          // numbers of sensors in the last minute, by the sensors' keys
 let filters = null;        // the names of all filters
 let waits = false;         // true while a pressed button has no answer yet
-const explained = new Map(); // a percept's key: its text and filter when it was asked about, and why it was kept or dropped
+const explained = new Map(); // by a percept's key: its text and filter when the page asked, and why it was kept or dropped
 
 // --- words ---
 
@@ -55,7 +55,7 @@ function showProblem(words) { text($('problem'), words); $('trouble').hidden = !
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
-/** Shows [items] as the rows of a list. Keeps the elements of rows that stay, so that focus and reading position stay too. */
+/** Shows [items] as the rows of a list. Rows that stay keep their elements, so focus and reading position stay too. */
 function rows(list, items, keyOf, make, fill, none) {
   const before = new Map([...list.children].map(row => [row.dataset.key, row]));
   let next = list.firstElementChild;
@@ -158,7 +158,7 @@ function showCritical(shown, since) {
   ));
 }
 
-/** Says how the agent uses a port, and in what its board differs from the others. */
+/** Says how the agent uses a port, and how its board differs from others. */
 function use(port, shown) {
   return joined(
     port.inUse ? 'in use' : port.perceived ? 'perceived' : 'not in use',
@@ -175,7 +175,7 @@ function showPorts(shown, since) {
   ), 'The agent has no port.');
 }
 
-/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty if they do not. */
+/** Explains, in a line for each board, why sensors show old percepts although the agent perceives; empty: they do not. */
 function silence(shown) {
   if (!shown.perceiving) return '';
   const used = shown.ports.filter(port => port.perceived);
@@ -228,7 +228,7 @@ function showSensors(shown, since) {
 
 const sourcesOf = ({ sources }) => sources.join(', ') || 'self';
 
-/** Returns those of [beliefs] whose text or source has each word of the search. */
+/** Returns those of [beliefs] whose text or sources have each word of the search. */
 function found(beliefs) {
   const words = $('find').value.toLowerCase().split(/\s+/).filter(Boolean);
   return beliefs.filter(belief => words.every(word => `${belief.text} ${sourcesOf(belief)}`.toLowerCase().includes(word)));
@@ -246,7 +246,7 @@ function showBeliefs(shown) {
   ), shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
 }
 
-/** Makes a row that leads to the causes of the command. */
+/** Makes a row that leads to the command's causes. */
 function commandRow() {
   const made = row();
   const why = element('a', 'why');
@@ -384,7 +384,7 @@ async function order(path, body) {
   }
 }
 
-/** Has the agent send the command in the field, and shows the outcome under it. */
+/** Has the agent send the command in the field, and shows the outcome under the field. */
 async function send() {
   const command = $('command').value.trim();
   if (!command) return;
@@ -399,7 +399,7 @@ async function send() {
 
 function changeFilter(name) { order('filter', { name }).then(loadFilters); }
 
-/** Asks why [percept] is kept or dropped, and shows it under the row [key]. */
+/** Asks why [percept] is kept or dropped, and shows the answer under the row [key]. */
 async function explain(key, percept) {
   const before = explained.get(key);
   const entry = { percept, filter: filterWords(), why: before?.why, isAsked: true };
@@ -416,7 +416,7 @@ async function explain(key, percept) {
 
 const filterWords = () => JSON.stringify(state.filter);
 
-/** Asks again for the explanation of each percept that has changed, or whose filter has. */
+/** Asks again about each explained percept that has changed, or whose filter has. */
 function renewExplanations(shown) {
   for (const { key, text: percept } of shown.sensors.percepts) {
     const entry = explained.get(key);
@@ -478,7 +478,7 @@ $('send').addEventListener('submit', event => {
   if (!$('send-button').disabled) send();
 });
 
-// A hidden page closes its connection: so it causes the agent no work, and leaves the few connections of a browser to other pages.
+// A hidden page closes its connection: it then causes the agent no work, and leaves a browser's few connections to other pages.
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) {
     source?.close();

@@ -20,18 +20,17 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 import kotlin.concurrent.thread
 
-/** Boards in a process of their own, so that their work does not count for the agent's process. */
+/** Boards in another process, so that their work does not count for the agent's process. */
 internal class BoardHost private constructor(private val process: Process) : AutoCloseable {
     private val commands = process.outputWriter()
     private val answers = process.inputReader()
 
-    /** The ports of the boards, as an agent names them; for boards on devices, the devices of the boards' own ends. */
+    /** The ports of the boards as an agent names them; for boards on devices, the devices of the boards' own ends. */
     val ports: List<String> = words()
 
     /** Returns the number of requests that each board has answered, in the order of [ports]. */
     fun answered(): List<Long> = ask("answered").map(String::toLong)
 
-    /** Returns the number of boards with an open line. */
     fun openLines(): Int = ask("open").single().toInt()
 
     private fun ask(question: String): List<String> {
@@ -48,7 +47,7 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     }
 
     companion object {
-        /** Starts boards on the [devices], each with this number of [percepts], all of which change with each answer. */
+        /** Starts boards on the [devices], each with this number of [percepts], which all change with each answer. */
         fun onDevices(devices: List<File>, percepts: Int) =
             BoardHost(programApart(BOARD_HOST, "$percepts", *devices.map { "$it" }.toTypedArray()))
 
@@ -57,13 +56,13 @@ internal class BoardHost private constructor(private val process: Process) : Aut
     }
 }
 
-/** The name by which [hostBoards] is started as a program of its own. */
+/** The argument that starts [hostBoards] as a program. */
 internal const val BOARD_HOST = "board-host"
 
 private const val NETWORK = "tcp"
 private const val BAUD = 115_200
 
-/** The program of [BoardHost]. The arguments are the number of percepts, then a device or `tcp` for each board. */
+/** The program of [BoardHost]. The arguments are the number of percepts, and a device or `tcp` for each board. */
 internal fun hostBoards(arguments: List<String>) {
     val percepts = arguments.first().toInt()
     val boards = arguments.drop(1).map { if (it == NETWORK) NetworkBoard(percepts) else DeviceBoard(it, percepts) }
@@ -89,7 +88,7 @@ private abstract class HostedBoard(private val percepts: Int) {
         try {
             line.use { SensorBoard(Protocol.AUTO, ::message, { _, _, _ -> answers.incrementAndGet() }).run(it) }
         } catch (_: PortGoneException) {
-            // the agent has closed it
+            // the agent has closed the line
         } finally {
             lines.decrementAndGet()
         }
@@ -120,7 +119,6 @@ private class NetworkBoard(percepts: Int) : HostedBoard(percepts) {
     }
 }
 
-/** The board's end of a connection. */
 private class SocketLine(name: String, private val socket: Socket) : DriverTransport(name, LineSettings(BAUD)) {
     init {
         socket.tcpNoDelay = true

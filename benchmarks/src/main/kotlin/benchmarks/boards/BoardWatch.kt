@@ -10,13 +10,13 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts an agent's messages and snapshots of its [boards]. When it has perceived all of them, notes the skew after each reasoning cycle in
- * which it has perceived something. Safe on any thread.
+ * Counts an agent's messages and snapshots of its [boards]. When the agent has perceived all of them, notes the skew after each reasoning
+ * cycle with a perception. Safe on any thread.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {
     private val sensedOf = ConcurrentHashMap<String, AtomicLong>()
     private val perceivedOf = ConcurrentHashMap<String, AtomicLong>()
-    private val newest = HashMap<String, Long>() // used only by the agent's thread
+    private val newest = HashMap<String, Long>() // only the agent's thread uses it
     private val skews = ArrayList<Long>() // guarded by this list
     private var isNew = false
 
@@ -41,7 +41,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     /** Returns the number of messages from each board, by its port. */
     fun sensed(): Map<String, Long> = sensedOf.mapValues { (_, count) -> count.get() }
 
-    /** Returns the number of snapshots of each board that the agent has perceived, by its port. */
+    /** Returns the number of perceived snapshots of each board, by its port. */
     fun perceived(): Map<String, Long> = perceivedOf.mapValues { (_, count) -> count.get() }
 
     /** Waits until the agent has perceived all boards, at most [seconds] s. */
@@ -55,7 +55,7 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
     override fun close() = Unit
 
     companion object {
-        /** The option of an agent that is watched; its value is the number of its boards. */
+        /** The option of a watched agent. The option's value is the number of the agent's boards. */
         const val OPTION = "argo_watched"
 
         private val watches = ConcurrentHashMap<String, BoardWatch>()
@@ -63,12 +63,10 @@ internal class BoardWatch(private val boards: Int) : AgentObserver {
         /** Returns the watch of agent [name], which has been started. */
         fun of(name: String): BoardWatch = watches.getValue(name)
 
-        /** Watches agent [name] from now on. */
         fun open(name: String, boards: Int): BoardWatch = BoardWatch(boards).also { watches[name] = it }
     }
 }
 
-/** Returns the least growth of a count from [before] to [after]. */
 internal fun leastMore(before: Map<String, Long>, after: Map<String, Long>): Long =
     after.minOf { (port, count) -> count - before.getOrDefault(port, 0) }
 

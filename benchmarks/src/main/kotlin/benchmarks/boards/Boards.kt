@@ -11,7 +11,7 @@ private const val SEED = 1L
 private val BAUDS = listOf(9_600, 57_600, 115_200)
 
 /**
- * Measures one agent on several boards, and prints the figures; writes the timelines of the worst reactions to [timelines]. Returns false
+ * Measures one agent on several boards, and prints the figures. Writes the timelines of the worst reactions to [timelines]. Returns false
  * if the firmware has not been built.
  */
 fun boards(timelines: File): Boolean {
@@ -27,7 +27,7 @@ fun boards(timelines: File): Boolean {
 }
 
 /**
- * Measures how soon an agent on three boards reacts, and prints the figures; writes the timelines of the worst reactions to [timelines].
+ * Measures how soon an agent on three boards reacts, and prints the figures. Writes the timelines of the worst reactions to [timelines].
  */
 internal fun stopThree(timelines: File) {
     println("simulated Unos, twelve percepts that all change, interval 20 ms, virtual time: from the limit to the stop, $STOPS each; ms")

@@ -6,10 +6,10 @@ import benchmarks.figures
 import benchmarks.figuresApart
 import javino.sim.PseudoTerminals
 
-/** The name by which [boardsCourse] is started as a program of its own. */
+/** The argument that starts [boardsCourse] as a program. */
 internal const val BOARDS_COURSE = "boards-course"
 
-/** Measures the courses in Java machines of their own, and prints their figures. */
+/** Measures each course in a new Java machine, and prints the figures. */
 internal fun senseSeveral() {
     println("pseudo-terminals, all percepts change, 50 Hz, 20 s after 40 s; boards in another process")
     var one = Double.NaN
@@ -34,12 +34,11 @@ internal fun senseSeveral() {
 }
 
 /**
- * Measures an agent that senses so many [boards] at 50 Hz over pseudo-terminals, each with so many [percepts], all of which change with
- * each answer. The boards run in another process. Returns, in this order:
- * - the sensing rate of the board that was sensed least, as a share of the nominal rate, 0 to 1, and the same for the snapshots that the
- * agent has perceived
+ * Measures an agent that senses this number of [boards] at 50 Hz over pseudo-terminals. Each has this number of [percepts], which all
+ * change with each answer. The boards run in another process. Returns, in this order:
+ * - the sensing rate of the board sensed least, as a share of the nominal rate, 0 to 1, and the same for perceived snapshots
  * - the share of one processor that the agent's process took
- * - the [SHARES] of the skew after each cycle that has perceived something, in ms
+ * - the [SHARES] of the skew after each cycle with a perception, in ms
  * - the share of one processor that each [ThreadGroup] took
  */
 internal fun boardsCourse(boards: Int, percepts: Int): List<Double> {

@@ -8,10 +8,10 @@ import benchmarks.usedHeap
 import jason.runtime.RuntimeServicesFactory
 import kotlin.math.abs
 
-/** The name by which [manyBoards] is started as a program of its own. */
+/** The argument that starts [manyBoards] as a program. */
 internal const val MANY_BOARDS = "many-boards"
 
-/** Measures an agent of 127 boards on the network in a Java machine of its own, and returns its figures in words. */
+/** Measures an agent of 127 boards on the network in a new Java machine. Returns its figures in words. */
 internal fun sensedMany(): String {
     val measured = figuresApart(MANY_BOARDS)
     val (leastSensed, lost, messages, heapMb, residentMb) = measured
@@ -24,12 +24,12 @@ internal fun sensedMany(): String {
 }
 
 /**
- * Measures an agent of 127 boards on the network, each sensed five times a second; the boards run in another process. Returns, in this
+ * Measures an agent of 127 boards on the network, each sensed five times a second. The boards run in another process. Returns, in this
  * order:
- * - the sensing rate of the board that was sensed least, as a share of the nominal rate, 0 to 1
+ * - the sensing rate of the board sensed least, as a share of the nominal rate, 0 to 1
  * - the answers of boards that the agent did not get, or got twice, and the answers of all boards
- * - the heap that the boards take, without garbage, and the resident memory of the process, in MB
- * - the number of threads that the boards take
+ * - the heap for the boards, without garbage, and the resident memory of the process, in MB
+ * - the number of threads for the boards
  * - the time from `argo.ports` until all boards have been perceived, and from the agent's end until the boards see all lines closed, in ms
  */
 internal fun manyBoards(): List<Number> = BoardHost.onNetwork(BOARDS, PERCEPTS).use { host -> Agents().use { measure(it, host) } }

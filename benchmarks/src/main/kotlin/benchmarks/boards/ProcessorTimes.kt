@@ -3,12 +3,11 @@ package benchmarks.boards
 import benchmarks.processNanos
 import java.lang.management.ManagementFactory
 
-/** Threads of an agent's process. */
+/** The groups of threads in an agent's process. */
 internal enum class ThreadGroup(val title: String) {
-    /** Waits for answers, reads and filters them. */
+    /** The threads that wait for answers, read and filter them. */
     SENSING("sensing"),
 
-    /** Runs the reasoning cycles. */
     REASONING("reasoning"),
 
     /** Other threads of Java: commands, drivers, Jason. */
@@ -20,19 +19,17 @@ internal enum class ThreadGroup(val title: String) {
 
 /** Processor times in ns since the process began. */
 internal class ProcessorTimes private constructor(val process: Long, private val threads: Map<Long, Pair<ThreadGroup, Long>>) {
-    /** Returns the times used since [earlier]; threads that have ended since then count for the Java machine. */
+    /** Returns the times used since [earlier]. Threads that have ended since then count for the Java machine. */
     operator fun minus(earlier: ProcessorTimes) = ProcessorTimes(
         process - earlier.process,
         threads.mapValues { (id, thread) -> thread.first to thread.second - (earlier.threads[id]?.second ?: 0) },
     )
 
-    /** Returns the time of a [group]. */
     fun of(group: ThreadGroup): Long =
         if (group == ThreadGroup.MACHINE) process - threads.values.sumOf { it.second }
         else threads.values.filter { it.first == group }.sumOf { it.second }
 
     companion object {
-        /** Returns the times of this process. */
         fun now(): ProcessorTimes {
             val threads = ManagementFactory.getThreadMXBean()
             val times = threads.getThreadInfo(threads.allThreadIds).filterNotNull()

@@ -20,8 +20,8 @@ internal enum class Trouble(val title: String) {
 }
 
 /**
- * One agent on the simulated Unos with the rates of [bauds], twelve sensors each that all change, sensing interval 20 ms, in virtual time.
- * Each Uno drives a robot of its own, and the agent stops the robot at a limit.
+ * One agent on simulated Unos with the rates of [bauds], in virtual time. Each Uno has twelve sensors that all change, and the sensing
+ * interval is 20 ms. Each Uno drives its own robot, which the agent stops at a limit.
  */
 internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     private val unos = bauds.associateWith { UnoOnLine(StopCourse(it)) }
@@ -33,7 +33,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         for ((baud, uno) in unos) board(port(baud)).leadsTo(uno::open)
     }
 
-    /** Gives the board of [baud] this [trouble]; its robot is not measured any more. */
+    /** Gives the board of [baud] this [trouble]. The robot of that board is not measured from then on. */
     fun have(trouble: Trouble, baud: Int) {
         healthy -= baud
         val uno = unos.getValue(baud)
@@ -49,8 +49,8 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     /**
-     * Has the agent stop each robot so many [times], and returns the reactions by baud rate. The robots cross the limit at instants that
-     * are spread evenly over the sensing interval: with random instants the median would vary by more than the boards differ.
+     * Has the agent stop each robot this number of [times]. Returns the reactions by baud rate. The robots cross the limit at instants
+     * spread evenly over the sensing interval. With random instants the median would vary by more than the boards differ.
      */
     fun stop(times: Int, seed: Long): Map<Int, Reactions> {
         val random = Random(seed)
@@ -61,7 +61,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
     }
 
     private fun round(random: Random, phase: (Int) -> Long): Map<Int, Reactions.One> {
-        for (baud in bauds) { // draws for lost boards too, so that the phases are the same in all runs
+        for (baud in bauds) { // also draws for lost boards, so that the phases are the same in all runs
             val millimetres = WatchedRobot.LIMIT_MM + MM_AN_INTERVAL * random.nextInt(WAY_INTERVALS, 2 * WAY_INTERVALS)
             if (baud in healthy) robot(baud).place(millimetres) { it + Math.floorMod(phase(baud) - it, INTERVAL_NANOS) }
         }
@@ -116,7 +116,7 @@ internal class Trio(private val bauds: List<Int>) : AutoCloseable {
         val SETTLING = 3.seconds
         val PATIENCE = 20.seconds
 
-        /** A message of version 1 that nobody has asked for. */
+        /** A message of version 1 that no request caused. */
         val FLOOD: ByteArray = Frame.of((1..12).joinToString(";", postfix = ";") { "dist($it,1)" }).toBytes()
 
         fun name(baud: Int) = "at$baud"
@@ -132,6 +132,5 @@ internal class Reactions(private val ones: List<One>) {
 
     val distribution: Distribution get() = Distribution(LongArray(ones.size) { ones[it].nanos })
 
-    /** The timeline of the longest time. */
     val worst: String get() = ones.maxBy { it.nanos }.timeline
 }

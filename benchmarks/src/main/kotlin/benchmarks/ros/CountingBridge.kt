@@ -11,12 +11,11 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge whose topic `/n` counts. As rosbridge 0.11.17 does with `queue_length` 1, it sends the newest message once a `throttle_rate`.
+ * A bridge whose topic `/n` counts. Like rosbridge 0.11.17 with `queue_length` 1, it sends the newest message once a `throttle_rate`.
  *
  * @param number its TCP port; 0: a free one
- * @param first the first number
  * @param hz the numbers per second
- * @param published is called with each number before it is published
+ * @param published called with each number before the bridge publishes it
  */
 internal class CountingBridge(number: Int, first: Int, hz: Int, private val published: (Int) -> Unit) : AutoCloseable {
     private val started = CountDownLatch(1)
@@ -28,7 +27,7 @@ internal class CountingBridge(number: Int, first: Int, hz: Int, private val publ
     private var throttleNanos: Long? = null // least time between messages; null: nobody subscribes
     private var sentNanos = System.nanoTime()
 
-    /** The numbers that commands had, in their order. */
+    /** The numbers in commands, in their order. */
     val done = ConcurrentLinkedQueue<Int>()
 
     private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), number), 1) {

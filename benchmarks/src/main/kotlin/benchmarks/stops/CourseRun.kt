@@ -3,11 +3,11 @@ package benchmarks.stops
 import argo.testkit.TestAgent
 import argo.testkit.agentOf
 
-/** An agent with [program] on the robot of [course], in virtual time; the agent opens the port `uno`. For one thread at a time. */
+/** An agent with [program] on the robot of [course], in virtual time. The agent opens the port `uno`. For one thread at a time. */
 internal class CourseRun(private val course: StopCourse, program: String) : AutoCloseable {
     val uno = UnoOnLine(course)
 
-    /** The robot, once the port has been opened. */
+    /** The robot, which exists once the port has been opened. */
     val robot: WatchedRobot
         get() = checkNotNull(uno.robotOrNull) { "the agent has not opened its port\n${agent.log.joinToString("\n")}" }
 

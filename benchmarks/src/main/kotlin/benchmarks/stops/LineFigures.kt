@@ -9,17 +9,15 @@ import kotlin.time.Duration.Companion.seconds
  *
  * @property snapshotsPerSecond the snapshots per second of an agent that senses without interval and does not act
  * @property snapshot the bytes of a snapshot, request and answer
- * @property command the bytes of the command `stop`
  */
 internal class LineFigures(val snapshotsPerSecond: Double, val snapshot: Traffic, val command: Traffic, private val byteNanos: Long) {
     /** The time from the limit to the stop, in ms, if only the line took time and the sensors were read at the limit. */
     val shortestMs: Double get() = (snapshot.toBoard + snapshot.toComputer + command.toBoard) * byteNanos / NANOS_PER_MS
 
-    /** The same time, if the sensors were read just before the limit. */
+    /** Like [shortestMs], if the sensors were read just before the limit. */
     val longestMs: Double get() = shortestMs + (snapshot.toBoard + snapshot.toComputer) * byteNanos / NANOS_PER_MS
 }
 
-/** Measures the line of [course]. */
 internal fun measureLine(course: StopCourse): LineFigures {
     val (snapshots, sensed) = CourseRun(course, senses(course)).use { run ->
         run.agent.after(SETTLED)
@@ -29,7 +27,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     }
     val acted = CourseRun(course, acts(course)).use { run ->
         run.agent.after(SETTLED)
-        val idle = run.trafficOf { } // the link looks after its board now and then
+        val idle = run.trafficOf { } // the link checks its board now and then
         run.trafficOf { run.agent.hears("bench", "achieve", "stop") } - idle
     }
     return LineFigures(
@@ -37,7 +35,7 @@ internal fun measureLine(course: StopCourse): LineFigures {
     )
 }
 
-/** Returns the bytes on the line while [command] is given [COMMANDS] times. */
+/** Returns the bytes on the line for [COMMANDS] calls of [command]. */
 private fun CourseRun.trafficOf(command: () -> Unit): Traffic {
     val before = uno.traffic
     repeat(COMMANDS) {

@@ -10,9 +10,9 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.withLock
 
 /**
- * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions: the board
- * is run to the present at least once in the time of a byte, before each byte that is sent to it, and hands its own bytes over a byte's
- * time before they arrive.
+ * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions. The board
+ * runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands its own bytes over a
+ * byte's time before they arrive.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,
@@ -26,13 +26,13 @@ internal class SteppedLine(
     private var freeAt = clock.nanos()
     private var isClosed = false
     private var hangs = false
-    private var isArrivalNew = false // callers that place its robot run the board, too
+    private var isArrivalNew = false // callers that place the board's robot run the board, too
 
-    /** The bytes that have been handed to it and read from it. */
+    /** The bytes written to the line and read from it. */
     var traffic = Traffic(0, 0)
         private set
 
-    /** Called with the bytes that are handed to it. */
+    /** Called with the bytes written to the line. */
     var tap: (ByteArray) -> Unit = {}
 
     init {
@@ -56,7 +56,7 @@ internal class SteppedLine(
         clock.schedule(settings.byteNanos() * 4 / 5, ::advance) // the board may send up to 2 % faster than its nominal rate
     }
 
-    /** Stops running the board, which then takes no bytes; from now on [flood] comes over the line again and again; null: no bytes come. */
+    /** Stops running the board, which then takes no bytes. From now on [flood] comes over the line again and again; null: no bytes come. */
     fun hang(flood: ByteArray?) = lock.withLock {
         hangs = true
         if (flood != null) repeatBytes(flood, 0)

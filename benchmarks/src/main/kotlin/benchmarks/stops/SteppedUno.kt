@@ -5,7 +5,7 @@ import java.nio.file.Path
 import java.util.Locale
 
 /**
- * A sketch on a simulated ATmega328P whose time advances only in [runTo]. Times are nanoseconds since power-on. For one thread at a time.
+ * A sketch on a simulated ATmega328P whose time advances only in [runTo]. Times are ns since power-on. For one thread at a time.
  *
  * @param simulator the program of `javino-arduino/simulator`
  * @param sketch an `.elf` or `.hex` file
@@ -16,20 +16,20 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
     private val answers = process.inputReader()
     private var reached = 0L
 
-    /** Called with each byte that the board sends and the time at which its last bit arrives, at most a byte's time in advance. */
+    /** Called with each byte from the board and the time at which its last bit arrives, at most a byte's time in advance. */
     var sent: (Byte, Long) -> Unit = { _, _ -> }
 
     /** Called with each change of a watched pin: the pin, true if it is high now, and the time. */
     var changed: (Int, Boolean, Long) -> Unit = { _, _, _ -> }
 
-    /** Runs until [nanos], unless it has done so. */
+    /** Runs the sketch until [nanos], unless it has reached that time. */
     fun runTo(nanos: Long) {
         if (nanos <= reached) return
         reached = nanos
         command("run ${cycle(nanos)}")
     }
 
-    /** Puts [bytes] on the line, each in [byteNanos]; the first begins at [atNanos], which must not be before the time it has run to. */
+    /** Puts [bytes] on the line, each in [byteNanos]. The first begins at [atNanos], which must not be before the sketch's time. */
     fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
         command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
 
@@ -72,7 +72,6 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         const val HEXADECIMAL = 16
         const val NANOS_PER_MS = 1e6
 
-        /** Returns the board's cycle at [nanos], at 16 MHz. */
         fun cycle(nanos: Long) = nanos * 16 / 1000
 
         fun nanos(cycle: Long) = cycle * 1000 / 16

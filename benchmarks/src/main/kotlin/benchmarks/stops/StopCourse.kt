@@ -17,9 +17,7 @@ internal enum class Firmware(val sketch: String) {
 /**
  * A robot, a line and an agent.
  *
- * @property version the version of the protocol
- * @property loopMs the time of each `loop()` of the sketch, besides the library's work
- * @property filter the agent's filter
+ * @property loopMs the time of each `loop()` of the sketch, besides the library's work, in ms
  * @property cycleTime the time of a reasoning cycle of the agent
  */
 internal data class StopCourse(
@@ -32,7 +30,6 @@ internal data class StopCourse(
 ) {
     val elf: Path get() = Bench.elf(firmware.sketch, baud, loopMs)
 
-    /** The port's options as the agent gives them. */
     val options: String get() = "[baud($baud), protocol($version)]"
 
     override fun toString() = listOfNotNull(
@@ -44,7 +41,7 @@ internal data class StopCourse(
     ).joinToString()
 }
 
-/** The files of the bench of stops: the output of `make bench` in `javino-arduino`, and sources. */
+/** The files of the bench of stops: sources, and the output of `make bench` in `javino-arduino`. */
 internal object Bench {
     private val home: Path = generateSequence(Bench::class.java.protectionDomain.codeSource.location.toURI().toPath()) { it.parent }
         .firstOrNull { it.resolve("javino-arduino").isDirectory() } ?: Path.of("")
@@ -53,9 +50,8 @@ internal object Bench {
 
     val agents: Path = home.resolve("experiment/agent")
 
-    /** Returns the compiled sketch, which need not exist. */
+    /** Returns the compiled sketch, which may not exist. */
     fun elf(sketch: String, baud: Int, loopMs: Int): Path = home.resolve("javino-arduino/build/bench/$sketch-$baud-$loopMs.elf")
 
-    /** Returns true if the simulator and the sketches for [courses] have been built. */
     fun isBuilt(courses: Collection<StopCourse>): Boolean = simulator.isExecutable() && courses.all { Files.exists(it.elf) }
 }

@@ -10,12 +10,11 @@ import kotlin.time.Duration.Companion.seconds
  * The stops of a course.
  *
  * @property responses the times from the limit to the stop, in ns, in their order
- * @property rests the times from the limit until the robot stood for good, in ns: later if an earlier command `front` drove it on after a
- * reflex
+ * @property rests the times from the limit until the robot stood for good, in ns. A time is longer if an earlier command `front` drove the
+ *   robot on after a reflex.
  * @property worst the timeline of line and board in the longest response, in ms from the limit on
  * @property commands the number of commands that the sketch has carried out
  * @property sent the number of commands sent in version 1; in version 2 they are not counted
- * @property starts the number of the sketch's starts
  */
 internal class Stops(
     val responses: List<Long>, val rests: List<Long>, val worst: String, val commands: Int, val sent: Int, val starts: Int,
@@ -23,10 +22,10 @@ internal class Stops(
     val distribution = Distribution(responses.toLongArray())
 }
 
-/** Has the published agent stop the robot of [course] [stops] times; the phases between robot, line and agent come from [seed]. */
+/** Has the published agent stop the robot of [course] [stops] times. The phases between robot, line and agent come from [seed]. */
 internal fun measureStops(course: StopCourse, stops: Int, seed: Long): Stops = CourseRun(course, publishedAgent(course)).use { run ->
     val random = Random(seed)
-    run.awaitStop() // the first one finds a line and an agent that are not yet in step
+    run.awaitStop() // at the first stop, line and agent are not in step
     run.rest(course.shortWay)
     val made = List(stops) { run.stop(course.shortWay, random) }
     run.agent.hears("bench", "achieve", "rest").after(QUIET)
@@ -75,7 +74,7 @@ private fun CourseRun.awaitStop() {
     } while (robot.stoppedAt == null)
 }
 
-/** The shortest way of the robot before the limit, in mm: the slower the line, the longer until it is in step. */
+/** The shortest way of the robot before the limit, in mm. A slower line takes longer to get in step. */
 private val StopCourse.shortWay get() = 10 + 400_000 / baud
 
 private fun timeFor(way: Int) = (way * WatchedRobot.MILLIMETRE_NANOS).nanoseconds

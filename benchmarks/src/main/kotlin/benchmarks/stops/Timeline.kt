@@ -2,13 +2,12 @@ package benchmarks.stops
 
 import benchmarks.figures
 
-/** The events on a line and on its board, as a text for people. Bytes that follow each other without a gap are one entry. */
+/** The events on a line and on its board, as a text. Bytes that follow each other without a gap are one entry. */
 internal class Timeline(private val byteNanos: Long) {
     private class Entry(val what: String, val fromNanos: Long, var toNanos: Long, var bytes: Int)
 
     private val entries = ArrayList<Entry>()
 
-    /** Forgets all events. */
     fun clear() = entries.clear()
 
     /** Notes that the board did [what] at [nanos]. */

@@ -11,21 +11,19 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     private val uno = SteppedUno(Bench.simulator, course.elf)
     private var line: SteppedLine? = null
 
-    /** The events on the line and on the board. */
     val timeline = Timeline(LineSettings(course.baud).byteNanos())
 
     /** The robot; null: the port has never been opened. */
     var robotOrNull: WatchedRobot? = null
         private set
 
-    /** The number of commands sent to it in version 1. */
+    /** The number of commands sent to the board in version 1. */
     var sent = 0
         private set
 
-    /** The bytes on the line so far. */
     val traffic: Traffic get() = line?.traffic ?: Traffic(0, 0)
 
-    /** Opens its line; resets the board unless this is the first time. */
+    /** Opens the board's line. Resets the board unless this is the first time. */
     fun open(port: String, settings: LineSettings, clock: LineClock): SteppedLine {
         if (robotOrNull == null) robotOrNull = WatchedRobot(uno, clock, timeline) else uno.reset()
         val decoder = FrameDecoder(FrameDecoder.interByteTimeoutNanos(settings)) { if (!PerceptsRequest.isIn(it.text())) sent++ }
@@ -35,10 +33,8 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
         }
     }
 
-    /** Pulls its cable. */
     fun disconnects() = requireLine().close()
 
-    /** Stops the board. */
     fun hangs() = requireLine().hang(null)
 
     /** Stops the board, and sends [message] in its place without a pause. */
@@ -50,8 +46,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
 
     private companion object {
         /**
-         * Numbers the lines, so that each has a name of its own: links remember used numbers by that name, and each run must be like the
-         * first.
+         * Numbers the lines, so that each has its own name. Links remember used numbers by that name, and each run must be like the first.
          */
         val lines = AtomicInteger()
     }

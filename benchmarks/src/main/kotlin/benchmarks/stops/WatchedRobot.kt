@@ -3,8 +3,8 @@ package benchmarks.stops
 import javino.LineClock
 
 /**
- * The robot around the sketches `Stops` and `FieldStops` on [uno]: it drives at 10 cm/s towards a wall while the sketch's pin is on, and
- * its front sensor gives 1 mV for each mm from the wall. Goes by [clock].
+ * The robot around the sketches `Stops` and `FieldStops` on [uno], by the time of [clock]. The robot drives at 10 cm/s towards a wall while
+ * the sketch's pin is on. The robot's front sensor gives 1 mV for each mm from the wall.
  */
 internal class WatchedRobot(private val uno: SteppedUno, private val clock: LineClock, private val timeline: Timeline) {
     private var millimetres = 0
@@ -12,25 +12,22 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     private var departure: (Long) -> Long = { it }
     private val edges = HashMap<Int, Int>()
 
-    /** The time at which the sensor first gave the limit or less, in ns; null: it has not yet since it was [placed][place]. */
+    /** The time at which the sensor first gave the limit or less, in ns; null: not since the robot was [placed][place]. */
     var crossedAt: Long? = null
         private set
 
-    /** The time at which it stopped after that, in ns; null: it has not yet. */
+    /** The time at which the robot stopped after [crossedAt], in ns; null: not so far. */
     var stoppedAt: Long? = null
         private set
 
-    /** The time since which it stands, in ns; null: it has not stopped since it was [placed][place]. */
+    /** The time since which the robot stands, in ns; null: it has not stopped since it was [placed][place]. */
     var restsSince: Long? = null
         private set
 
-    /** The number of actions that the sketch has carried out. */
     val acted: Int get() = edges.getOrDefault(ACTED, 0)
 
-    /** The number of times that the sketch has read its sensors. */
     val looked: Int get() = edges.getOrDefault(LOOKED, 0)
 
-    /** The number of times that the sketch has started. */
     val started: Int get() = edges.getOrDefault(STARTED, 0)
 
     init {
@@ -40,9 +37,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places it [millimetres] from the wall.
-     *
-     * @param departure returns the time at which its first millimetre begins, in ns, if it has driven off at the time of the argument
+     * Places the robot [millimetres] from the wall. [departure] returns the time at which its first millimetre begins, in ns, if it has
+     * driven off at the time of the argument.
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres
@@ -61,7 +57,7 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
 
     private fun changed(pin: Int, isHigh: Boolean, atNanos: Long) {
         if (pin != DRIVES) {
-            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // not the first low, with which the pin becomes an output
+            if (isHigh || edges.containsKey(pin)) count(pin, atNanos) // except the first low, with which the pin becomes an output
             return
         }
         timeline.add(if (isHigh) "drives" else "stops", atNanos)
@@ -92,10 +88,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     companion object {
-        /** The distance at which the agent stops it, in mm. */
         const val LIMIT_MM = 800
 
-        /** The time in which the robot drives a millimetre, in ns. */
         const val MILLIMETRE_NANOS = 10_000_000L
 
         private const val FIRST_MM = 1000

@@ -22,12 +22,12 @@ import org.w3c.dom.Element;
 import org.xml.sax.SAXException;
 
 /**
- * Reads the declarations of Maven's POMs for the Gradle build, which has no modules, versions and dependencies of its own. Fails on a
- * dependency, a plugin of the compiler or a pattern of resources that is unknown here, since Gradle would build without it. Plugins of
- * Maven are not read: a build.gradle.kts does what they do.
+ * Reads Maven's POMs for the Gradle build, which declares no modules, versions and dependencies itself. Fails on a dependency, a compiler
+ * plugin or a pattern of resources that is unknown here, since Gradle would build without it. Other plugins of Maven are not read: a
+ * build.gradle.kts does their work.
  */
 public final class Poms {
-    /** Prints what Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
+    /** Prints the facts that Gradle reads of each module: {@code java Poms.java ROOT [PROPERTY=VALUE…]}. */
     public static void main(String[] arguments) {
         Map<String, String> given = new HashMap<>();
         Arrays.stream(arguments).skip(1).map(it -> it.split("=", 2)).forEach(it -> given.put(it[0], it[1]));
@@ -37,8 +37,8 @@ public final class Poms {
     }
 
     /**
-     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module's; those
-     * of Java end in {@code /java}.
+     * A module, or another folder with a POM. Sources and resources are the folders besides the usual ones, relative to the module. Folders
+     * of Java sources end in {@code /java}.
      *
      * @param isLibrary whether it is published
      * @param isSerialized whether it is compiled with Kotlin's plugin for serialization
@@ -56,9 +56,9 @@ public final class Poms {
             List<Resource> testResources) {}
 
     /**
-     * A dependency, in the configurations of Gradle that mean its scope.
+     * A dependency, in the Gradle configurations for its scope.
      *
-     * @param excluded the libraries that it does not bring, as {@code group:name}
+     * @param excluded the libraries to leave out, as {@code group:name}
      */
     public record Dependency(
             List<String> configurations,
@@ -73,7 +73,7 @@ public final class Poms {
     }
 
     /**
-     * A folder of resources, and the folder on the class path that they are put into, empty for its top.
+     * A folder of resources and its place on the class path, empty for the top.
      *
      * @param files the names of the resources; empty for all files of the folder
      */
@@ -113,7 +113,7 @@ public final class Poms {
         return text("version");
     }
 
-    /** The text of an element of the parent, which a path leads to, such as {@code licenses/license/name}. */
+    /** The text of an element of the parent, by a path such as {@code licenses/license/name}. */
     public String text(String path) {
         return text(parent, path, parent);
     }
@@ -123,7 +123,6 @@ public final class Poms {
         return resolved("${" + name + "}", parent);
     }
 
-    /** The modules in the order of the parent. */
     public List<String> modules() {
         return at(parent, "modules/module").map(Element::getTextContent).toList();
     }
@@ -166,7 +165,7 @@ public final class Poms {
                     case "provided" -> List.of("compileOnly", "testImplementation");
                     case "runtime" -> List.of("runtimeOnly");
                     case "test" -> List.of("testImplementation");
-                    default -> List.of("api"); // as in Maven, users of a library also compile with these
+                    default -> List.of("api"); // users of a library also compile with these, as in Maven
                 },
                 group,
                 name,
@@ -183,7 +182,7 @@ public final class Poms {
                         .toList());
     }
 
-    /** Returns the source folders that an execution of Kotlin's compiler adds to the usual ones, Java's included. */
+    /** Returns the source folders, Java's included, that an execution of Kotlin's compiler adds to the usual ones. */
     private List<String> sources(Element pom, String execution, String usual) {
         return at(
                         pom,
@@ -194,8 +193,8 @@ public final class Poms {
     }
 
     /**
-     * The folders of resources but the usual one. Without a target the only known pattern is a whole folder of the module, {@code name/**};
-     * with a target, names of files.
+     * Returns the folders of resources except the usual one. Without a target, the only known pattern is a whole folder of the module,
+     * {@code name/**}; with a target, it is names of files.
      */
     private List<Resource> resources(Element pom, String path, String usual) {
         String parts = path + "[includes and not(targetPath)]";

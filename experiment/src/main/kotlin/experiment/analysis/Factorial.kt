@@ -13,29 +13,24 @@ internal enum class Source(val factors: Set<Int>) {
 }
 
 /**
- * The effect of one combination of the levels of a [source]'s factors: the distance by which it moves the response from the sum of the mean
- * and the lower effects.
- *
- * @property levels the level of each of the source's factors, from 0, in the order of the factors
- * @property interval the effect's confidence interval
+ * The effect of one combination of levels of a [source]'s factors: the difference of the response from the sum of the mean and the lower
+ * effects. [levels] has the level of each of the source's factors, from 0, in the order of the factors.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
-    /** True if the interval leaves out 0. */
+    /** True if the interval does not contain 0. */
     val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
 }
 
 /**
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
- * Analysis, Wiley 1991, chapters 22 and 23: the model `y = mean + A + B + C + AB + AC + BC + ABC + error` with effects that add up to 0
- * over the levels of each factor; the share of a source in the variation is its sum of squares over the total one.
- *
- * @param responses `responses[i][j][k][r]` is the response at level i of A, j of B, k of C in replication r; all cells have equally many,
- * at least one. With one the error cannot be estimated: its share is 0 and the confidence intervals are infinite
+ * Analysis, Wiley 1991, chapters 22 and 23. The model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
+ * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
+ * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one the error
+ * cannot be estimated: its share is 0 and the confidence intervals are infinite.
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
 
-    /** The number of replications of each combination. */
     val replications = responses.first().first().first().size
 
     init {
@@ -52,7 +47,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun at(cell: List<Int>) = responses[cell[0]][cell[1]][cell[2]]
 
-    /** The number of all responses. */
     val count = cells.size * replications
 
     /** Smaller values come only from rounding in sums of such large numbers. */
@@ -68,7 +62,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     /** The sum of squares within the cells. */
     val error: Double = squares(cells.sumOf { cell -> at(cell).average().let { mean -> at(cell).sumOf { (it - mean) * (it - mean) } } })
 
-    /** The degrees of freedom of [error]. */
     val errorFreedom = cells.size * (replications - 1)
 
     private val effects: Map<Source, Map<List<Int>, Double>> = buildMap {
@@ -85,7 +78,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
 
     private fun List<Int>.of(source: Source) = source.factors.map { this[it] }
 
-    /** Returns the sum of squares of [source]. */
     fun squares(source: Source): Double =
         effects.getValue(source).values.sumOf { it * it } * count / source.factors.fold(1) { n, f -> n * sizes[f] }
 
@@ -102,7 +94,6 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
         return effects.getValue(source).map { (levels, value) -> Effect(source, levels, value, Interval(value - margin, value + margin)) }
     }
 
-    /** Returns the interval of [mean] at [confidence]. */
     fun mean(confidence: Double): Interval = margin(1, confidence).let { Interval(mean - it, mean + it) }
 
     /** Returns half the width of the confidence interval of a sum of [freedom] contrasts of equal variance. */
@@ -113,7 +104,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     }
 
     private companion object {
-        /** A share of the largest response; a double holds sixteen digits. */
+        /** A part of the largest response, since a double has sixteen digits. */
         const val ROUNDING = 1e-12
     }
 }

@@ -5,14 +5,12 @@ import org.apache.commons.math3.stat.interval.WilsonScoreInterval
 import kotlin.math.ceil
 import kotlin.math.log10
 
-/** The confidence of the intervals in the report. */
 internal const val CONFIDENCE = 0.95
 
-/** A confidence interval at [CONFIDENCE]. */
 internal data class Interval(val low: Double, val high: Double) {
     /**
-     * The number of meaningful decimals, from 0 to 3: half the width keeps two digits if they are below 36, else one. The Particle Data
-     * Group rounds so (Review of Particle Physics, introduction, section 5.3).
+     * The number of meaningful decimals, from 0 to 3. Half the width has two digits if they are below 36, otherwise one. That is the rule
+     * of the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
      */
     val decimals: Int
         get() = if (high > low) ceil(log10(ONE_DIGIT / ((high - low) / 2))).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS
@@ -24,18 +22,17 @@ internal data class Interval(val low: Double, val high: Double) {
 }
 
 /**
- * Returns the interval of the probability of an event that [found] of [of] runs had: Wilson's score interval, which L. D. Brown, T. T. Cai
- * and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16 (2001), recommend for few runs.
- *
- * @param of at least 1
+ * Returns the interval of an event's probability if [found] of [of] runs had the event. The interval is Wilson's score interval,
+ * recommended for few runs by L. D. Brown, T. T. Cai and A. DasGupta, Interval Estimation for a Binomial Proportion, Statistical Science 16
+ * (2001). [of] is at least 1.
  */
 internal fun proportionInterval(found: Int, of: Int): Interval =
     WilsonScoreInterval().createInterval(of, found, CONFIDENCE).let { Interval(it.lowerBound, it.upperBound) }
 
 /**
- * Returns the interval of the median of a population from its sample [values]: two of them, whatever the distribution (H. A. David and H.
- * N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values; even the least and the greatest of so few
- * do not enclose the median often enough.
+ * Returns the interval of the median of a population from its sample [values]. The ends of the interval are two of [values], whatever the
+ * distribution (H. A. David and H. N. Nagaraja, Order Statistics, Wiley 2003, section 7.1). Null: there are fewer than six values, and even
+ * the least and the greatest of so few do not enclose the median often enough.
  */
 internal fun medianInterval(values: List<Double>): Interval? {
     val below = BinomialDistribution(null, values.size, 0.5) // the number of values below the median

@@ -9,13 +9,12 @@ import experiment.View
 import samples.collision.Course
 
 /**
- * The number of each run that is analysed.
+ * The analysed number of each run.
  *
- * No time is known of a robot that ran into the wall: its agent needed longer than there was. The number for such a robot is a choice.
+ * The time of a robot that ran into the wall is not known, since its agent needed longer than there was. The number for such a robot is a
+ * choice.
  *
- * @property title the response's name
- * @property unit the response's unit
- * @property collisions the number that a robot that ran into the wall gets, in words
+ * @property collisions the number for a robot that ran into the wall, in words
  */
 internal enum class Response(val title: String, val unit: String, val collisions: String) {
     /** The published response. All collisions count the same, so that the limit, which is a factor, does not also weigh them. */
@@ -23,7 +22,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** The least time that is certain: the agent needed no less. */
+    /** The least certain time: the agent needed no less. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",
@@ -31,27 +30,24 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = (result.sincePerceivingMs ?: 0.0) / 1000
     },
 
-    /** The robot's time, which includes the readings' time on their way. */
+    /** The robot's time, which includes the time that readings take on their way. */
     LIMIT_TIME("time from crossing the limit", "s", "with the longest time that any limit leaves, the same for all") {
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sinceLimitMs }
     },
 
-    /** The distance from the wall in the end. */
     DISTANCE("stopping distance", "cm", "with 0 cm") {
         override fun of(result: Entry.Result, plan: Plan) = result.distance
     }, ;
 
-    /** True if the response is a time, in seconds. */
     val isTime: Boolean get() = unit == "s"
 
     /** True if the paper has this response, apart from its values for collisions. */
     val isPublished: Boolean get() = this == PERCEIVED_TIME || this == LEAST_PERCEIVED_TIME
 
-    /** Returns the response's value in a run with [result] of [plan]. */
     abstract fun of(result: Entry.Result, plan: Plan): Double
 }
 
-/** Returns [ms] in seconds, or the longest time that any limit leaves for a robot that ran into the wall. */
+/** Returns [ms] in seconds; for a robot that ran into the wall, the longest time that any limit leaves. */
 private fun Entry.Result.orLongest(plan: Plan, ms: Entry.Result.() -> Double) =
     if (outcome == Outcome.COLLIDED) plan.limits.max() / Course.SPEED_CM_S else ms() / 1000
 
@@ -89,7 +85,6 @@ internal object Published {
         Source.AB to 0.525, Source.AC to 3.715, Source.BC to 0.265, Source.ABC to 1.725,
     )
 
-    /** The share of the error, in percent. */
     const val ERROR_PERCENT = 3.285
 
     /** The sum of all shares, which is not 100. */

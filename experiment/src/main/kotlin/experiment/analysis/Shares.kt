@@ -5,7 +5,6 @@ import org.apache.commons.math3.random.RandomGenerator
 import org.apache.commons.math3.random.Well19937c
 import kotlin.math.sqrt
 
-/** A sum of squares and its degrees of freedom. */
 internal data class Squares(val sum: Double, val freedom: Int) {
     operator fun plus(other: Squares) = Squares(sum + other.sum, freedom + other.freedom)
 }
@@ -13,16 +12,15 @@ internal data class Squares(val sum: Double, val freedom: Int) {
 /**
  * The intervals at [CONFIDENCE] of the shares of an experiment with infinitely many runs of each combination.
  *
- * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), where s is the mean
- * square of its effects and t that of all effects. A share in the sample is larger, since the means from which effects are computed contain
- * errors, and that of the error is smaller by the same amount; so a small share can lie outside its interval.
+ * The errors are assumed to be normal, independent and of one variance v. The share of a source is then s / (t + v), with the mean square s
+ * of its effects and the mean square t of all effects. A share in the sample is larger, since the means behind the effects contain errors.
+ * The error's share is smaller by the same amount. So a small share can lie outside of its interval.
  *
  * @property sources the intervals of factors and interactions
- * @property error the interval of the error
  */
 internal class ShareIntervals(val sources: Map<Source, Interval>, val error: Interval)
 
-/** Returns the intervals of the shares in [analysis]; null with one replication, which has no error to compare them with. */
+/** Returns the intervals of the shares in [analysis]; null with one replication, since there is no error for a comparison. */
 internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS): ShareIntervals? {
     if (analysis.errorFreedom == 0) return null
     val pivots = SharePivots(Squares(analysis.error, analysis.errorFreedom), analysis.count, Well19937c(seed), draws)
@@ -36,23 +34,22 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
 }
 
 /**
- * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and
- * P. Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
+ * Generalized confidence intervals of shares (S. Weerahandi, Generalized Confidence Intervals, JASA 88, 1993; J. Hannig, H. Iyer and P.
+ * Patterson, Fiducial Generalized Confidence Intervals, JASA 101, 2006).
  *
- * A sum of squares over the variance is noncentral chi-squared. Its noncentrality is the variance's share in the responses, times their
- * [count], so a share is `own / (own + others + count)` in noncentralities. Each noncentrality is replaced by a random number. The
- * distribution function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The
- * variance is replaced by [error] over a chi-squared random number. The interval is between the percentiles of the share. Without other
- * effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9, 2004); for
- * several effects it gives none.
+ * A sum of squares over the variance is noncentral chi-squared. The noncentrality is the variance's share in the responses, times their
+ * [count]. So a share is `own / (own + others + count)` in noncentralities. A random number replaces each noncentrality. The distribution
+ * function of that number at x is the probability that a sum of squares with noncentrality x exceeds the observed one. The variance is
+ * replaced by [error] over a chi-squared random number. The interval lies between the percentiles of the share.
+ *
+ * Without other effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9,
+ * 2004). For several effects it gives none.
  *
  * @param error has at least one degree of freedom
- * @param draws the number of random shares
  */
 internal class SharePivots(
     private val error: Squares, private val count: Int, private val random: RandomGenerator, private val draws: Int,
 ) {
-    /** Returns the interval at [confidence] of the share of [own] beside the effects in [others]. */
     fun interval(own: Squares, others: Squares, confidence: Double): Interval {
         if (error.sum == 0.0) return (own.sum / (own.sum + others.sum)).let { if (it.isNaN()) Interval(0.0, 0.0) else Interval(it, it) }
         val errors = chiSquared(error.freedom)
@@ -67,9 +64,9 @@ internal class SharePivots(
     }
 
     /**
-     * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw takes a central
-     * chi-squared number from the observed one. If the rest is negative, the result is 0; else it is a noncentral chi-squared number with
-     * two degrees of freedom, whose own noncentrality is that rest.
+     * Returns a function that draws random noncentralities for an observed chi-squared number with [freedom]. Each draw subtracts a central
+     * chi-squared number from the observed one. If the remainder is negative, the result is 0. Otherwise it is a noncentral chi-squared
+     * number with two degrees of freedom and the rest as its noncentrality.
      */
     private fun noncentrality(freedom: Int): (Double) -> Double {
         val central = chiSquared(freedom)
@@ -96,5 +93,5 @@ private fun percentiles(values: DoubleArray, confidence: Double): Interval {
 
 private val NOTHING = Squares(0.0, 0)
 
-/** The number of draws, with which an end of an interval is at the wanted percentile, give or take 0.2. */
+/** The number of draws. This number puts an end of an interval at the wanted percentile, give or take 0.2. */
 private const val DRAWS = 10_000

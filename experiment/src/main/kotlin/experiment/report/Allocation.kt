@@ -27,7 +27,7 @@ combinations; the interval of an effect that varies less than errors make likely
 condition have as many digits as the widest of their intervals allows.</p>
 """
 
-/** The tables of the shares in the variation of [response]; [columns] has an analysis for each condition. */
+/** The tables of the shares in the variation of [response]. [columns] contains an analysis for each condition. */
 internal class Allocation(private val response: Response, private val columns: Map<Condition, Factorial>, seed: Long) {
     private val intervals = columns.mapValues { (_, analysis) -> shareIntervals(analysis, seed) }
     private val decimals = intervals.mapValues { (_, all) ->
@@ -54,7 +54,6 @@ internal class Allocation(private val response: Response, private val columns: M
     private fun row(name: String, published: Double, share: (Factorial) -> Double) = listOf(name) + published("$published") +
         columns.map { (condition, analysis) -> rounded(100 * share(analysis), decimals.getValue(condition)) }
 
-    /** Returns the table [number] of their intervals. */
     fun intervals(number: String): String {
         val rows = Source.entries.map { source -> intervalsRow(words(source)) { it.sources.getValue(source) } } +
             listOf(intervalsRow("error") { it.error })
@@ -86,7 +85,6 @@ internal class Allocation(private val response: Response, private val columns: M
         /** The most decimals of shares with intervals. The published shares have three. */
         const val MOST_DECIMALS = 2
 
-        /** The decimals of shares without intervals. */
         const val UNSURE_DECIMALS = 1
     }
 }

@@ -17,16 +17,10 @@ import java.math.MathContext
 import java.util.Locale
 import kotlin.math.abs
 
-/** The finding on a published or promised claim in these runs. */
+/** The finding of these runs on a published or promised claim. */
 internal enum class Finding(val word: String) { YES("found"), PARTLY("in part"), NO("not found"), UNTESTED("not tested") }
 
-/**
- * A published result or a promise, and the result of these runs.
- *
- * @property claim the published result or the promise
- * @property seen the measured result
- * @property why the explanation of the claim
- */
+/** A published result or a promise, and the result of these runs. [why] is the explanation of the claim. */
 internal class Claim(val claim: String, val finding: Finding, val seen: String, val why: String)
 
 private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
@@ -35,7 +29,7 @@ private fun List<Finished>.of(view: View, vararg limits: Int) = filter {
 private fun List<Finished>.stopped() = count { it.result.outcome == Outcome.STOPPED }
 private fun List<Finished>.sinceLimit() = filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 }
 
-/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; an empty text if none has stopped. */
+/** Writes `, 350 ms after the limit and 180 ms after the agent perceived the wall (medians)`; an empty text if no run has stopped. */
 private fun List<Finished>.medians(): String {
     if (stopped() == 0) return ""
     val perceived = median(filter { it.result.outcome == Outcome.STOPPED }.map { (it.result.sincePerceivingMs ?: 0.0) / 1000 })
@@ -45,7 +39,10 @@ private fun List<Finished>.medians(): String {
 
 private fun finding(found: Int, of: Int) = if (found == of) Finding.YES else if (found > 0) Finding.PARTLY else Finding.NO
 
-/** Returns the published results and the results of [runs] under that condition. Claims on levels outside [plan] are not tested. */
+/**
+ * Returns the published results and the results of those [runs] that have the published condition. Claims on levels outside of [plan] are
+ * not tested.
+ */
 internal fun publishedClaims(runs: List<Finished>, plan: Plan, analysis: Factorial?): List<Claim> {
     val published = runs.filter { it.trial.condition == Condition.PUBLISHED }
     if (published.isEmpty()) return emptyList()
@@ -132,7 +129,7 @@ private fun allocation(analysis: Factorial?): Claim? {
     )
 }
 
-/** Returns the promise for [condition], one of this project's own, with the results of [runs]; null without runs. */
+/** Returns this project's own promise for [condition] with the results of [runs]; null without runs. */
 internal fun promise(runs: List<Finished>, condition: Condition): Claim? {
     val own = runs.filter { it.trial.condition == condition && leavesTime(it.trial) }.ifEmpty { return null }
     val none = own.of(View.NONE)
@@ -159,7 +156,7 @@ else "The agent gets the newest frame, and gets it when it has handled the event
 /** Returns the median of [values], which are not empty. */
 internal fun median(values: List<Double>): Double = values.sorted().let { (it[(it.size - 1) / 2] + it[it.size / 2]) / 2 }
 
-/** Writes [value] with this number of [decimals]; a value that rounds to 0 has no sign. */
+/** Writes [value] with this number of [decimals]. A value that rounds to 0 has no sign. */
 internal fun rounded(value: Double, decimals: Int): String =
     String.format(Locale.ROOT, "%.${decimals}f", value).let { if (it.toDouble() == 0.0) it.removePrefix("-") else it }
 
@@ -167,5 +164,4 @@ internal fun whole(value: Double): String = rounded(value, 0)
 internal fun one(value: Double): String = rounded(value, 1)
 internal fun three(value: Double): String = rounded(value, 3)
 
-/** Writes [value] with two significant digits. */
 internal fun twoDigits(value: Double): String = BigDecimal(value).round(MathContext(2)).toPlainString()

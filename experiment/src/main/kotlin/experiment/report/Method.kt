@@ -24,11 +24,8 @@ import java.time.temporal.ChronoUnit
 internal class Provenance(val build: String, val at: Instant, val machine: String)
 
 /**
- * Describes the method of the experiment with [settings], as items of a list in HTML.
- *
- * @param runs the runs that count
- * @param failed the runs that do not count
- * @param made the program and the machine that made them
+ * Describes the method of the experiment with [settings], as items of a list in HTML. [made] is the program and the machine behind the
+ * report.
  */
 internal fun method(settings: Settings, runs: List<Finished>, failed: List<Finished>, made: Provenance): String =
     ((if (settings.port == null) simulated(settings, runs) else real(settings.port)) + common(settings, failed, made))
@@ -83,7 +80,10 @@ private fun common(settings: Settings, failed: List<Finished>, made: Provenance)
             escaped(failed.joinToString("; ") { "${it.trial.id}: ${it.result.reason}" }),
 )
 
-/** Writes the warning that the machine was too late in some of [runs], with their names; an empty text if it was not. */
+/**
+ * Writes the warning that the machine was too late in some of [runs], with the names of these runs. If the machine was never too late, the
+ * text is empty.
+ */
 internal fun busyMachine(runs: List<Finished>): String {
     val late = runs.filter { it.isLate }.sortedBy { it.trial.id }.ifEmpty { return "" }
     return "<p><strong>The machine was busy.</strong> In ${late.size} of ${runs.size} runs it was later than their condition allows " +

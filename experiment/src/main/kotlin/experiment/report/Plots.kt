@@ -90,7 +90,6 @@ private fun Plot.dressed(shades: Shades, width: Int, height: Int): Plot = this +
 
 private fun title(condition: Condition) = "(${condition.letter}) ${condition.title}"
 
-/** Names [view] in words. */
 internal fun words(view: View) = when (view) {
     View.NONE -> "no filter"
     View.FRONT_SIDE -> "front side"
@@ -99,7 +98,7 @@ internal fun words(view: View) = when (view) {
 
 private val FILTERS = View.entries.map(::words)
 
-/** The ends of a run with the shapes that show them: the shapes of runs in which the machine was late are hollow. */
+/** The ends of a run with their shapes in the figures. A hollow shape marks a run in which the machine was late. */
 private val ENDS = listOf("stopped" to 16, "ran into the wall" to 4, "stopped, busy machine" to 1, "wall, busy machine" to 13)
 
 private fun end(run: Finished) = ENDS[(if (run.result.outcome == Outcome.COLLIDED) 1 else 0) + if (run.isLate) 2 else 0].first
@@ -120,7 +119,7 @@ private fun TimeScale.label(seconds: Double) = BigDecimal("$seconds").multiply(B
 
 private fun conditions(runs: List<Finished>) = runs.distinctBy { it.trial.condition }.size
 
-/** Plots the final places of the robots in all combinations, as the published figure does, a row for each condition. */
+/** Plots the final places of the robots in all combinations, like the published figure, in a row for each condition. */
 internal fun distancesFigure(runs: List<Finished>, plan: Plan, shades: Shades): Plot {
     val data = mapOf(
         "x" to
@@ -169,7 +168,7 @@ internal fun timesFigure(runs: List<Finished>, scale: TimeScale, shades: Shades)
         ).dressed(shades, maxOf(960, 320 * conditions(runs)), 420)
 }
 
-/** Plots the allocation of variation, published and here. */
+/** Plots the published allocation of variation and that of these runs. */
 internal fun sharesFigure(analyses: Map<Condition, Factorial>, shades: Shades): Plot {
     val names = listOf("published") + analyses.keys.map(::title)
     val sources = Source.entries.map(::words) + "error"

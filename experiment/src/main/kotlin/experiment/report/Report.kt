@@ -18,10 +18,8 @@ import java.time.temporal.ChronoUnit
 import java.util.Base64
 
 /**
- * Writes the report on the [finished] runs as one page, `report.html`, its figures as SVG and PNG in `figures/`, and all runs as
- * `runs.csv`.
- *
- * @return the file of the page
+ * Writes the report on the [finished] runs. The report is a page `report.html`, the figures as SVG and PNG in `figures/`, and all runs in
+ * `runs.csv`. Returns the file of the page.
  */
 internal fun writeReport(directory: Path, settings: Settings, finished: List<Finished>, made: Provenance): Path {
     Files.createDirectories(directory.resolve("figures"))
@@ -78,7 +76,7 @@ ${busyMachine(runs + scaled)}${leftOut()}$counts"""
         "${stopped(runs)} of ${runs.size} (${whole(100 * it.low)} to ${whole(100 * it.high)})"
     }
 
-    /** Says what a plan shorter than the published one leaves out. */
+    /** Explains what a plan shorter than the published one leaves out. */
     private fun leftOut(): String {
         val limits = (Plan.FULL.limits - plan.limits.toSet()).map { "the limit of $it cm" }
         val intervals = (Plan.FULL.intervals - plan.intervals.toSet()).map { "the interval of $it ms" }
@@ -173,7 +171,7 @@ the wall.</p>
         return shares + figure + allocation.intervals(nextTable())
     }
 
-    /** Returns true if [response] is the time from perceiving the wall in all runs of [condition], whose shares have a table already. */
+    /** Returns true if [response] equals the time from perceiving the wall in all runs of [condition], which has a table already. */
     private fun isRepeated(response: Response, condition: Condition) = response == Response.LEAST_PERCEIVED_TIME &&
         runs.none { it.trial.condition == condition && it.result.outcome == Outcome.COLLIDED }
 
@@ -191,8 +189,8 @@ the wall.</p>
     }
 
     /**
-     * Writes the figure [name] as SVG and PNG, and shows it in the page in the colours of the reader; [instead] is its text for screen
-     * readers.
+     * Writes the figure [name] as SVG and PNG, and shows it in the page in the colours of the reader. Screen readers get the text
+     * [instead].
      */
     private fun figure(name: String, caption: String, instead: String, plot: (Shades) -> Plot): String {
         if (runs.isEmpty() && scaled.isEmpty()) return "<p>There are no runs yet.</p>"

@@ -4,7 +4,7 @@ import experiment.Finished
 import experiment.maxLateMs
 
 /**
- * Writes all of [runs] as comma-separated values (RFC 4180), a line for each and the names of the columns in the first.
+ * Writes all of [runs] as comma-separated values (RFC 4180), a line for each, with the names of the columns in the first line.
  *
  * @param seed the seed of the order of the runs
  * @param build the version and the commit of ARGO, in words

@@ -5,7 +5,7 @@ import experiment.Outcome
 import experiment.exchangeNanos
 import experiment.leavesTime
 
-/** The results of [runs] beyond the paper, in words and in a table, with their figure between the two. */
+/** The results of [runs] beyond the paper, in words, a figure and a table. */
 internal class Scaling(private val runs: List<Finished>) {
     val scale: TimeScale = TimeScale.of(runs.filter { it.result.outcome == Outcome.STOPPED }.map { it.result.sinceLimitMs / 1000 })
     private val bauds = runs.map { it.trial.baud }.distinct().sorted()
@@ -46,7 +46,6 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
             listOf(stopsFrom?.let { "$it baud" } ?: "none", stopsFrom?.let { "${exchangeNanos(trial.copy(baud = it)) / 1_000_000}" } ?: "–")
     }
 
-    /** Explains the words of [fate]. */
     fun explained(): String = "${word()} from the limit to the stop. wall: it ran into the wall. too slow: it did too, and the line by " +
         "itself takes longer than the limit leaves, whatever the program does. idle: no command to drive took effect. failed: the agent " +
         "gave up, or the run ended otherwise. *: the machine was busy."
@@ -54,7 +53,6 @@ Version 2 has no such bound: its answers come whole, and its commands are acknow
     private fun word() = scale.word.replaceFirstChar(Char::uppercase)
 }
 
-/** Returns the outcome of [run], in a word or in units of [scale]. */
 internal fun fate(run: Finished, scale: TimeScale): String = when (run.result.outcome) {
     Outcome.STOPPED -> scale.text(run.result.sinceLimitMs / 1000)
     Outcome.COLLIDED -> if (leavesTime(run.trial)) "wall" else "too slow"

@@ -5,7 +5,6 @@ import experiment.analysis.Interval
 /**
  * The unit of the times in a table or a figure: seconds, or milliseconds if all are below one second.
  *
- * @property unit the unit's symbol
  * @property word the unit's name in the plural
  * @property perSecond the number of units in a second
  * @property fewDecimals the decimals of a time whose interval is not known
@@ -18,7 +17,6 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     /** Writes an interval of seconds in this unit, with the meaningful decimals. */
     fun text(seconds: Interval): String = range(of(seconds), decimals(seconds))
 
-    /** Returns the number of meaningful decimals of an interval of [seconds] in this unit. */
     fun decimals(seconds: Interval): Int = if (seconds.isKnown) minOf(of(seconds).decimals, mostDecimals) else fewDecimals
 
     private val Interval.isKnown get() = low.isFinite() && high.isFinite()
@@ -26,7 +24,7 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
 
     companion object {
-        /** Returns the scale for all of [seconds]; infinite ones, which are not known, do not count. */
+        /** Returns the scale for all of [seconds]. Infinite ones are not known, and do not count. */
         fun of(seconds: Collection<Double>): TimeScale {
             val known = seconds.filter(Double::isFinite)
             return if (known.isNotEmpty() && known.all { it < 1 && it > -1 }) MILLISECONDS else SECONDS

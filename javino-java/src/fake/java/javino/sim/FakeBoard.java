@@ -15,7 +15,7 @@ import javino.wire.BoardAction;
 import javino.wire.WireFrame;
 
 /**
- * A board for tests. It is plugged in as {@code sim:name}, answers by the rules of the test, and keeps the messages that it received:
+ * A board for tests. It is plugged in as {@code sim:name}, answers by the test's rules, and records its messages:
  *
  * <pre>{@code
  * try (FakeBoard board = FakeBoard.plugIn("robot")) {
@@ -25,13 +25,13 @@ import javino.wire.WireFrame;
  * }
  * }</pre>
  *
- * <p>It is strict: {@link #verify} and {@link #close} fail if it received a message that no rule covers, that was not
- * {@linkplain #expect expected} and that the test did not take with {@code awaitMessage}; if it did not receive an expected one; and if it
- * lost one, see {@link #queueSize}. {@link #lenient} turns that off.
+ * <p>It is strict: {@link #verify} and {@link #close} fail if it missed an {@linkplain #expect expected} message, lost a message (see
+ * {@link #queueSize}), or received a surprising one. A message is surprising if no rule covers it, the test did not expect it, and did not
+ * take it with {@code awaitMessage}. {@link #lenient} turns this off.
  *
- * <p>Unless set otherwise it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, as a
- * board without sensors does. The line has the rate that the port is opened with. All methods are safe on any thread; rules may be changed
- * while the board runs.
+ * <p>By default it starts at once, holds any number of messages, and answers {@code getPercepts} with an empty message, like a board
+ * without sensors. The line has the rate with which the port is opened. All methods are safe on any thread; rules may be changed while the
+ * board runs.
  */
 public final class FakeBoard implements AutoCloseable {
     private static final int MAX_DRAIN_MILLIS = 10_000;
@@ -62,8 +62,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * A new board that is not plugged in and uses {@code clock}: the caller runs its {@link #program}, on a line of the same clock.
-     *
+     * A new board that is not plugged in and uses {@code clock}. The caller runs its {@link #program} on a line of this clock.
      * @param name the board's name in messages
      */
     public static FakeBoard unplugged(String name, LineClock clock) {
@@ -75,7 +74,7 @@ public final class FakeBoard implements AutoCloseable {
         return SimulatedBoards.SCHEME + ':' + name;
     }
 
-    /** The program of the board, for a test that runs it at the end of another line: a pseudo-terminal, say. */
+    /** The board's program, for a test that runs it at the end of another line, such as a pseudo-terminal. */
     public SimulatedBoard program() {
         return sketch;
     }
@@ -85,26 +84,26 @@ public final class FakeBoard implements AutoCloseable {
         return script.rule(message, message::equals);
     }
 
-    /** Sets how the board handles messages of a kind. A rule for one message comes before; among rules for kinds the earliest counts. */
+    /** Sets how the board handles messages of a kind. A rule for one message goes first; among rules for kinds the earliest wins. */
     public Rule whenAsked(Predicate<String> kind) {
         return script.rule(null, kind);
     }
 
-    /** Expects a message once; call it twice for two. */
+    /** Expects a message once; two calls expect it twice. */
     public FakeBoard expect(String message) {
         record.expect(message);
         return this;
     }
 
-    /** Accepts messages that are not expected, and the lack of expected ones. */
+    /** Accepts unexpected messages, and the lack of expected ones. */
     public FakeBoard lenient() {
         strict = false;
         return this;
     }
 
     /**
-     * Sets how many received messages the board holds while it is busy; one more overwrites the oldest, which is then {@link #overwritten}.
-     * Boards in the field hold one. Frames of version 2 are repeated by the computer, so none counts as overwritten.
+     * Sets how many received messages a busy board holds; one more overwrites the oldest, see {@link #overwritten}. Boards in the field
+     * hold one. The computer repeats frames of version 2, so none of these counts as overwritten.
      */
     public FakeBoard queueSize(int messages) {
         if (messages < 1) {
@@ -116,9 +115,9 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board speak version 2 of the protocol with computers that speak it, and version 1 with others. In version 2 it acknowledges
-     * commands when it has handled them, and handles a repeated command only once; answers may be longer than a frame, and the answer to a
-     * command is sent as percepts that nobody asked for. To be called before the port is opened.
+     * Lets the board speak version 2 with computers that speak it, and version 1 with others. In version 2 the board acknowledges a command
+     * when it has handled it, and handles a repeated command only once. Answers may be longer than a frame. The answer to a command goes
+     * out as unasked percepts. Call this before the port is opened.
      */
     public FakeBoard version2() {
         sketch.protocol = Protocol.AUTO;
@@ -126,9 +125,8 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Gives the board a vocabulary, which it reports to computers of version 2. Without it they check no command.
-     *
-     * @param actions {@code ledOn}, {@code speed/1} with an argument; {@code say/*} with any number of them
+     * Gives the board a vocabulary, which it reports to computers of version 2. Without a vocabulary they check no command.
+     * @param actions {@code ledOn}; {@code speed/1}, with one argument; {@code say/*}, with any number of arguments
      */
     public FakeBoard knows(String... actions) {
         sketch.vocabulary = Arrays.stream(actions).map(FakeBoard::action).toList();
@@ -156,28 +154,28 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Lets the board of version 2 watch at most {@code rules} critical rules, 0 unless set. While it has some it compares them with its
-     * answer to {@code getPercepts} every 5 ms, or as often as its {@linkplain #loopTakes loop} allows. It handles and records a reflex
-     * like a received command. To be called before the port is opened.
+     * Lets the board of version 2 watch at most {@code rules} critical rules; 0 by default. Every 5 ms, or in each round of a slower
+     * {@linkplain #loopTakes loop}, it compares them with its answer to {@code getPercepts}. It handles and records a reflex like a
+     * received command. Call this before the port is opened.
      */
     public FakeBoard holdsRules(int rules) {
         sketch.rules = rules;
         return this;
     }
 
-    /** Sets how many milliseconds the board does something else between two messages, as a sketch's {@code loop()} does. */
+    /** Sets how many milliseconds the board is busy otherwise between two messages, like a sketch's {@code loop()}. */
     public FakeBoard loopTakes(int millis) {
         sketch.loopMillis = millis;
         return this;
     }
 
-    /** Sets how many milliseconds the board takes to start when its port is opened; bytes that come in that time are lost. */
+    /** Sets how many milliseconds the board takes to start when its port is opened; bytes that arrive in that time are lost. */
     public FakeBoard bootTakes(int millis) {
         sketch.bootMillis = millis;
         return this;
     }
 
-    /** Stops the board from reading: bytes that come wait until {@link #resume}. */
+    /** Stops the board from reading: bytes wait until {@link #resume}. */
     public void stall() {
         sketch.stall(true);
     }
@@ -188,7 +186,7 @@ public final class FakeBoard implements AutoCloseable {
     }
 
     /**
-     * Sends a message that nobody asked for, in the version of the protocol in which the board was last addressed.
+     * Sends a message unasked, in the protocol version of the last message to the board.
      *
      * @throws IllegalStateException if nobody has the port open
      */
@@ -233,39 +231,38 @@ public final class FakeBoard implements AutoCloseable {
         sketch.awaitOpen(timeoutMillis);
     }
 
-    /** All messages the board has handled so far, in their order. */
     public List<String> received() {
         return record.received();
     }
 
-    /** Like {@link #received()}, each with its time: the difference of two times tells how long after a percept a command came. */
+    /** The messages that the board has handled so far, each with its time. */
     public List<ReceivedMessage> receivedMessages() {
         return record.receivedMessages();
     }
 
-    /** The messages that came but were overwritten by later ones before the board got to them. */
+    /** The messages that later ones overwrote before the board got to them. */
     public List<String> overwritten() {
         return record.overwritten();
     }
 
     /**
-     * Takes the next message that no rule covers, waiting for it if need be.
+     * Takes the next message that no rule covers, and waits for it if necessary.
      *
      * @param timeoutMillis milliseconds to wait at most
-     * @throws AssertionError if none came; the message lists those that did
+     * @throws AssertionError if none came; lists those that came
      */
     public String awaitMessage(int timeoutMillis) {
         return record.take(message -> true, "a message", timeoutMillis);
     }
 
-    /** Takes {@code message}, waiting for it if need be, and leaves others; as {@link #awaitMessage(int)}. */
+    /** Takes {@code message}, and waits for it if necessary; leaves others, as {@link #awaitMessage(int)}. */
     public void awaitMessage(String message, int timeoutMillis) {
         record.take(message::equals, '"' + message + '"', timeoutMillis);
     }
 
     /**
-     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms and not while it is {@linkplain
-     * #stall stalled}; then fails, unless it is lenient, if it received an unexpected message or missed an expected one.
+     * Waits until the board has received all that was sent to it, at most {@value #MAX_DRAIN_MILLIS} ms, and not while it is
+     * {@linkplain #stall stalled}. Then fails, unless the board is lenient, if a message was surprising, missing or lost.
      *
      * @throws AssertionError that lists the faults and all messages received
      */
@@ -276,7 +273,7 @@ public final class FakeBoard implements AutoCloseable {
         }
     }
 
-    /** Does as {@link #verify}, and unplugs the board. */
+    /** Calls {@link #verify}, and unplugs the board. */
     @Override
     public void close() {
         try {
@@ -286,7 +283,7 @@ public final class FakeBoard implements AutoCloseable {
         }
     }
 
-    /** The way in which a board handles a message: after a delay it answers. Without an answer it stays silent. */
+    /** How a board handles a message: it answers after a delay, or stays silent. */
     public static final class Rule {
         volatile int delayMillis;
         volatile boolean refused;
@@ -297,15 +294,15 @@ public final class FakeBoard implements AutoCloseable {
 
         Rule() {}
 
-        /** Lets the board take {@code millis} milliseconds before it answers; it does nothing else meanwhile. */
+        /** Lets the board take {@code millis} milliseconds before it answers; it does nothing else in that time. */
         public Rule after(int millis) {
             delayMillis = millis;
             return this;
         }
 
         /**
-         * Answers with these messages, one each time, and with the last of them from then on. The rules that the board {@linkplain
-         * FakeBoard#holdsRules holds} are compared with the answer whose turn is next.
+         * Answers with these messages in turn; the last one is repeated. The board compares the rules that it
+         * {@linkplain FakeBoard#holdsRules holds} with the answer whose turn is next.
          */
         public Rule answer(String first, String... next) {
             FakeBoardScript.InTurn answers = new FakeBoardScript.InTurn(first, next);
@@ -313,8 +310,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Answers with the result of {@code answer} for the message; null: no answer. The function is called on the board's thread, also
-         * every few milliseconds while the board watches rules.
+         * Answers with the result of {@code answer} for the message; null: no answer. The board's thread calls the function; while the
+         * board watches rules, every few milliseconds.
          */
         public Rule answer(UnaryOperator<String> answer) {
             return answer(answer, () -> answer.apply(PerceptsRequest.ALL));
@@ -323,7 +320,7 @@ public final class FakeBoard implements AutoCloseable {
         /**
          * Like {@link #answer(UnaryOperator)}.
          *
-         * @param sensors gives the percepts that the board compares with the rules that it holds, every few milliseconds
+         * @param sensors gives the percepts to compare with the board's rules, every few milliseconds
          */
         public Rule answer(UnaryOperator<String> answer, Supplier<String> sensors) {
             this.answer = answer;
@@ -339,8 +336,8 @@ public final class FakeBoard implements AutoCloseable {
         }
 
         /**
-         * Lets the board of version 2 begin the command at once and report its outcome {@code millis} milliseconds later. Meanwhile it
-         * answers requests, and carries out no other command.
+         * Lets the board of version 2 begin the command at once, and report its outcome {@code millis} milliseconds later. Until then it
+         * answers requests, but carries out no other command.
          */
         public Rule outcomeAfter(int millis) {
             outcomeMillis = millis;
@@ -352,7 +349,7 @@ public final class FakeBoard implements AutoCloseable {
             return answer(message -> null, () -> "");
         }
 
-        /** Refuses the message as a command that the board does not know; in version 1 the board stays silent. */
+        /** Refuses the message, like an unknown command; in version 1 the board stays silent. */
         public Rule refuse() {
             refused = true;
             return this;

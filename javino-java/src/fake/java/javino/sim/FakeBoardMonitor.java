@@ -21,7 +21,6 @@ final class FakeBoardMonitor {
         changed = lock.newCondition();
     }
 
-    /** Does work that reads or changes the state, and returns its result. */
     <T> T locked(Supplier<T> work) {
         lock.lock();
         try {
@@ -34,10 +33,10 @@ final class FakeBoardMonitor {
     }
 
     /**
-     * Waits until {@code reached} is true. It is called under the lock, about every millisecond, since it may depend on other state.
+     * Waits until {@code reached} is true. Calls it under the lock, about every millisecond, since it may depend on other state.
      *
      * @param what completes "interrupted while ..."
-     * @return false if it does not become true within {@code timeoutMillis}
+     * @return false if it is still false after {@code timeoutMillis}
      * @throws AssertionError if the thread is interrupted; it stays interrupted
      */
     boolean await(BooleanSupplier reached, int timeoutMillis, String what) {

@@ -7,7 +7,9 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javino.LineClock;
 
-/** The messages that a {@link FakeBoard} received; also which of them no rule, expectation or test accounts for. Safe on any thread. */
+/**
+ * The messages that a {@link FakeBoard} received, and those among them that no rule, expectation or test accounts for. Safe on any thread.
+ */
 final class FakeBoardRecord {
     private final String port;
     private final FakeBoardMonitor monitor; // guards the lists
@@ -54,7 +56,7 @@ final class FakeBoardRecord {
         return monitor.locked(() -> List.copyOf(overwritten));
     }
 
-    /** Takes the first message that is not accounted for and is {@code wanted}; {@code what} describes it to a person. */
+    /** Takes the first {@code wanted} message that is not accounted for; {@code what} describes it to a person. */
     String take(Predicate<String> wanted, String what, int timeoutMillis) {
         List<String> taken = new ArrayList<>();
         boolean came = monitor.await(
@@ -96,7 +98,6 @@ final class FakeBoardRecord {
                 : received.stream().map(this::timed).collect(Collectors.joining(", ", "what came in all: ", ""));
     }
 
-    /** The message with the time since the board was made. */
     private String timed(ReceivedMessage message) {
         return '"' + message.text() + "\" at " + TimeUnit.NANOSECONDS.toMillis(message.nanos() - madeNanos) + " ms";
     }

@@ -31,7 +31,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private final FakeBoardMonitor monitor;
     private final LineClock clock;
     private final String port;
-    private BoardLoop open; // guarded by the monitor, like the next field
+    private BoardLoop open; // guarded by the monitor, as is stalled
     private boolean stalled;
 
     /** @param port the port that exceptions name */
@@ -69,7 +69,7 @@ final class FakeBoardSketch implements SimulatedBoard {
                 loop.pause(TimeUnit.MILLISECONDS.toNanos(loopMillis));
             }
         } finally {
-            // a board that was plugged in again may be open anew by now
+            // the board may be plugged in and open again by now
             monitor.locked(() -> open = open == loop ? null : open);
         }
     }
@@ -85,7 +85,7 @@ final class FakeBoardSketch implements SimulatedBoard {
     private final class Run implements BoardProgram {
         private final BoardLoop loop;
         private FakeBoard.Rule begun; // the rule whose outcome is reported later; null: none
-        private long action; // the action of that rule; 0: it is not known yet
+        private long action; // the action of that rule; 0: not known yet
         private long dueNanos;
 
         Run(Transport line) {
@@ -120,7 +120,7 @@ final class FakeBoardSketch implements SimulatedBoard {
             return rule != null && rule.refused ? Outcome.REFUSED : Outcome.DONE;
         }
 
-        /** Reports the outcome of the action that was begun, if its time has come. */
+        /** Reports the outcome of the open action, if its time has come. */
         void report() throws PortException, InterruptedException {
             if (begun == null) {
                 return;
@@ -154,11 +154,11 @@ final class FakeBoardSketch implements SimulatedBoard {
                     .orElse("");
         }
 
-        /** Records a message and finds its rule; null: there is none. */
+        /** Records a message and finds its rule; null: no rule covers it. */
         private FakeBoard.Rule begin(String message) {
             FakeBoard.Rule rule = script.ruleFor(message).orElse(null);
             record.received(message, rule != null);
-            loop.markHandled(); // the rest leaves the received messages as they are
+            loop.markHandled(); // from here on the received messages do not change
             return rule;
         }
 
@@ -173,7 +173,6 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    /** Sends a message to the port that is open. */
     void send(String message) throws PortException {
         BoardLoop loop = requireOpen();
         try {
@@ -183,12 +182,10 @@ final class FakeBoardSketch implements SimulatedBoard {
         }
     }
 
-    /** Writes bytes to the port that is open. */
     void write(byte[] bytes) throws PortException {
         requireOpen().write(bytes);
     }
 
-    /** Writes a frame of the current session to the port that is open. */
     void write(WireFrame frame) throws PortException {
         BoardLoop loop = requireOpen();
         loop.write(frame.toBytes(loop.session().nonce()));
@@ -209,9 +206,8 @@ final class FakeBoardSketch implements SimulatedBoard {
     }
 
     /**
-     * Waits until all bytes sent to the board have been received, but not for a board that is stalled, or that does not run.
-     *
-     * @param starting whether the board's thread lives, so that this program runs or is about to
+     * Waits until the board has received all bytes sent to it; not if it is stalled or does not run.
+     * @param starting whether the board's thread lives: then this program runs, or is about to
      */
     void awaitDrained(BooleanSupplier starting, int timeoutMillis) {
         BoardLoop first = monitor.locked(() -> open);

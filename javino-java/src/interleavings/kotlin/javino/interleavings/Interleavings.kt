@@ -9,10 +9,10 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.concurrent.thread
 
 /**
- * Runs [block], which calls [concurrently], in as many interleavings of its threads as the system property `argo.interleavings` says. Fails
- * at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
+ * Runs [block], which calls [concurrently], in many interleavings of its threads: the system property `argo.interleavings` is their number.
+ * Fails at the first interleaving in which [block] throws or its threads wait for each other, and shows that interleaving.
  *
- * The block first runs once unchecked, so that the first use of classes is not part of the check.
+ * The block first runs once unchecked: the first use of classes is not part of the check.
  *
  * @param divisor divides the number of interleavings, for a block that is long
  */
@@ -26,12 +26,12 @@ internal fun inEachInterleaving(divisor: Int = 1, block: () -> Unit) {
         .addGuarantee(forClasses { name -> ATOMIC.any(name::startsWith) }.allMethods().treatAsAtomic())
         .verifier(EpsilonVerifier::class.java).minimizeFailedScenario(false) // the block checks itself
         .addCustomScenario { parallel { thread { actor(CheckedBlock::run) } } }
-    // An invocation may take 30 s by default. A busy machine needs all of that to instrument the classes that the first one meets.
+    // A busy machine needs more than the default of 30 s to instrument the classes of the first invocation.
     options.javaClass.getMethod("invocationTimeout\$lincheck", Long::class.java).invoke(options, 600_000L)
     options.check(CheckedBlock::class.java)
 }
 
-/** Does all [work] at once, each on a thread of its own, and returns when all is done; throws the exception of one that failed. */
+/** Does all [work] at once, each on a thread of its own. Returns when all is done; throws the exception of work that failed. */
 internal fun concurrently(vararg work: () -> Unit) {
     val failure = AtomicReference<Throwable?>()
     val threads = ArrayList<Thread>()
@@ -49,20 +49,19 @@ internal fun concurrently(vararg work: () -> Unit) {
 }
 
 /**
- * The most rounds of a loop that waits for no other thread. Lincheck lets another thread run after as many: with its default of ten it
- * takes the loops over a frame's bytes for loops that wait, and then explores no further. A blocked thread makes as many before it gives
- * way, so that a higher number costs time.
+ * The most rounds of a loop that waits for no other thread. After as many rounds Lincheck lets another thread run. With its default of ten
+ * it takes the loops over a frame's bytes for waiting loops, and stops exploring. A blocked thread makes as many rounds before it gives
+ * way, so a higher number costs time.
  */
 private const val LONGEST_LOOP = 40
 
-/** Packages of classes that one thread at a time uses: while a thread is in them, Lincheck lets no other thread run. */
+/** Packages of classes that one thread at a time uses: Lincheck switches no threads in them. */
 private val ATOMIC = listOf(
     "jason.", "argo.filters.", "javino.session.", "javino.sim.", "javino.wire.", "kotlin.collections.", "kotlin.text.",
 )
 
 private lateinit var checked: () -> Unit
 
-/** The block as Lincheck wants it. */
 internal class CheckedBlock {
     private var failure: Throwable? = null
 

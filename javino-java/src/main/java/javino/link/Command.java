@@ -21,7 +21,7 @@ final class Command implements SessionCommand {
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
     private volatile State state = State.WAITING;
     private long number;
-    private long beganBehind; // number of bytes written before this command
+    private long beganBehind;
 
     /** @param now time of its submission, by the link's clock */
     Command(Frame frame, SendOptions options, long now) {
@@ -63,7 +63,7 @@ final class Command implements SessionCommand {
         return submittedAt;
     }
 
-    /** Records how many commands have been submitted, this one included. */
+    /** Records this command's number: how many have been submitted, this one included. */
     void submitted(long count) {
         number = count;
     }
@@ -72,7 +72,6 @@ final class Command implements SessionCommand {
         return number;
     }
 
-    /** The text of a command up to its arguments or annotations. */
     static String functorOf(String text) {
         int end = 0;
         while (end < text.length() && text.charAt(end) != '(' && text.charAt(end) != '[') {
@@ -110,7 +109,7 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks it as going out behind the first {@code bytes} bytes of its line. The caller has found that it waits. */
+    /** Marks the command as going out behind the first {@code bytes} bytes of its line. The caller has found it waiting. */
     void begin(long bytes) {
         state = State.BEGUN;
         beganBehind = bytes;
@@ -121,7 +120,7 @@ final class Command implements SessionCommand {
         return beganBehind;
     }
 
-    /** Marks it as one that never goes out, unless it has begun. */
+    /** Marks the command as never going out, unless it has begun. */
     void withdraw() {
         if (state == State.WAITING) {
             state = State.WITHDRAWN;

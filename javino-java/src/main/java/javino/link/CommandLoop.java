@@ -17,9 +17,9 @@ import javino.Transport;
 import javino.wire.CommandItem;
 
 /**
- * Takes the commands of a line from its queue to the board, on the threads that call {@link #run} and {@link #sendAndAwait}. Each of these
- * threads, when it is free, takes the next command, its own or another's. If the line is free, the submitting thread writes its command at
- * once. Outcomes are reported outside of any lock, on the thread that finds them out; exceptions of dependents end no thread.
+ * Sends the queued commands of a line, on the threads that call {@link #run} and {@link #sendAndAwait}. Each free thread takes the next
+ * command, its own or another's. If the line is free, the submitting thread writes its command at once. The thread that learns an outcome
+ * reports it, outside of any lock. An exception of a dependent ends no thread.
  */
 final class CommandLoop {
     private static final System.Logger LOG = System.getLogger(CommandLoop.class.getName());
@@ -33,10 +33,7 @@ final class CommandLoop {
     private final Monitor.Change<PortException> start;
     private Long toldNanos; // the line's movedNanos() when the log was told that nothing gets through
 
-    /**
-     * @param monitor the monitor of the writer and of the line
-     * @param start returns when the board can be sent a command
-     */
+    /** @param start returns when a command may be sent to the board */
     CommandLoop(
             Monitor monitor,
             Transport transport,
@@ -52,7 +49,7 @@ final class CommandLoop {
         this.start = start;
     }
 
-    /** Queues a command, and writes it if that waits for nothing; see {@link Link#send(String, SendOptions)}. */
+    /** Queues a command, and writes it at once if that needs no wait; see {@link Link#send(String, SendOptions)}. */
     Command submit(Frame frame, SendOptions options) {
         return submit(new Command(frame, options, clock.nanos()), options);
     }
@@ -90,7 +87,7 @@ final class CommandLoop {
         return command;
     }
 
-    /** Queues a command. If it may be written now, it is begun under the same lock, so that no thread is woken for it, and written here. */
+    /** Queues a command. If the line is free, begins the command under the same lock, so no thread wakes for it, and writes it here. */
     private void queue(Command command) throws PortException {
         List<Command> replaced = new ArrayList<>();
         SessionLine.Outgoing frame = monitor.get(() -> {
@@ -115,7 +112,7 @@ final class CommandLoop {
         }
     }
 
-    /** Sends a board of version 1 a request, if the next command may go out only after one. */
+    /** Sends a board of version 1 a request if the next command may go out only behind one. */
     private void ask() throws PortException {
         if (!line.mustAskFirst()) {
             return;
@@ -125,12 +122,12 @@ final class CommandLoop {
             line.hasAsked();
         } catch (PortTimeoutException
                 | RuntimeException
-                | Error trouble) { // the last two are thrown by a transport; later commands still go out
+                | Error trouble) { // a transport throws the last two; later commands still go out
             fail(writer.withdrawNext(), trouble);
         }
     }
 
-    /** The time at which waiting commands are given up, unless one gets through before. */
+    /** The time at which waiting commands are given up, unless a command gets through before. */
     private long patienceEnds() {
         long now = clock.nanos();
         if (writer.head() == null) {
@@ -142,8 +139,8 @@ final class CommandLoop {
     }
 
     /**
-     * If no command has got through for {@link #PATIENCE_NANOS}, fails at once all commands without a time limit that have waited as long,
-     * so that none goes out late when the line moves again.
+     * Fails commands that have waited for {@link #PATIENCE_NANOS} in which nothing got through, so none goes out late; not those with a
+     * time limit.
      */
     private void giveUpStuck() {
         long now = clock.nanos();
@@ -173,7 +170,6 @@ final class CommandLoop {
                 .orElseGet(() -> writer.noTime(command.frame().length(), FrameWriter.PATIENCE_MILLIS));
     }
 
-    /** Sends a command and returns when it has arrived; see {@link Link#sendAndAwait}. */
     void sendAndAwait(Frame frame, SendOptions options, int timeoutMillis) throws PortException {
         Command own = submit(frame, options);
         try {
@@ -228,7 +224,7 @@ final class CommandLoop {
                                 + " when its time was over, and is not known to have arrived; it may have been carried out");
     }
 
-    /** Fails the commands that wait or are on their way, on a line that is gone for {@code reason}. */
+    /** Fails the commands that wait or are on their way: the line is gone for {@code reason}. */
     void failAll(String reason) {
         writer.withdrawIf(command -> true).forEach(command -> fail(command, new PortGoneException(port, reason)));
         line.abandon(new PortGoneException(port, reason));

@@ -15,7 +15,7 @@ final class CommandQueue {
     private long submitted;
     private long finished;
 
-    /** Queues a command, in place of the first equally urgent one that it replaces. Returns the commands that it replaces. */
+    /** Queues a command, at the place of the first equally urgent command that it replaces. Returns all commands that it replaces. */
     List<Command> add(Command command) {
         List<Command> replaced = command.isLatest() ? withdrawIf(command::replaces) : List.of();
         List<Command> its = command.isUrgent() ? urgent : ordinary;
@@ -34,7 +34,6 @@ final class CommandQueue {
         return replaced;
     }
 
-    /** The command whose turn is next; null: none waits. */
     Command head() {
         Command first = firstWaiting(urgent);
         return first != null ? first : firstWaiting(ordinary);
@@ -55,12 +54,12 @@ final class CommandQueue {
         return submitted;
     }
 
-    /** Returns whether as many commands are over as had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether at least {@code count} commands are over. */
     boolean areOver(long count) {
         return finished >= count;
     }
 
-    /** Returns whether no command still waits that had been submitted when {@link #submitted} returned {@code count}. */
+    /** Returns whether none of the first {@code count} submitted commands still waits. */
     boolean haveBegun(long count) {
         return haveBegun(urgent, count) && haveBegun(ordinary, count);
     }
@@ -80,7 +79,6 @@ final class CommandQueue {
         return givenUp;
     }
 
-    /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return waiting()
                 .filter(command -> !command.hasTimeLimit())

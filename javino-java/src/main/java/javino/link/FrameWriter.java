@@ -16,26 +16,24 @@ import javino.Transport;
 import javino.session.WaitingCommands;
 
 /**
- * The one queue of a line: gives commands and requests their turns, each when the {@link Pacer} lets it, and writes their frames.
- *
- * <p>A {@link SessionLine} takes the commands from it. In version 1 requests go out before waiting commands.
- *
- * <p>Safe on any thread; no lock is held while bytes are written.
+ * Gives the commands and requests of a line their turns, when the {@link Pacer} lets them, and writes their frames. A {@link SessionLine}
+ * takes the commands from it. In version 1 requests go out before waiting commands. Safe on any thread; no lock is held while bytes are
+ * written.
  */
 final class FrameWriter implements WaitingCommands<Command> {
-    /** The purpose of a frame, by which the pacer treats it: in version 1 an action or a request, or a frame of version 2. */
+    /** The kinds of frames that the pacer tells apart: actions and requests of version 1, and frames of version 2. */
     enum Kind {
         ACTION,
         REQUEST,
         SESSION
     }
 
-    /** Makes a frame when its turn has come, right before it is written; null: nothing is to be written any more. */
+    /** Makes a frame right before it is written; null: there is nothing to write any more. */
     interface Content {
         byte[] make() throws PortException;
     }
 
-    /** The most milliseconds that a command waits for a line on which nothing gets through, and again for a driver that takes nothing. */
+    /** The most milliseconds that a command waits while nothing gets through, and again while the driver takes nothing. */
     static final int PATIENCE_MILLIS = 5000;
 
     private static final System.Logger LOG = System.getLogger(FrameWriter.class.getName());
@@ -61,7 +59,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         outcomeNanos = clock.nanos();
     }
 
-    /** Queues a command, and returns the waiting commands that it replaces. */
     List<Command> submit(Command command) throws PortGoneException {
         return monitor.get(() -> {
             requireLine();
@@ -69,13 +66,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Takes a command out of the queue for good; false: the command has begun to go out. */
+    /** Withdraws a command; false: it has begun to go out. */
     boolean withdraw(Command command) {
         monitor.change(command::withdraw);
         return command.isWithdrawn();
     }
 
-    /** Withdraws the command whose turn is next; null if there is none. */
     Command withdrawNext() {
         return monitor.get(() -> {
             Command next = commands.head();
@@ -90,7 +86,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         return monitor.get(() -> commands.withdrawIf(isGivenUp));
     }
 
-    /** The time at which the first of the waiting commands without a time limit was submitted; empty: none waits. */
     OptionalLong waitingSince() {
         return monitor.get(commands::waitingSince);
     }
@@ -106,8 +101,8 @@ final class FrameWriter implements WaitingCommands<Command> {
     }
 
     /**
-     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true until the frame is
-     * written if the thread begins it under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
+     * Returns whether a thread that may not wait can write a frame: see {@link Transport#isWritableNow}. This stays true if the thread
+     * begins the frame under the same lock, with {@link #beginFrame}. The caller holds the monitor's lock.
      */
     boolean isWritableNow() {
         return !isWriting && hasRoom();
@@ -126,7 +121,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> readBytes = Math.max(readBytes, bytes));
     }
 
-    /** Nanoseconds until the next of the waiting commands may be written in version 1. The caller holds the monitor's lock. */
+    /** Nanoseconds until the next waiting command may be written, in version 1. The caller holds the monitor's lock. */
     long nanosUntilCommand() {
         Command next = commands.head();
         if (next == null || isWriting || turnsAwaited > 0) {
@@ -179,10 +174,9 @@ final class FrameWriter implements WaitingCommands<Command> {
      * Waits for its turn, ahead of waiting commands, and writes a frame.
      *
      * @param bytes number of the frame's bytes
-     * @param timeoutMillis the longest wait for the turn, in milliseconds, and again for the driver; the time for which the pacer holds a
-     *     frame back on a free line does not count
+     * @param timeoutMillis milliseconds to wait at most for the turn, without the pacer's hold on a free line, and again for the driver
      * @return the time, by the clock, at which the frame's last byte leaves the line
-     * @throws PortTimeoutException if its turn did not come in time, and then nothing was written; or if the driver did not take it
+     * @throws PortTimeoutException if the turn did not come in time, so nothing was written; or if the driver did not take the frame
      */
     long write(Kind kind, int bytes, int timeoutMillis, Content content) throws PortException {
         monitor.getInterruptibly(() -> {
@@ -234,17 +228,16 @@ final class FrameWriter implements WaitingCommands<Command> {
                 : "the line is busy with the messages before it, or the board takes long over them, as with delay(3000) in its loop()";
     }
 
-    /** Records that a frame goes out, which {@link #writeFrame} writes. The caller holds the monitor's lock. */
+    /** Records that a frame goes out; {@link #writeFrame} writes it. The caller holds the monitor's lock. */
     void beginFrame() {
         isWriting = true;
     }
 
     /**
-     * Writes a frame that has begun, and gives {@code whenWritten} the time at which its last byte leaves, also if the driver has not taken
-     * all of it. The caller does not hold the monitor's lock.
-     *
+     * Writes a frame that has begun. Gives {@code whenWritten} the time at which its last byte leaves, also if the driver has taken only a
+     * part. The caller does not hold the monitor's lock.
      * @param timeoutMillis milliseconds to wait at most for the driver; 0 if the line {@link #isWritableNow}
-     * @return the time at which its last byte leaves
+     * @return that time
      */
     long writeFrame(Kind kind, byte[] frame, int timeoutMillis, LongConsumer whenWritten) throws PortException {
         long start = clock.nanos();
@@ -310,7 +303,6 @@ final class FrameWriter implements WaitingCommands<Command> {
         });
     }
 
-    /** Waits until {@code nanosLeft} is 0 or less, see {@link Monitor#await}. */
     private void awaitZero(LongSupplier nanosLeft) throws PortException {
         monitor.await(() -> endReason != null ? 0 : nanosLeft.getAsLong());
         requireLine();
@@ -320,12 +312,12 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> pacer.received(bytes, now));
     }
 
-    /** Records that a message is complete: the answer, if one is awaited. Actions that waited for it may go out now. */
+    /** Records a complete message: the answer, if one is awaited. Actions that waited for the answer may go out now. */
     void answered(long now) {
         monitor.change(() -> pacer.answered(now));
     }
 
-    /** Records that a request of version 1 was not answered in its time, which is over at {@code now}. */
+    /** Records that the time for the answer to a request of version 1 is over at {@code now}. */
     void unanswered(long now) {
         monitor.change(() -> pacer.unanswered(now));
     }
@@ -335,12 +327,10 @@ final class FrameWriter implements WaitingCommands<Command> {
         monitor.change(() -> endReason = endReason == null ? reason : endReason);
     }
 
-    /** Returns whether the line is still there, as far as it is known. */
     boolean hasLine() {
         return monitor.get(() -> endReason == null);
     }
 
-    /** Throws a {@link PortGoneException} with the first reason that {@link #end} was given, if the line is gone. */
     void requireLine() throws PortGoneException {
         String reason = monitor.get(() -> endReason);
         if (reason != null) {

@@ -13,10 +13,8 @@ import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Reads a line. Frames of version 2 are handed on, messages of version 1 are kept until they are asked for.
- *
- * <p>Leader and followers: one of the waiting threads reads, keeps messages for the others, and hands the reading on when its own wait
- * ends.
+ * Reads a line. It hands on frames of version 2, and keeps messages of version 1 until a caller takes them.
+ * <p>One of the waiting threads reads for all (leader and followers). When its own wait ends, another one reads.
  */
 final class Inbox {
     /** Takes what arrives, while the monitor's lock is held; times are nanoseconds of the line's clock. */
@@ -37,9 +35,9 @@ final class Inbox {
     }
 
     private static final int BUFFER = 1024;
-    /** The most messages that wait to be taken; the newest are kept. A board may speak unasked although nobody takes its messages. */
+    /** The most messages that are kept; the newest stay. A board may send messages that nobody takes. */
     static final int MAX_MESSAGES = 64;
-    /** The most reads in a row of bytes that a line has ready: enough to empty any driver, but not endless on a line that never rests. */
+    /** The most reads in a row: enough to empty any driver, but with an end on a line that never rests. */
     private static final int READS = 64;
 
     private final Monitor monitor;
@@ -68,10 +66,7 @@ final class Inbox {
         lastByteNanos = clock.nanos();
     }
 
-    /**
-     * Returns the next message of version 1, or null if none is complete when the clock shows {@code deadlineNanos}; it does not wait if
-     * that time has passed. Returns null also as soon as the board speaks version 2.
-     */
+    /** Returns the next message of version 1; null: none is complete at {@code deadlineNanos}, or the board speaks version 2. */
     Reply next(long deadlineNanos) throws PortException {
         return monitor.get(() -> {
             while (true) {
@@ -131,7 +126,7 @@ final class Inbox {
         });
     }
 
-    /** Records that a frame of version 1 is about to go out, which is no message if the line brings it back. */
+    /** Records that a frame of version 1 is about to go out. If the line brings the frame back, that is no message. */
     void sends(Frame frame) {
         monitor.change(() -> {
             localEchoes.sends(frame);
@@ -139,7 +134,7 @@ final class Inbox {
         });
     }
 
-    /** The bytes that have come since the last message, of either version, and are no message so far. */
+    /** The bytes since the last message of either version. */
     StrayBytes strayBytes() {
         return monitor.get(() -> stray.soFar(transport.line().baud()));
     }
@@ -148,7 +143,7 @@ final class Inbox {
         return lastByteNanos;
     }
 
-    /** Frames of version 2 so far whose checksum was wrong. */
+    /** The number of frames of version 2 so far with a wrong checksum. */
     long corrupt() {
         return monitor.get(version2::corrupt);
     }
@@ -177,7 +172,7 @@ final class Inbox {
         long now = clock.nanos();
         if (count > 0) {
             accept(count, now);
-        } else { // a read that finds nothing shows a silence for the time that it was given: bytes may have come since
+        } else { // an empty read proves silence only for the time that it was given: bytes may have come since
             long silent = Math.min(now, start + TimeUnit.MILLISECONDS.toNanos(millis));
             version1.idle(silent);
             version2.idle(silent);

@@ -10,14 +10,14 @@ import javino.Transports;
 /**
  * The interface that Javino programs know: one call for each operation on a port, which returns whether it succeeded.
  *
- * <p>A port is opened when it is first named and stays open until {@link #close()}, since opening it resets most boards; a port whose
- * device has gone is opened anew by the next call. No call throws an exception of the line: {@link #lastError()} says why a call returned
+ * <p>The first call that names a port opens it, and it stays open until {@link #close()}, since opening resets most boards. If its device
+ * has gone, the next call opens the port anew. No call throws an exception of the line: {@link #lastError()} says why a call returned
  * false.
  *
- * <p>It speaks version 1 of the protocol, as programs of this interface expect, unless its settings ask for version 2.
+ * <p>It speaks version 1 of the protocol, as its programs expect, unless its settings ask for version 2.
  *
- * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} tell of the latest call on any thread. Not final, so that
- * tests of programs can replace it by a class of their own.
+ * <p>Calls may come from any thread; {@link #getData()} and {@link #lastError()} are about the latest call of all threads. Not final: tests
+ * may replace it by a subclass.
  */
 public class Javino implements AutoCloseable {
     private static final int DEFAULT_TIMEOUT_MILLIS = 1_000;

@@ -7,8 +7,8 @@ import javino.Protocol;
 import javino.wire.Welcome;
 
 /**
- * Knows whether the board at the other end runs, since it may start when its port is opened, and the version in which it is spoken to. Safe
- * on any thread; the version changes under the line's lock.
+ * Knows whether the board at the other end runs, and its version of the protocol. A board may still be starting when its port is opened.
+ * Safe on any thread; the version changes under the line's lock.
  */
 final class KnownBoard {
     private static final int NONE = -1;
@@ -21,8 +21,8 @@ final class KnownBoard {
     private volatile boolean hasHeard; // in version 1
     private volatile boolean hasSaidHello;
     private volatile Protocol protocol;
-    private volatile boolean hasLapsed; // it spoke version 2 and then fell silent, so another board may be there
-    private volatile int otherRevision = NONE; // revision of version 2 that it speaks
+    private volatile boolean hasLapsed; // it fell silent in version 2, so another board may be there
+    private volatile int otherRevision = NONE; // the revision of version 2 that it speaks
 
     /** @param settings their {@link LinkSettings#bootMillis()} count from now */
     KnownBoard(Monitor monitor, LineClock clock, LinkSettings settings) {
@@ -34,17 +34,16 @@ final class KnownBoard {
         isReady = settings.bootMillis() == 0;
     }
 
-    /** Nanoseconds for which it may still be starting; 0 once something has come from it, or it must have started. */
+    /** Nanoseconds for which the board may still be starting; 0: something has come from it, or it must have started. */
     long nanosToStart() {
         return isReady ? 0 : Math.max(0, startedAt - clock.nanos());
     }
 
-    /** Records that it runs. */
     void answered() {
         isReady = true;
     }
 
-    /** Records that it runs, and has said something in version 1. */
+    /** Records that the board runs and has sent something in version 1. */
     void heard() {
         hasHeard = true;
         isReady = true;
@@ -58,7 +57,7 @@ final class KnownBoard {
         hasSaidHello = true;
     }
 
-    /** Returns whether HELLO has been said, so that a board of version 2 would have answered. */
+    /** Returns whether HELLO has been sent, so that a board of version 2 would have answered. */
     boolean hasSaidHello() {
         return hasSaidHello;
     }
@@ -84,7 +83,7 @@ final class KnownBoard {
         return hasLapsed;
     }
 
-    /** Speaks version 1 from now on, unless the board answers a HELLO after all. */
+    /** Takes the board for one of version 1 from now on, unless it answers a HELLO after all. */
     void agreeOnVersion1() {
         monitor.change(() -> {
             hasLapsed = false;
@@ -102,20 +101,19 @@ final class KnownBoard {
         otherRevision = NONE;
     }
 
-    /** Records that it has fallen silent in version 2. */
     void lapsed() {
         hasLapsed = true;
         protocol = mustSpeak2() ? Protocol.V2 : Protocol.AUTO;
     }
 
-    /** Records that it speaks a revision of version 2 that is not spoken here; returns whether that is news. */
+    /** Records that the board speaks a revision of version 2 that this program does not speak; returns whether that is news. */
     boolean foundRevision(int revision) {
         boolean isNews = otherRevision != revision;
         otherRevision = revision;
         return isNews;
     }
 
-    /** The reason why there is no session with a board that has answered HELLO; empty: it has not answered, or there is a session. */
+    /** Why a board that has answered HELLO has no session; empty: it has not answered, or has a session. */
     Optional<String> noSession() {
         int revision = otherRevision;
         if (revision == NONE) {
@@ -130,12 +128,12 @@ final class KnownBoard {
                                 + "; use a newer version of ARGO");
     }
 
-    /** Returns whether it has to be asked for something before it is sent a command of version 1. */
+    /** Returns whether the board must be asked for something before it gets a command of version 1. */
     boolean mustAsk() {
         return !speaks2() && (mustAnswer() || protocol == Protocol.AUTO && !hasSaidHello);
     }
 
-    /** Returns whether a command of version 1 has to wait for an answer, and not only for WELCOME. */
+    /** Returns whether a command of version 1 has to wait for an answer: WELCOME is not enough. */
     boolean mustAnswer() {
         return nanosToStart() > 0 || protocol == Protocol.AUTO && (hasHeard || hasLapsed);
     }

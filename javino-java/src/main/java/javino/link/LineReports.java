@@ -4,10 +4,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 
-/**
- * Collects news under the line's lock and passes them on without that lock: outcomes of commands, reports of the board, warnings. Safe on
- * any thread.
- */
+/** Collects outcomes, reports of the board and warnings under the line's lock, and passes them on without it. Safe on any thread. */
 final class LineReports {
     private static final System.Logger LOG = System.getLogger(LineReports.class.getName());
 
@@ -40,7 +37,6 @@ final class LineReports {
         waiting.add(() -> LOG.log(System.Logger.Level.WARNING, text));
     }
 
-    /** Sets the listener that is called from now on. */
     void listener(BoardListener value) {
         listener = value;
     }

@@ -30,29 +30,23 @@ import javino.wire.BoardAction;
 import javino.wire.CommandItem;
 
 /**
- * An open port that one owner exchanges messages through.
- *
- * <p>Methods are safe on any thread. Typically one thread calls {@link #request} or {@link #listen}, which read the line on that thread and
- * take turns with each other. {@link #send} never waits: it queues a command, and a thread that is in {@link #writeCommandsUntilClosed}
- * takes it to the board. Frames go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle
- * them.
- *
- * <p>Opening a port resets most boards, which then take a second or two to start. A link finds out by asking: until the first message has
- * come from the board, or {@link LinkSettings#bootMillis()} since opening have passed, a request is repeated every 250 ms (or its own time
- * limit, if that is shorter), and the first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
- *
- * <p>Unless {@link LinkSettings#protocol()} says which version of the protocol is spoken, the link finds that out as well, and stays with
- * it: it asks first in version 2, and if there is no answer within 0.4 s, in version 1. A version 1 board does not understand the first
- * question and forgets it in that time; no frame of version 1 goes out before. From a board of version 2 messages come whole or not at all,
- * and {@link #send} knows what became of an action.
- *
- * <p>Once the device has gone, or the link is closed, every call, also one that waits, promptly throws {@link PortGoneException}, and the
- * port is free for another link. An interrupted call throws {@link PortInterruptedException} and the link stays usable.
+ * An open port through which one owner exchanges messages with a board.
+ * <p>Methods are safe on any thread. {@link #request} and {@link #listen} read the line on the calling thread, one after the other.
+ * {@link #send} never waits: it queues a command, and a thread in {@link #writeCommandsUntilClosed} takes the command to the board. Frames
+ * go out as {@link LinkSettings} say: at the line's pace, and no faster than a version 1 board can handle them.
+ * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
+ * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then a request is repeated every 250 ms, or after its own
+ * time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
+ * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. It asks first in version 2. If no answer
+ * comes within 0.4 s, it asks in version 1. A version 1 board does not understand the first question and forgets it in that time; no frame
+ * of version 1 goes out before. Messages of a version 2 board come whole or not at all, and {@link #send} learns the outcome of an action.
+ * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even one that waits, and the port is
+ * free for another link. An interrupted call throws {@link PortInterruptedException}; the link stays usable.
  */
 public final class Link implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Link.class.getName());
     private static final long MAX_WAIT_NANOS = TimeUnit.MILLISECONDS.toNanos(600);
-    /** Behind an answer or an outcome, the line is left free for this part of a request's time, for commands that the agent then sends. */
+    /** After an answer or an outcome, the line stays free for this part of a request's time: the agent may then send commands. */
     private static final int GRACE_DIVISOR = 8;
 
     private static final int REQUEST_BYTES = Frame.of(PerceptsRequest.ALL).length();
@@ -77,7 +71,7 @@ public final class Link implements AutoCloseable {
         this.claim = claim;
         this.clock = clock;
         ending = clock.newLock(false);
-        reading = clock.newLock(true); // fair: a sender that must wait for readiness gets its turn too
+        reading = clock.newLock(true); // fair: a sender that waits for readiness gets its turn
         Monitor monitor = new Monitor(clock, transport.name());
         writer = new FrameWriter(monitor, transport, new Pacer(settings, clock.nanos()), clock);
         line = new SessionLine(monitor, transport, clock, writer, settings);
@@ -91,7 +85,7 @@ public final class Link implements AutoCloseable {
      * Opens a port. If its owner is {@linkplain #leave leaving} it, waits until the port is free.
      *
      * @param port as {@link Transports#open} takes it: {@code ttyACM0}, {@code /dev/pts/3}, {@code COM8}, {@code sim:robot}
-     * @param owner the port's owner from now on, in words that {@link PortBusyException} can tell others
+     * @param owner the port's owner, in words, for {@link PortBusyException}
      * @throws NoSuchPortException if there is no such port
      * @throws PortBusyException if another link or program has it open
      * @throws PortPermissionException if this user may not open it
@@ -112,8 +106,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * A link on a line that is open already, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know.
-     * It has no owner, so {@link #ownerOf} knows nothing of it.
+     * A link on an open line, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know. It has no
+     * owner, so {@link #ownerOf} does not find it.
      *
      * @param transport closed with the link; its waits go by the same clock
      * @param settings their rate is that of the line
@@ -122,7 +116,7 @@ public final class Link implements AutoCloseable {
         return new Link(transport, settings, PortOwners.nobodys(transport.name()), clock);
     }
 
-    /** The owner of a port that a link of this program has open, under whatever name of that port. */
+    /** The owner of a port that a link of this program has open, under any name of the port. */
     public static Optional<String> ownerOf(String port) {
         return PortOwners.ownerOf(port);
     }
@@ -142,7 +136,7 @@ public final class Link implements AutoCloseable {
         return settings;
     }
 
-    /** The version that is spoken; {@link Protocol#AUTO} while it has not been found out. */
+    /** The version that is spoken; {@link Protocol#AUTO}: it is not known yet. */
     public Protocol protocol() {
         return board.protocol();
     }
@@ -188,13 +182,13 @@ public final class Link implements AutoCloseable {
         return description;
     }
 
-    /** The number of actions of the board's program that found no room on the board, so that it refuses them; 0 while that is not known. */
+    /** The number of actions of the board's program that found no room on the board, so it refuses them; 0: none, or not known yet. */
     public int actionsLost() {
         return line.session().actionsLost();
     }
 
     /**
-     * Sets the listener for reports that the board sends of its own accord, in place of the present one. If a session has begun already,
+     * Sets the listener for reports that the board sends of its own accord, in place of the present one. In a session,
      * {@link BoardListener#sessionBegan} is called at once, on the calling thread.
      */
     public void onBoardEvents(BoardListener listener) {
@@ -212,12 +206,12 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Sends a request and returns its answer. Messages received before it are dropped, since they answer earlier requests. After a request
-     * that was not answered in time, the next one takes for its answer the last message before the line falls silent.
+     * Sends a request and returns its answer. Messages that came before the request are dropped: they answer earlier requests. After a
+     * request without an answer in time, the next request takes the last message before a silence of the line for its answer.
      *
-     * @param timeoutMillis the longest wait for a turn on the line, in milliseconds, at least 1; then the board gets the same time to
-     *     answer, counted from the request's last byte. After a missed answer the line gets the same time once more to fall silent. While
-     *     the board may be starting, the request is repeated
+     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line; then the board gets the same time to answer,
+     *     counted from the request's last byte. After a missed answer the line gets that time once more to fall silent. While the board may
+     *     be starting, the request is repeated
      * @throws PortTimeoutException if no answer came
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#of(String)}
      */
@@ -231,9 +225,9 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #request(String, int)}, for a caller that asks again and again. The request first lets the commands go out that were
-     * submitted before this call, and then those that were submitted meanwhile, since a command that a request overtakes waits for a whole
-     * exchange. Each time it waits at most for the longer of the last exchange and the interval, so that commands cannot starve requests.
+     * Like {@link #request(String, int)}, for a caller that asks again and again. A command that a request overtakes waits for a whole
+     * exchange. So the commands submitted before this call go out first, and then those submitted meanwhile. Each of the two waits takes at
+     * most the longer of the last exchange and the interval, so commands cannot starve requests.
      *
      * @param message called when the request's turn has come
      * @param intervalMillis milliseconds between requests
@@ -259,7 +253,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands so far are over; in version 2, which carries both ways at once, until they have begun.
+     * Waits at most {@code nanos} until the commands so far are over. Version 2 carries both ways at once, so there it waits only until
+     * they have begun.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -274,9 +269,9 @@ public final class Link implements AutoCloseable {
         return board.speaks2() && !PerceptsRequest.isIn(message);
     }
 
-    /** In version 2 only percepts are requested. Any other message is a command, and the next message of the board is its answer. */
+    /** In version 2 only percepts are requested. Any other message is a command, and the board's next message is its answer. */
     private Reply answerToCommand(String message, int timeoutMillis) throws PortException {
-        line.session().takeHeard(); // the board says what is awaited behind the command
+        line.session().takeHeard(); // messages from before the command are no answer to it
         sendAndAwait(message, timeoutMillis);
         return listen(timeoutMillis);
     }
@@ -296,30 +291,30 @@ public final class Link implements AutoCloseable {
         return answered == null ? answerToCommand(request.text(), timeoutMillis) : answered;
     }
 
-    /** Returns the likely reason of a silence: there can be no session, bytes came in place of a message, or else {@code usual}. */
+    /** Returns the likely reason of a silence: no session is possible, bytes came that are no message, or else {@code usual}. */
     private String doubt(String usual) {
         StrayBytes stray = strayBytes();
         return board.noSession().orElseGet(() -> stray.count() == 0 ? usual : stray.inWords());
     }
 
-    /** The bytes that have come since the last message and are no message so far. Safe on any thread; does not wait. */
+    /** The bytes since the last message. Safe on any thread; does not wait. */
     public StrayBytes strayBytes() {
         return line.inbox().strayBytes();
     }
 
     /**
-     * Queues a command, urgent ones before the others, and returns at once. It goes out while a thread is in
-     * {@link #writeCommandsUntilClosed}.
+     * Queues a command and returns at once. A thread in {@link #writeCommandsUntilClosed} sends urgent commands before others.
      *
-     * <p>The future is completed outside of any lock, by the thread that finds the outcome out: when the last byte has left by the line's
-     * rate (if the link is not paced: when the driver has it), or in version 2 when the board has acted. In version 2 the command is
-     * repeated until then, and the board takes the repetitions for one command; it is given up after four repetitions and 2 s without any
-     * frame of the board. Else the future is completed with {@link ActionRefusedException} if the board does not know the command, or not
-     * with these arguments; {@link ActionUnconfirmedException} if it may have been carried out or not; {@link CommandWithdrawnException} if
-     * its time was over before it began to go out; {@link CommandReplacedException} if a later one took its place before that;
-     * {@link PortTimeoutException} if the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is
-     * gone; or with any exception of a transport. A command whose future is completed by others, cancelled for example, does not go out
-     * unless it has begun to.
+     * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 that is when the last byte has left by
+     * the line's rate; if the link is not paced, when the driver has it. In version 2 it is when the board has acted. The command is
+     * repeated until then, and the board takes the repetitions for one command. It is given up after four repetitions and 2 s without any
+     * frame of the board.
+     *
+     * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
+     * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was
+     * over before it began to go out; {@link CommandReplacedException} if a later command took its place; {@link PortTimeoutException} if
+     * the line had no time for it, or the driver did not take it; {@link PortGoneException} if the line is gone; or with any exception of a
+     * transport. If a caller completes or cancels the future, a command that has not begun does not go out.
      *
      * @throws IllegalArgumentException if the message does not fit into a frame, see {@link Frame#ofCommand(String)}
      */
@@ -328,16 +323,15 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. No command's
-     * text does so. The future is completed with {@link ActionRefusedException} also if the board speaks version 1.
+     * Like {@link #send}, for a command that sets or removes critical rules of the board, see {@link javino.wire.BoardRule}. The text of a
+     * command cannot do that. If the board speaks version 1, the future also fails with {@link ActionRefusedException}.
      */
     public CompletableFuture<Void> sendRule(CommandItem.Rule rule, SendOptions options) {
         return commands.submit(rule, options).outcome();
     }
 
     /**
-     * Takes the commands that are queued, now or later, to the board in their turn. This is no flush: call it on a thread of its own. It
-     * ends only when the link is closed, its device has gone or the thread is interrupted; then it throws.
+     * Takes queued commands to the board, present and future ones, until it throws. Call it on a thread of its own: this is no flush.
      *
      * <pre>{@code
      * new Thread(() -> {
@@ -361,13 +355,13 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Like {@link #send}, but on the calling thread, which also sends the commands before it if no other thread does. Returns when the
-     * command has arrived.
+     * Like {@link #send}, but on the calling thread. If no other thread sends the commands before this one, the calling thread does.
+     * Returns when the command has arrived.
      *
-     * @param timeoutMillis milliseconds, at least 1, that it waits at most for its turn on the line, after the board has had time to start
-     * @throws PortTimeoutException if its turn did not come, and then nothing was sent; or if the driver did not take it, and then some
+     * @param timeoutMillis milliseconds, at least 1, to wait at most for a turn on the line, after the board has had time to start
+     * @throws PortTimeoutException if the turn did not come, so nothing was sent; or if the driver did not take the frame, of which some
      *     bytes may have left
-     * @throws PortException as {@link #send} completes its future
+     * @throws PortException as the future of {@link #send} fails
      */
     public void sendAndAwait(String command, int timeoutMillis) throws PortException {
         Frame frame = Frame.ofCommand(command);
@@ -388,7 +382,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits for a message that the board sends of its own accord. If several are waiting, the newest is taken and the others are dropped.
+     * Waits for a message that the board sends of its own accord. Takes the newest; older ones are dropped.
      *
      * @param timeoutMillis milliseconds to wait at most, at least 1
      * @throws PortTimeoutException if none came
@@ -408,8 +402,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Reads the line for {@code timeoutMillis}, to take {@linkplain #onBoardEvents the board's reports} between two requests, and to notice
-     * that the device has gone. Messages that come meanwhile are left to {@link #listen}.
+     * Reads the line for {@code timeoutMillis} between two requests: takes {@linkplain #onBoardEvents the board's reports}, and notices if
+     * the device has gone. Leaves messages to {@link #listen}.
      *
      * @param timeoutMillis milliseconds, at least 1
      */
@@ -422,8 +416,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Finds out whether the device is still there, for a caller that does not read the line all the time. Does not wait, and takes no
-     * message from a thread that reads.
+     * Finds out whether the device is still there. Does not wait, and takes no message from a thread that reads.
      *
      * @throws PortGoneException if the device has gone
      */
@@ -440,7 +433,7 @@ public final class Link implements AutoCloseable {
         end("port " + port() + " is gone: it was closed");
     }
 
-    /** Announces {@link #close}: from now on an {@link #open} of the port waits until it is closed, for a while. Does not wait. */
+    /** Announces {@link #close}: an {@link #open} of this port now waits until the port is closed, for a while. Does not wait. */
     public void leave() {
         claim.leave();
     }
@@ -458,14 +451,14 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Returns when something has come from the board, or it must have started. */
+    /** Returns when something has come from the board, or the board must have started. */
     private void awaitStart() throws PortException {
         if (channel.sayHelloToListener()) {
             return;
         }
         try {
             if (!reading.tryLock(Math.max(board.nanosToStart(), MAX_WAIT_NANOS), TimeUnit.NANOSECONDS)) {
-                // another call waited for it meanwhile, or listens for so long that the action must not wait for it
+                // another call waited for the start meanwhile, or listens too long for the action to wait
                 return;
             }
         } catch (InterruptedException e) {
@@ -484,7 +477,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work that reads the line, in turn with others that read it. */
+    /** Does work that reads the line, one thread after the other. */
     private <T> T reading(Monitor.Work<T, PortException> work) throws PortException {
         try {
             reading.lockInterruptibly();
@@ -511,7 +504,7 @@ public final class Link implements AutoCloseable {
         }
     }
 
-    /** Does work, and looks at the line if its time is over: a thread that has waited for its turn has not read the line. */
+    /** Does work. If its time is over, looks at the line: a thread that waited for its turn has not read the line. */
     private <T> T lookingAtLast(Monitor.Work<T, PortException> work) throws PortException {
         try {
             return work.run();

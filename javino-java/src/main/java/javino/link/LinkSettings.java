@@ -9,13 +9,13 @@ import javino.Protocol;
  * Settings of a {@link Link}: how it treats its line and the board at the other end.
  *
  * @param baud bits a second
- * @param paced whether a frame is handed to the driver only when the one before has left the line by the baud rate, so that an
- *     urgent command never waits behind seconds of old ones; false writes at once
- * @param spacingMillis the least gap in milliseconds before the next frame, from the end of a frame to a version 1 board, or of its answer.
- *     The gap is longer, 50 ms, while fewer than six answers have been timed, and for a board whose answers show that its {@code loop()}
- *     takes long. 0: no gap, for a board that keeps all messages
+ * @param paced true: a frame goes to the driver only when the frame before it has left the line by the baud rate, so an urgent command
+ *     never waits behind seconds of old ones; false: at once
+ * @param spacingMillis least milliseconds between the end of a frame to a version 1 board, or of its answer, and the next frame. The gap is
+ *     50 ms until six answers have been timed, and longer than this for a board whose answers show a slow {@code loop()}. 0: no gap, for a
+ *     board that keeps all messages
  * @param boardQueue received messages that the board can hold, at least 1; boards in the field hold one
- * @param bootMillis for how many milliseconds after opening the board may be starting; 0 for a board that is known to run
+ * @param bootMillis milliseconds after opening during which the board may be starting; 0: the board runs
  * @param protocol the version of the protocol to speak; {@link Protocol#AUTO}: version 2 if the board speaks it, else version 1
  * @param messageLimit the most bytes of a message from a version 2 board, at least 255; longer messages are dropped
  */
@@ -27,7 +27,7 @@ public record LinkSettings(
         int bootMillis,
         Protocol protocol,
         int messageLimit) {
-    /** Bytes of a message from a version 2 board unless another limit is set. */
+    /** Most bytes of a message from a version 2 board, if no other limit is set. */
     public static final int DEFAULT_MESSAGE_LIMIT = 65_536;
 
     public LinkSettings {
@@ -85,7 +85,6 @@ public record LinkSettings(
         return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, protocol, value);
     }
 
-    /** The line these settings ask for. */
     public LineSettings line() {
         return new LineSettings(baud);
     }

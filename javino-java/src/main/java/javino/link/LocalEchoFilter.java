@@ -6,15 +6,13 @@ import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
- * Tells messages of a board from the echo of its line. Some lines, such as those of two-wire RS-485 adapters, bring back all that is sent,
- * so a request would pass for its own answer.
- *
- * <p>A line turns out to be one of these when a request for percepts comes back, since no board sends one. From then on actions that come
- * back are no messages either. Before that, an action that comes back may be a message of the board, since some boards repeat their
- * commands. One thread at a time.
+ * Tells messages of a board from the echo of its line. Some lines, such as two-wire RS-485 adapters, bring back all that is sent, so a
+ * request would pass for its own answer.
+ * <p>No board sends a request for percepts, so a request that comes back proves such a line. From then on actions that come back are no
+ * messages either. Before that they may be: some boards repeat their commands. One thread at a time.
  */
 final class LocalEchoFilter {
-    /** The most frames that are remembered, more than are ever on their way: older frames were lost on the line. */
+    /** The most frames that are remembered, more than are ever on their way. Older frames were lost on the line. */
     private static final int MAX = 32;
 
     private final Deque<Frame> sent = new ArrayDeque<>(); // frames that have not come back yet, the oldest first
@@ -33,7 +31,7 @@ final class LocalEchoFilter {
         }
         known |= PerceptsRequest.isIn(frame.text());
         if (known) {
-            while (!sent.remove().equals(frame)) {} // the frames sent before it have been lost on the way
+            while (!sent.remove().equals(frame)) {} // the line has lost the frames sent before this one
         }
         return known;
     }

@@ -4,28 +4,26 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Estimates how long a version 1 board takes from one look at the line to the next. The delay of an answer is the time until the board's
- * next look, which is a random part of its {@code loop()}, and the time to measure and to build the answer, which is always about the same.
- * So the differences of delays show the loop.
- *
- * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if the delays are so few that
- * they may miss a part of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or
- * below n (n-1) x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate
- * is at most {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are
- * known. The longest delay is always left out, and from {@value #MANY} delays on one in {@value #OUTLIER_AMONG} at each end, so that one
- * stall of this computer does not slow commands down.
- *
- * <p>Requests that follow each answer at the same distance would all meet the same part of the loop. So some are sent later, spread evenly
- * over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times are nanoseconds.
- * Guarded by its user's lock.
+ * Estimates the time that a version 1 board takes from one look at the line to the next. The delay of an answer has two parts: the time
+ * until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the answer, which is about
+ * constant. So the differences of delays show the loop.
+ * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if few delays may miss a part
+ * of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or below n (n-1)
+ * x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate is at most
+ * {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are known. From
+ * {@value #MANY} delays on, the longest delay is left out, and one in {@value #OUTLIER_AMONG} at each end: one stall of this computer does
+ * not slow commands down.
+ * <p>If each request followed the last answer at the same distance, all would meet the same part of the loop. So some requests are sent
+ * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
+ * are nanoseconds. Guarded by its user's lock.
  */
 final class LoopTime {
     static final int SAMPLES = 256;
-    /** The longest estimate, which also stands for a loop that is not known yet: sensors take that long in many sketches. */
+    /** The longest estimate, also for a loop that is not known yet: the sensors of many sketches take that long. */
     static final int MAX_MILLIS = 50;
-    /** Fewer delays say nothing: they may be alike because they are measured in whole milliseconds, as on USB. */
+    /** Fewer delays say nothing: USB measures whole milliseconds, so they may be equal by chance. */
     static final int MIN_SAMPLES = 6;
-    /** The highest chance, at each number of delays, that the estimate is shorter than the loop. */
+    /** The highest probability that the estimate is shorter than the loop. */
     private static final double CHANCE = 1e-5;
 
     private static final int MIN_MULTIPLE = 2;
@@ -37,9 +35,9 @@ final class LoopTime {
     private static final int LEARNING_REQUESTS = 32;
     private static final int PROBE_AMONG = 8;
     private static final long MIN_PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
-    /** The fractional parts of its multiples are spread evenly. */
+    /** The multiples of this number have fractional parts that are spread evenly. */
     private static final double GOLDEN_RATIO = 0.6180339887498949;
-    /** A later answer belongs to an earlier request, so its delay is ignored. No request is delayed by more than this. */
+    /** A later answer belongs to an earlier request, so its delay is ignored. No probe delays a request by more. */
     static final int MAX_DELAY_MILLIS = 200;
 
     private static final long MAX_DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(MAX_DELAY_MILLIS);
@@ -84,7 +82,7 @@ final class LoopTime {
         count++;
     }
 
-    /** Forgets all delays: an answer has not come, and the loop may take longer than before. */
+    /** Forgets all delays: an answer is missing, so the loop may take longer than before. */
     void forget() {
         count = 0;
         next = 0;
@@ -95,7 +93,7 @@ final class LoopTime {
         requests++;
     }
 
-    /** Nanoseconds by which the next request is written later than at the earliest possible time. */
+    /** Nanoseconds by which the next request is sent later than possible. */
     long probeDelayNanos() {
         if (requests >= LEARNING_REQUESTS && requests % PROBE_AMONG != 0) {
             return 0;

@@ -10,11 +10,10 @@ import javino.PortException;
 import javino.PortInterruptedException;
 
 /**
- * A lock under which threads wait for conditions, in the time of a line. A thread that gives it back asks the conditions of the waiting
- * threads, and wakes those whose wait is over: to wake a thread for nothing costs more than the question.
+ * A lock under which threads wait for conditions, in the time of a line. A thread that gives the lock back checks the conditions of the
+ * waiting threads, and wakes those whose wait is over: a needless wake-up costs more than a check.
  */
 final class Monitor {
-    /** Longer than any wait. */
     static final long FOREVER = Long.MAX_VALUE / 4;
 
     interface Work<T, E extends Exception> {
@@ -31,7 +30,6 @@ final class Monitor {
     private final List<Waiter> waiters = new ArrayList<>();
     private int depth; // how often its holder has taken the lock
 
-    /** @param port the port that exceptions name */
     Monitor(LineClock clock, String port) {
         this.clock = clock;
         this.port = port;
@@ -50,7 +48,6 @@ final class Monitor {
         });
     }
 
-    /** Like {@link #get}, for work that waits. */
     <T> T getInterruptibly(Work<T, PortException> work) throws PortException {
         try {
             lock.lockInterruptibly();
@@ -77,9 +74,9 @@ final class Monitor {
     }
 
     /**
-     * Waits until {@code nanosLeft} is 0 or less. This function is called under the lock, by any thread that gives the lock back, and when
-     * as many nanoseconds have passed. So it must change nothing, and depend only on time and on the state that the lock guards. The caller
-     * holds the lock.
+     * Waits until {@code nanosLeft} is 0 or less. Any thread that gives the lock back calls this function, under the lock; so does this
+     * thread when that many nanoseconds have passed. So the function changes nothing, and depends only on time and on state that the lock
+     * guards. The caller holds the lock.
      */
     void await(LongSupplier nanosLeft) throws PortInterruptedException {
         Waiter waiter = new Waiter(nanosLeft);
@@ -101,7 +98,7 @@ final class Monitor {
         }
     }
 
-    /** Does {@code work} while the lock, which the caller holds, is free. */
+    /** Does {@code work} while the lock is free. The caller holds the lock. */
     <T> T unlocked(Work<T, PortException> work) throws PortException {
         return free(() -> {
             lock.unlock();
@@ -113,7 +110,6 @@ final class Monitor {
         });
     }
 
-    /** Does {@code work}, which gives the lock back and takes it again. */
     private <T, E extends Exception> T free(Work<T, E> work) throws E {
         waiters.forEach(Waiter::wakeIfDue);
         int held = depth;

@@ -7,12 +7,11 @@ import javino.PortException;
 import javino.wire.WireFrame;
 
 /**
- * Finds out which version a board speaks: sends HELLO, HELLO again, then a request in version 1, and while the board may be starting
- * repeats both until one is answered. A board of version 1 drops HELLO. One of version 2 that was starting may have answered the request in
- * version 1, so it is sent HELLO once more, and several times if bytes came that are no message: a damaged WELCOME may be among them.
- *
- * <p>A frame of version 1 follows HELLO only after the time in which WELCOME would have come, since a board in a session ignores a frame of
- * version 1 that follows other bytes closely. One thread at a time.
+ * Finds out which version a board speaks: sends HELLO twice, then a request in version 1. While the board may be starting, repeats HELLO
+ * and request until one is answered. A board of version 1 drops HELLO. A board of version 2 that was starting may have answered the request
+ * in version 1, so it gets HELLO once more. If bytes came that are no message, it gets several: a damaged WELCOME may be among the bytes.
+ * <p>A frame of version 1 follows HELLO only after the time for WELCOME: a board in a session ignores a frame of version 1 that closely
+ * follows other bytes. One thread at a time.
  */
 final class Negotiation {
     private static final long HELLO_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -39,9 +38,9 @@ final class Negotiation {
     }
 
     /**
-     * Finds out the version, if the board answers within {@code timeoutMillis}, or before it must have started if that is later.
+     * Finds out the version. Gives up after {@code timeoutMillis}, or when the board must have started if that is later.
      *
-     * @return the answer to {@code request} in version 1, if one came meanwhile; null: none
+     * @return the answer to {@code request} in version 1, null: none came
      */
     Reply run(Frame request, int timeoutMillis) throws PortException {
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -73,7 +72,7 @@ final class Negotiation {
         }
     }
 
-    /** Sends HELLO, and once more if no WELCOME comes; returns whether it has come. */
+    /** Sends HELLO, and once more if no WELCOME comes; returns whether WELCOME has come. */
     boolean sayHello(int timeoutMillis) throws PortException {
         return isWelcomed(2, timeoutMillis);
     }

@@ -3,11 +3,9 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Counts the answers that a board owes. The answer to a request that was not answered in time may still come, and would be taken for the
- * answer to the next request, so that the agent would be one answer behind for good. Therefore the next exchange listens on until the line
- * has been silent for a while, and takes the last answer.
- *
- * <p>Times are nanoseconds of one steady clock. One thread at a time.
+ * Counts the answers that a board owes. A late answer would pass for the answer to the next request, and the agent would stay one answer
+ * behind. So after a missed answer the next exchange listens until the line has been silent for a while, and takes the last answer. Times
+ * are nanoseconds of one steady clock. One thread at a time.
  */
 final class OwedAnswers {
     private static final long MIN_SETTLING_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
@@ -15,7 +13,7 @@ final class OwedAnswers {
     private static final long SLOWEST_BOARD_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private long longestNanos; // the longest time that an answer has taken; 0: none has been timed
-    private int asked; // requests since the line was last known to owe no answer
+    private int asked; // requests since the board last owed no answer
     private long firstAskedAt;
 
     void asked(long nanos) {
@@ -30,21 +28,20 @@ final class OwedAnswers {
         return asked > 1;
     }
 
-    /** Records that the only open request has been answered at {@code now}. */
     void answered(long now) {
         longestNanos = Math.max(longestNanos, now - firstAskedAt);
         asked = 0;
     }
 
-    /** Records that the line has fallen silent: no answer is owed any more. */
+    /** Records that the line has fallen silent: the board owes no answer any more. */
     void settled() {
         asked = 0;
     }
 
     /**
-     * Nanoseconds of silence after which no further answer is expected: twice the longest time that an answer has taken, at least 50 ms, at
-     * most {@code timeoutNanos}. If no answer has been timed yet, the time since the first request counts, unless it shows that the board
-     * was just starting.
+     * Nanoseconds of silence after which no further answer is expected: twice the longest time that an answer has taken, at least 50 ms and
+     * at most {@code timeoutNanos}. If no answer has been timed yet, the time since the first request is used, unless the board was just
+     * starting.
      *
      * @param answerAt time at which the first message arrived
      */

@@ -3,32 +3,31 @@ package javino.link;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Decides when the next frame may be handed to the driver, from the time and from all that was written and received before.
+ * Decides when the driver may get the next frame, from the time and from all that was written and received.
  *
- * <p>Two things hold a frame back. The pace: the driver is given a frame when the one before has left the line by the baud rate. And the
- * limits of version 1 boards. Between two rounds of their {@code loop()} they read all bytes that have arrived, and have room for one
- * message. If these bytes hold a message and the beginning of another frame, the board restarts. Boards do not read while they send an
- * answer. So
+ * <p>Two things hold a frame back. First, the pace: the driver gets a frame when the frame before has left the line by the baud rate.
+ * Second, the limits of version 1 boards. Between two rounds of its {@code loop()} such a board reads all bytes that have arrived, and has
+ * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. It does not read while it sends
+ * an answer. So
  * <ul>
  *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
  *       far as {@link LoopTime} knows it, and at least that of the settings. Exception: if only one request was open and no action was
- *       written after it, the first action behind its answer starts at once, since the board has handled all that it received;
- *   <li>while the board may be busy with an answer, it gets no more actions than it can hold, and no more bytes than the receive buffer of
- *       an AVR. It may be busy until the answer is complete, or until it has been silent for {@value #QUIET_MILLIS} ms behind a byte of it,
- *       or for {@value #MAX_ANSWER_DELAY_MILLIS} ms behind the request;
- *   <li>while a board that has answered before does not answer in time, it gets only urgent actions: see {@link SilentBoardHold}.
- * </ul>
- * Version 2 boards tell how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
+ *       written after it, the board has handled all that it received, so the first action behind the answer starts at once;
+ *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as the
+ *       receive buffer of an AVR. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
+ *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
+ *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link SilentBoardHold}.
+ * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
 final class Pacer {
     static final int QUIET_MILLIS = 50;
-    /** A board begins its answer by then: its loop may take 50 ms, and so may reading its sensors. */
+    /** A board begins its answer by then: its loop may take 50 ms, and reading its sensors too. */
     static final int MAX_ANSWER_DELAY_MILLIS = 150;
-    /** Bytes that an AVR holds unread: its buffer has 64, less some for bytes that are being received. */
+    /** Bytes that an AVR holds unread: its buffer has 64, less a few that are being received. */
     static final int RECEIVE_BUFFER = 60;
 
-    /** The number of late answers in a row after which the board is taken to be slow: one or two may be this computer's fault. */
+    /** The number of late answers in a row that prove a slow board: one or two may be this computer's fault. */
     private static final int MANY_LATE = 3;
 
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(QUIET_MILLIS);
@@ -48,14 +47,13 @@ final class Pacer {
     private boolean awaitingAnswer;
     private boolean actionSinceRequest;
     private int unanswered; // number of requests in a row without an answer
-    private boolean boardIsIdle; // the board has nothing to handle, so the next frame follows no unread message
+    private boolean boardIsIdle; // the board has handled all messages, so none waits unread before the next frame
     private long busyUntil;
     private final SilentBoardHold silence = new SilentBoardHold();
     private int lateAnswers; // late answers in a row
     private int actionsMeanwhile; // actions written while the board may have been busy with the last request
     private int bytesMeanwhile;
 
-    /** @param now the time at which the line was opened */
     Pacer(LinkSettings settings, long now) {
         paced = settings.paced();
         byteNanos = settings.line().byteNanos();
@@ -77,13 +75,13 @@ final class Pacer {
         return nanosUntil(lineFreeAt, now);
     }
 
-    /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer that arrives may shorten it. */
+    /** Nanoseconds from {@code now} until an action of {@code bytes} may be written; 0: now. An answer may shorten the time. */
     long nanosUntilAction(int bytes, long now) {
         long free = boardIsIdle ? lineFreeAt : earliest();
         return nanosUntil(overfills(bytes) ? later(free, busyUntil) : free, now);
     }
 
-    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: all actions may. */
+    /** Nanoseconds for which only urgent actions may be written if no answer comes; 0: any action may. */
     long nanosHeld(long now) {
         return paced ? silence.nanosHeld(now) : 0;
     }
@@ -96,7 +94,7 @@ final class Pacer {
     /**
      * Nanoseconds from {@code now} until a request may be written; 0: now.
      *
-     * @param due time at which it would have been written on a free line
+     * @param due time at which a free line would have taken it
      */
     long nanosUntilRequest(long due, long now) {
         long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
@@ -113,11 +111,7 @@ final class Pacer {
     }
 
     /**
-     * Records that an action was written.
-     *
-     * @param start time at which it was handed to the driver
-     * @param now time at which the driver had taken it
-     * @return the time at which its last byte has left
+     * Records an action that went to the driver from {@code start} to {@code now}. Returns the time at which its last byte leaves the line.
      */
     long wroteAction(int bytes, long start, long now) {
         actionSinceRequest = true;
@@ -144,7 +138,7 @@ final class Pacer {
         return requestEnd;
     }
 
-    /** Records that all that was written has arrived, if the line is faster than its rate, as a pseudo-terminal is. */
+    /** Records that all written bytes have arrived: the line may be faster than its rate, as a pseudo-terminal is. */
     void allArrived(long now) {
         lineFreeAt = now - lineFreeAt < 0 ? now : lineFreeAt;
     }
@@ -152,7 +146,7 @@ final class Pacer {
     long wroteFrame(int bytes, long start, long now) {
         if (paced) {
             long duration = bytes * byteNanos;
-            boolean buffered = now - start < duration; // the frame may have reached the line as late as now
+            boolean buffered = now - start < duration; // the line may get the frame as late as now
             lineFreeAt = later(later(buffered ? now : start, lineFreeAt) + duration, now);
         } else {
             lineFreeAt = now;
@@ -162,7 +156,7 @@ final class Pacer {
         return lastEnd;
     }
 
-    /** Records that {@code bytes} were there when the line was looked at: the first came earlier, by the time that the others took. */
+    /** Records that {@code bytes} were found together: the first of them arrived earlier, by the time that the others took. */
     void received(int bytes, long now) {
         if (awaitingAnswer) {
             if (!answerBegun) {
@@ -175,7 +169,7 @@ final class Pacer {
         }
     }
 
-    /** Records that the last request has not been answered in its time, which is over at {@code now}. */
+    /** Records that the time for the answer to the last request is over at {@code now}. */
     void unanswered(long now) {
         lateAnswers += answerBegun ? 0 : 1;
         silence.unanswered(now);
@@ -185,7 +179,6 @@ final class Pacer {
         return Math.max(minGapNanos, TimeUnit.MILLISECONDS.toNanos(LoopTime.MAX_MILLIS));
     }
 
-    /** Records that a message is complete: the answer, if one is awaited. */
     void answered(long now) {
         silence.heard(awaitingAnswer);
         if (!awaitingAnswer) {
@@ -194,7 +187,7 @@ final class Pacer {
         awaitingAnswer = false;
         busyUntil = now;
         if (!actionSinceRequest) {
-            lineFreeAt = now; // all bytes have left, if the line is faster than its rate, as a pseudo-terminal is
+            lineFreeAt = now; // all bytes have left: the line may be faster than its rate, as a pseudo-terminal is
             lastEnd = now;
         }
         lastEnd = later(lastEnd, now);

@@ -11,13 +11,13 @@ import javino.PortInterruptedException;
 import javino.Transports;
 
 /**
- * The owners of ports by {@linkplain Transports#canonicalName canonical name}: one table for the program, since devices belong to the
+ * The owners of ports by {@linkplain Transports#canonicalName canonical name}. The whole program has one table, since devices belong to the
  * machine.
  */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
 
-    /** The longest wait for an owner that is about to give a port back: a driver may take seconds to close one. */
+    /** The longest wait for an owner that is about to give a port back: a driver may take seconds to close a port. */
     private static final int PATIENCE_MILLIS = 5_000;
 
     private PortOwners() {}
@@ -33,12 +33,11 @@ final class PortOwners {
             this.owner = owner;
         }
 
-        /** Notes that the port is about to be given back: the next owner waits until it is free. Idempotent. */
+        /** Notes that the owner is about to give the port back: the next owner waits for that. Idempotent. */
         void leave() {
             isLeaving = true;
         }
 
-        /** Gives the port back. Idempotent. */
         void release() {
             CLAIMS.remove(canonicalName, this);
             released.countDown();
@@ -49,12 +48,11 @@ final class PortOwners {
         }
     }
 
-    /** A claim to a line that is no port of the machine. It keeps nobody from the line. */
+    /** A claim to a line that is no port of the machine; it excludes nobody. */
     static Claim nobodys(String line) {
         return new Claim(line, "nobody");
     }
 
-    /** Claims a port for {@code owner}; waits for an owner that is about to give it back. */
     static Claim claim(String port, String owner) throws PortException {
         Claim claim = new Claim(Transports.canonicalName(port), owner);
         long endNanos = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(PATIENCE_MILLIS);

@@ -13,7 +13,6 @@ import javino.Protocol;
  * thread".
  */
 final class RequestChannel {
-    /** The request that finds out whether a board runs, and which version it speaks. */
     private static final Frame READINESS_REQUEST = Frame.of(PerceptsRequest.ALL);
 
     private static final Frame KINDS_REQUEST = Frame.of(PerceptsRequest.KINDS);
@@ -41,8 +40,8 @@ final class RequestChannel {
     }
 
     /**
-     * Returns when the board has answered and it is known which version it speaks, or when it must have started. A board that is taken to
-     * run is sent no request, only HELLO.
+     * Returns when the board's answer has shown its version, or when the board must have started. A board that is taken to run gets no
+     * request, only HELLO.
      */
     void awaitStart() throws PortException {
         if (!board.mustAsk()) {
@@ -59,16 +58,15 @@ final class RequestChannel {
                         clock.nanos() + board.nanosToStart(), READINESS_REQUEST, Version1Requests.REPEAT_MILLIS);
             }
         } finally {
-            board.saidHello(); // if that has failed, the commands behind go out unasked
+            board.saidHello(); // if that has failed, the commands behind go out without a request
             version1.askForAction(false);
         }
     }
 
     /**
-     * Like {@link #awaitStart}, but only if another thread {@linkplain #listen listens} and only HELLO has to be said: that thread reads
-     * the answer, so an action need not wait until it has heard a message. Any thread.
-     *
-     * @return whether HELLO has been said
+     * Like {@link #awaitStart}, if another thread {@linkplain #listen listens} and only HELLO is needed. The listening thread reads the
+     * answer, so the action does not wait for the next message. Any thread.
+     * @return whether HELLO has been sent
      */
     boolean sayHelloToListener() throws PortException {
         if (!isListening || board.protocol() != Protocol.AUTO || board.mustAnswer()) {
@@ -102,8 +100,8 @@ final class RequestChannel {
     }
 
     /**
-     * Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting, and if the answer
-     * is damaged. Returns null as well if the board turns out to speak version 2, in which only percepts are requested.
+     * Sends a request and returns its answer. Repeats it while the board may be starting, and if the answer is damaged. Returns null if no
+     * answer comes in time, or if the board turns out to speak version 2 and the request is not for percepts.
      */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         if (board.speaks2()) {
@@ -116,12 +114,12 @@ final class RequestChannel {
         if (answer == null && board.protocol() == Protocol.V1) {
             answer = version1.request(request, timeoutMillis);
         }
-        return answer == null && board.speaks2() // its session has a request's time to begin, if it has not begun
+        return answer == null && board.speaks2() // a session that has not begun gets a request's time to begin
                 ? requestInVersion2(request, session.isOpen() ? timeoutMillis : 2L * timeoutMillis)
                 : answer;
     }
 
-    /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or gives no answer in time. */
+    /** Asks a board of version 2 for the kinds of its percepts; null: it speaks another version, or does not answer in time. */
     Reply requestKinds(int timeoutMillis) throws PortException {
         return board.speaks2() ? requestInVersion2(KINDS_REQUEST, timeoutMillis) : null;
     }
@@ -134,7 +132,7 @@ final class RequestChannel {
                 session.isOpen() ? 0 : board.nanosToStart(),
                 TimeUnit.MILLISECONDS.toNanos(waitMillis) + REQUEST_BYTES * byteNanos);
         long deadline = clock.nanos() + wait;
-        line.inbox().look(); // messages that came before the question are no answer to it
+        line.inbox().look(); // messages from before the question are no answer to it
         session.request(request.text().substring(PerceptsRequest.ALL.length()));
         try {
             line.await(() -> session.answer() != null || !board.speaks2(), deadline, true);
@@ -148,7 +146,7 @@ final class RequestChannel {
         return answer;
     }
 
-    /** The newest message that the board sends of its own accord, or null if none comes in time. */
+    /** The newest message that the board sends of its own accord; null: none comes in time. */
     Reply listen(int timeoutMillis) throws PortException {
         long deadline = clock.nanos() + TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
         isListening = true;
@@ -164,7 +162,7 @@ final class RequestChannel {
         }
     }
 
-    /** Reads until the clock shows {@code deadline}, and keeps the messages that come. */
+    /** Reads until {@code deadline}, and keeps the messages that come. */
     void watch(long deadline) throws PortException {
         line.await(() -> false, deadline, true);
     }

@@ -6,8 +6,8 @@ import javino.CommandReplacedException;
  * Options of a command, see {@link Link#send(String, SendOptions)}.
  *
  * @param urgent whether the command goes before waiting commands that are not urgent
- * @param limitMillis milliseconds from the call after which its outcome is known in any case; 0: there is no such limit
- * @param latest whether it takes the place of commands of the same functor that wait and have not begun to go out; they fail with
+ * @param limitMillis milliseconds from the call after which the outcome is known in any case; 0: no limit
+ * @param latest whether the command takes the place of waiting commands of the same functor; these fail with
  *     {@link CommandReplacedException}
  */
 public record SendOptions(boolean urgent, int limitMillis, boolean latest) {

@@ -11,18 +11,16 @@ import javino.Transport;
 
 /**
  * Carries the frames of a line: those of a {@link Version2Session}, and {@link Version1Commands}. Each thread that waits for something here
- * works for all: it writes the frame that is due, and reads if no other thread does.
- *
- * <p>Safe on any thread. Outcomes and reports are passed on outside of the lock, by the thread that has found them out. No lock is held
- * while bytes are written or awaited.
+ * works for all: it writes the frame that is due, and reads if no other thread reads. The thread that learns an outcome or a report passes
+ * it on. Safe on any thread; no lock is held while bytes are written or awaited, nor while a report is passed on.
  */
 final class SessionLine {
-    /** The longest single read while a frame is being written. Behind that frame, another may be due. */
+    /** The longest single read while a frame is being written: another frame may be due behind it. */
     private static final long LOOK_WHILE_WRITING_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final long MAX_READ_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
-    /** The shortest time limit of a write: with less, a late thread would pass for a driver that takes nothing. */
+    /** The shortest time limit of a write. With a shorter limit a late thread would pass for a driver that takes nothing. */
     private static final int LEAST_WRITE_MILLIS = 100;
 
     private final Monitor monitor;
@@ -35,13 +33,9 @@ final class SessionLine {
     private final Version1Commands version1;
     private int followers;
 
-    /** A frame that goes out, and the command of version 1 that it is; null: it belongs to the session. */
+    /** A frame that goes out, with its command of version 1; null: the frame belongs to the session. */
     record Outgoing(byte[] frame, Command command) {}
 
-    /**
-     * @param monitor guards it, with the inbox and the writer
-     * @param settings their {@link LinkSettings#bootMillis()} count from now
-     */
     SessionLine(Monitor monitor, Transport transport, LineClock clock, FrameWriter writer, LinkSettings settings) {
         this.monitor = monitor;
         this.clock = clock;
@@ -69,12 +63,12 @@ final class SessionLine {
         return monitor.get(version1::mustAskFirst);
     }
 
-    /** Records that commands of version 1 can begin to get through, or that the next may go out although the board did not answer. */
+    /** Records that commands of version 1 can get through from now on, or that the next may go out although the board did not answer. */
     void hasAsked() {
         monitor.change(() -> version1.hasAsked(clock.nanos()));
     }
 
-    /** The time at which commands last got through, or could begin to; in version 2, at which the board was last heard. */
+    /** The time at which commands last got through, or could begin to; in version 2, the time at which the board was last heard. */
     long movedNanos() {
         return board.speaks2() ? session.movedNanos() : version1.movedNanos();
     }
@@ -85,19 +79,18 @@ final class SessionLine {
     }
 
     /**
-     * Writes and reads on this thread until {@code isDone}, which is asked under the lock, or until the clock shows {@code deadline}.
-     *
-     * @param reads whether this thread reads although nothing is expected; then it leaves the commands of version 1 to other threads, since
-     *     a driver may take longer over one than this thread waits
-     * @return whether it is done
+     * Writes and reads on this thread until {@code isDone} returns true, called under the lock, or until {@code deadline}.
+     * @param reads whether this thread reads although nothing is expected. Then it leaves the commands of version 1 to other threads: a
+     *     driver may take longer over a command than this thread waits
+     * @return whether {@code isDone} returned true
      */
     boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {
         return await(isDone, () -> deadline, reads, () -> deadline - clock.nanos());
     }
 
     /**
-     * Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends, and
-     * {@code deadline} is asked anew, under the lock.
+     * Like {@link #await}, for the thread that writes the commands: a driver has its whole time for a frame, whenever the wait ends.
+     * {@code deadline} is called anew each time, under the lock.
      */
     void serve(BooleanSupplier isDone, LongSupplier deadline) throws PortException {
         await(isDone, deadline, false, () -> Monitor.FOREVER);
@@ -127,7 +120,7 @@ final class SessionLine {
                 LEAST_WRITE_MILLIS, Math.min(FrameWriter.PATIENCE_MILLIS, TimeUnit.NANOSECONDS.toMillis(left)));
     }
 
-    /** Reads or waits until a frame is to be written now, and returns it; null: the wait is over, or something is to be passed on. */
+    /** Reads or waits until a frame is due, and returns it; null: the wait is over, or a report is to be passed on. */
     private Outgoing nextUnless(BooleanSupplier isDone, LongSupplier deadline, boolean reads) throws PortException {
         while (true) {
             writer.requireLine();
@@ -150,9 +143,8 @@ final class SessionLine {
     }
 
     /**
-     * Nanoseconds for one read. A read cannot be ended. Meanwhile a follower may stop waiting, or a frame may fall due whose sender waits
-     * for nothing; so the reader looks again and again for frames that are due. A follower writes these frames; the reader leaves it the
-     * time for that.
+     * Nanoseconds for one read. Nothing can end a read. Meanwhile a follower may stop waiting, or a frame may fall due whose sender does
+     * not wait. So the reader looks again and again for due frames. A follower writes them; the reader leaves it the time for that.
      */
     private long nanosToRead() {
         if (writer.isWriting()) {
@@ -173,12 +165,12 @@ final class SessionLine {
         }
     }
 
-    /** Returns whether a thread that waits here is to read, since no other does. */
+    /** Returns whether a thread that waits here has to read, since no other reads. */
     private boolean mustRead(boolean reads) {
         return (reads || session.isExpecting() && !writer.isWriting()) && !inbox.isBeingRead();
     }
 
-    /** Nanoseconds until there is a frame to be written, or an outcome to be passed on, by a thread that {@code reads} or not. */
+    /** Nanoseconds until a thread that {@code reads} or not has a frame to write or an outcome to pass on. */
     private long nanosUntilNext(boolean reads) {
         if (reads && !board.speaks2()) {
             return Monitor.FOREVER;
@@ -188,7 +180,7 @@ final class SessionLine {
         return Math.min(untilFrame, version1.nanosUntilArrived(now));
     }
 
-    /** The frame that may be written now, which {@link #write} follows; null: there is none. The caller holds the monitor's lock. */
+    /** The frame that may be written now, for {@link #write}; null: there is none. The caller holds the monitor's lock. */
     Outgoing nextAtOnce() {
         if (!writer.hasLine()) {
             return null;
@@ -203,11 +195,10 @@ final class SessionLine {
     }
 
     /**
-     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Then it writes those that have become due meanwhile, since
-     * the thread that reads has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
-     *
-     * @param millis the most milliseconds to wait for the driver with a frame of version 2; a frame of version 1 has longer. 0: this does
-     *     not wait, since the caller has found the first frame {@linkplain FrameWriter#isWritableNow writable now}
+     * Writes the frame that {@link #nextAtOnce} has returned, if it is not null. Then writes the frames that have become due meanwhile: the
+     * reading thread has found the line taken, and may read until an answer comes. Passes outcomes on. The caller holds no lock.
+     * @param millis the most milliseconds to wait for the driver with a frame of version 2; a frame of version 1 has longer. 0: no wait,
+     *     since the caller has found the first frame {@linkplain FrameWriter#isWritableNow writable now}
      */
     void write(Outgoing first, int millis) throws PortException {
         try {
@@ -231,7 +222,7 @@ final class SessionLine {
         try {
             writer.writeFrame(FrameWriter.Kind.SESSION, frame, millis, session::wrote);
         } catch (PortTimeoutException e) {
-            inbox.look(); // finds whether the line is gone; if not, the frame is repeated
+            inbox.look(); // this finds out whether the line is gone; if not, the frame is repeated
         }
     }
 
@@ -254,10 +245,7 @@ final class SessionLine {
         }
     }
 
-    /**
-     * Returns the exception of the line if it is gone, since a write that takes too long may be the first sign of that; else
-     * {@code trouble}.
-     */
+    /** Returns the line's exception if the line is gone, since a slow write may be the first sign of that; else {@code trouble}. */
     private PortException goneOr(PortTimeoutException trouble) {
         try {
             inbox.look();
@@ -272,7 +260,6 @@ final class SessionLine {
         reports.passOn();
     }
 
-    /** Fails the commands that are out, and begins another session if the line is still there. */
     void abandon(Throwable why) {
         monitor.change(() -> {
             version1.abandon(why);

@@ -3,7 +3,7 @@ package javino.link;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Bytes that a line brought since the last message and that are no message, for a person who looks for the reason of a silence.
+ * The bytes since the last message that form no message, for a person who looks for the reason of a silence.
  *
  * @param count number of the bytes
  * @param first the first stray bytes, at most {@link #MAX_FIRST}, a character for each byte
@@ -16,7 +16,7 @@ public record StrayBytes(long count, String first, int baud) {
     private static final String HEADER = "fffe";
     private static final int MAX_STRANGE_SHARE = 8;
 
-    /** Returns whether all but a few of them are text: a sketch prints text, while bytes read at a wrong rate are no text. */
+    /** Returns whether almost all of the bytes are text: a sketch prints text, while bytes read at a wrong rate are no text. */
     public boolean isText() {
         long strange = first.chars()
                 .filter(c -> c > '~' || c < ' ' && "\r\n\t".indexOf(c) < 0)
@@ -40,7 +40,7 @@ public record StrayBytes(long count, String first, int baud) {
         return "which is text without a frame: does the sketch use Serial.print in place of the Javino library?";
     }
 
-    /** The first stray bytes as text: control characters as in Java, other bytes that are no ASCII as {@code \xHH}. */
+    /** The first stray bytes as text: control characters as in Java, other bytes outside ASCII as {@code \xHH}. */
     private String shown() {
         StringBuilder text = new StringBuilder();
         for (char c : first.toCharArray()) {

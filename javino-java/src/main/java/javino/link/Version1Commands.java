@@ -4,11 +4,11 @@ import java.util.concurrent.TimeUnit;
 import javino.ActionRefusedException;
 
 /**
- * Takes commands to a board of version 1, which acknowledges nothing: one at a time is under way, and has arrived when its last byte has
- * left. Guarded by the line's lock.
+ * Takes commands to a board of version 1, one after the other. The board acknowledges nothing, so a command has arrived when its last byte
+ * has left. Guarded by the line's lock.
  */
 final class Version1Commands {
-    /** The longest time for which the device may be gone unnoticed while a long message leaves. */
+    /** The longest time for which a lost device stays unnoticed while a long message leaves. */
     private static final long WATCH_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private final FrameWriter writer;
@@ -20,13 +20,12 @@ final class Version1Commands {
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // only urgent commands went out when this one began (SilentBoardHold), so its arrival says nothing of the others
+    // the command began while only urgent ones went out (SilentBoardHold), so its arrival says nothing of others
     private boolean isHeldBack;
-    private boolean isUnasked; // the next command may go out although the board should be asked for something before
+    private boolean isUnasked; // the next command may go out although the board has not been asked
     private boolean hasToldSlowBoard;
     private volatile long movedNanos;
 
-    /** @param now the time at which the line was opened */
     Version1Commands(FrameWriter writer, Inbox inbox, KnownBoard board, LineReports reports, String port, long now) {
         this.writer = writer;
         this.inbox = inbox;
@@ -41,12 +40,11 @@ final class Version1Commands {
         return movedNanos;
     }
 
-    /** Records that a command can get through from {@code now} on. */
     void moved(long now) {
         movedNanos = now;
     }
 
-    /** Returns whether the command whose turn is next waits until the board has been asked for something. */
+    /** Returns whether the next command waits until the board has been asked for something. */
     boolean mustAskFirst() {
         Command next = underWay == null ? writer.head() : null;
         return next != null && !isUnasked && board.mustAsk();
@@ -73,7 +71,7 @@ final class Version1Commands {
         return underWay.isOver() ? 0 : Math.max(0, Math.min(leavesAt - now, lookAt - now));
     }
 
-    /** The command whose turn has come; null: there is none. {@link #written} or {@link #fail} follows. */
+    /** The command whose turn has come; null: none. {@link #written} or {@link #fail} follows. */
     SessionLine.Outgoing next() {
         if (nanosUntilBegin() > 0) {
             return null;
@@ -101,16 +99,16 @@ final class Version1Commands {
         }
     }
 
-    /** Records that a command was written by {@code now}, and when its last byte leaves. */
+    /** Records that a command was written by {@code now}; its last byte leaves at {@code left}. */
     void written(Command command, long left, long now) {
-        if (command == underWay) { // nobody else has failed it
+        if (command == underWay) { // nobody else has failed the command
             isWritten = true;
             leavesAt = left;
             lookAt = now + WATCH_NANOS;
         }
     }
 
-    /** Returns whether to look now if the device is still there, for a command that takes long to leave. */
+    /** Returns whether to check the device now, for a command that takes long to leave. */
     boolean mustLook(long now) {
         boolean isTime = isWritten && lookAt - now <= 0;
         lookAt = isTime ? now + WATCH_NANOS : lookAt;
@@ -125,14 +123,13 @@ final class Version1Commands {
         }
     }
 
-    /** Ends a command that has failed, unless somebody else has. */
+    /** Fails a command, unless its outcome is known already. */
     void fail(Command command, Throwable failure) {
         if (command == underWay) {
             end(failure);
         }
     }
 
-    /** Ends the command under way, if there is one, since the line has failed. */
     void abandon(Throwable failure) {
         if (underWay != null) {
             end(failure);

@@ -6,8 +6,8 @@ import javino.LineClock;
 import javino.PortException;
 
 /**
- * Asks and listens in version 1: sends requests, and finds the answer to the last one among the messages that come. Times are nanoseconds
- * of the link's clock. One thread at a time.
+ * Asks and listens in version 1: sends requests, and finds the answer to the last request among the messages that come. Times are
+ * nanoseconds of the link's clock. One thread at a time.
  */
 final class Version1Requests {
     /** Milliseconds after which a board that may be starting is asked again. */
@@ -21,8 +21,8 @@ final class Version1Requests {
     private final KnownBoard board;
     private final OwedAnswers owed = new OwedAnswers();
     private boolean isListening; // a caller wants messages that the board sends unasked
-    private boolean isForAction; // the board is asked since an action is to be sent, and nobody wants the answer
-    private Reply overheard; // the answer to such a request, for a caller that listens; null: none
+    private boolean isForAction; // the board is asked because an action is to be sent; nobody wants the answer
+    private Reply overheard; // the answer to a request for an action, kept for a caller that listens; null: none
 
     Version1Requests(Inbox inbox, FrameWriter writer, LineClock clock, KnownBoard board) {
         this.inbox = inbox;
@@ -31,12 +31,12 @@ final class Version1Requests {
         this.board = board;
     }
 
-    /** Sets whether requests from now on are only made before an action. */
+    /** Sets whether requests from now on are made only because of an action. */
     void askForAction(boolean value) {
         isForAction = value;
     }
 
-    /** Writes a request and returns its answer, or null if none comes in time; repeats it while the board may be starting. */
+    /** Sends a request and returns its answer; null: none comes in time. Repeats the request while the board may be starting. */
     Reply request(Frame request, int timeoutMillis) throws PortException {
         overheard = null;
         long timeoutNanos = TimeUnit.MILLISECONDS.toNanos(timeoutMillis);
@@ -52,7 +52,7 @@ final class Version1Requests {
         return completed(answer, timeoutMillis);
     }
 
-    /** Repeats the request until it is answered or the clock shows {@code giveUp}; null: no answer. */
+    /** Repeats the request until it is answered, or until {@code giveUp}; null: no answer. */
     Reply askUntil(long giveUp, Frame request, int timeoutMillis) throws PortException {
         long repeatNanos = TimeUnit.MILLISECONDS.toNanos(Math.min(timeoutMillis, REPEAT_MILLIS));
         Reply answer = null;
@@ -65,13 +65,13 @@ final class Version1Requests {
         return answer == null ? null : completed(answer, timeoutMillis);
     }
 
-    /** Writes a request, unless the board speaks version 2 after all, and returns the time at which its last byte leaves. */
+    /** Sends a request, unless the board turns out to speak version 2. Returns the time at which the request's last byte leaves. */
     long ask(Frame request, int timeoutMillis) throws PortException {
         long sent = writer.write(FrameWriter.Kind.REQUEST, request.length(), timeoutMillis, () -> {
             if (!(isForAction && isListening)) {
                 inbox.clear();
             }
-            if (board.speaks2()) { // a request would end the session that WELCOME has begun meanwhile
+            if (board.speaks2()) { // WELCOME may have begun a session meanwhile, which a request would end
                 return null;
             }
             inbox.sends(request);
@@ -83,7 +83,7 @@ final class Version1Requests {
         return sent;
     }
 
-    /** Ends an exchange whose first message has come, and returns the answer. */
+    /** Ends an exchange from its first message on; returns the answer. */
     Reply completed(Reply first, int timeoutMillis) throws PortException {
         board.heard();
         Reply answer = last(first, timeoutMillis);
@@ -94,7 +94,7 @@ final class Version1Requests {
         return answer;
     }
 
-    /** The newest message that the board sends of its own accord, or null if none comes by {@code deadline}. */
+    /** The newest message that the board sends of its own accord; null: none comes by {@code deadline}. */
     Reply listen(long deadline) throws PortException {
         isListening = true;
         Reply message = overheard != null ? overheard : inbox.next(deadline);
@@ -103,15 +103,15 @@ final class Version1Requests {
             return null;
         }
         board.heard();
-        writer.answered(clock.nanos()); // a board that speaks is not busy with a request that nobody waits for any more
+        writer.answered(clock.nanos()); // a board that speaks is not busy with an old request
         return newest(message);
     }
 
-    /** The next message if it is complete by {@code deadline}, or still arrives then and is complete by {@code giveUp}; else null. */
+    /** The next message, if it is complete by {@code deadline}, or has begun by then and is complete by {@code giveUp}; else null. */
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // asking again would drop the part that has come
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // another request would drop the part that has come
         }
         return answer;
     }
@@ -122,26 +122,19 @@ final class Version1Requests {
                 && clock.nanos() - inbox.lastByteNanos() < QUIET_NANOS;
     }
 
-    /**
-     * The answer to the last request.
-     *
-     * @param first the first message that came after that request
-     */
     private Reply last(Reply first, int timeoutMillis) throws PortException {
         if (owed.mayBeLate()) {
             return lastBeforeSilence(first, TimeUnit.MILLISECONDS.toNanos(timeoutMillis));
         }
         owed.answered(clock.nanos());
-        return newest(first); // the intact answer may come behind a truncated one
+        return newest(first); // the intact answer may come behind a truncated message
     }
 
-    /** Returns the newest message that is there: {@code message}, unless other messages have come behind it. */
     private Reply newest(Reply message) throws PortException {
         Reply newer = inbox.newest();
         return newer == null ? message : newer;
     }
 
-    /** The last message before the line falls silent. */
     private Reply lastBeforeSilence(Reply first, long timeoutNanos) throws PortException {
         long now = clock.nanos();
         long giveUp = now + timeoutNanos;

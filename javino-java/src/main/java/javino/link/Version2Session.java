@@ -17,7 +17,7 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The session with a board of version 2: its frames, its answers, and all that is found out by it. Guarded by the line's lock, which the
+ * The session with a board of version 2: its frames, its answers, and the facts found out through it. Guarded by the line's lock, which the
  * caller holds except for methods marked "Any thread".
  */
 final class Version2Session implements SessionListener<Command>, Inbox.Listener {
@@ -32,15 +32,15 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private final int answerLimit;
     private final ComputerSession<Command> session;
     private final CommandFailures failures;
-    private volatile long movedNanos; // time at which the board was last known to be there
+    private volatile long movedNanos; // time of the last sign that the board is there
     private long receivedNanos; // time of the last frame
     private volatile Reply answer;
     private volatile Reply heard; // the newest percepts that came unasked
     private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
-    private int rules; // number of rules that the board can hold, in this session
+    private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
-    private Throwable failure; // of the commands that are out when the session is closed; null: they are unconfirmed
-    private boolean hasDropped; // no answer has come since one was dropped
+    private Throwable failure; // the reason why the session is closed, for the commands that are out; null: they are unconfirmed
+    private boolean hasDropped; // an answer was dropped, and none has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
     private boolean hasToldUndescribed;
@@ -84,17 +84,14 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return movedNanos;
     }
 
-    /** See {@link Link#vocabulary}. */
     Optional<List<BoardAction>> vocabulary() {
         return board.speaks2() ? monitor.get(session::vocabulary) : Optional.empty();
     }
 
-    /** See {@link Link#actionsLost}. */
     int actionsLost() {
         return actionsLost;
     }
 
-    /** See {@link Link#onBoardEvents}. */
     void onBoardEvents(BoardListener listener) {
         int room = monitor.get(() -> {
             reports.listener(listener);
@@ -129,7 +126,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return heard != null;
     }
 
-    /** Takes the newest percepts that have come unasked; null: there are none. Any thread. */
+    /** Takes the newest percepts that came unasked; null: none. Any thread. */
     Reply takeHeard() {
         return monitor.get(() -> {
             Reply newest = heard;
@@ -138,7 +135,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         });
     }
 
-    /** Returns whether something is to come from the board besides answers to requests. */
+    /** Returns whether the board owes something besides answers to requests. */
     boolean isExpecting() {
         return session.isExpecting();
     }
@@ -147,7 +144,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
     }
 
-    /** The frame that may be written now, of the current session even if another begins before it is written; null: there is none. */
+    /** The frame that may be written now; null: none. It belongs to the current session even if another begins before it is written. */
     SessionLine.Outgoing next(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {
@@ -159,12 +156,11 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return new SessionLine.Outgoing(frame.toBytes(session.nonce()), null);
     }
 
-    /** Records when the last byte of the frame leaves. */
     void wrote(long leavesAt) {
         session.wrote(leavesAt);
     }
 
-    /** Fails the commands that are out, and begins another session if the line is still there. */
+    /** Fails the commands that are out. Begins another session if the line is still there. */
     void abandon(Throwable why) {
         failure = why;
         session.close(clock.nanos());
@@ -220,7 +216,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
                             ? ""
                             : "; until then version 1 is used with it, in which commands are not confirmed"));
         }
-        if (!board.mustSpeak2() && board.speaks2()) { // the board was exchanged, or its sketch
+        if (!board.mustSpeak2() && board.speaks2()) { // the board or its sketch was replaced
             session.close(clock.nanos());
             lapsed();
         }

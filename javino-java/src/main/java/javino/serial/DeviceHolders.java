@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Finds the processes that have a device open, on systems with a {@code /proc}, if this user may look into them. */
+/** Finds the processes that have a device open. This needs a {@code /proc} in which this user may look at them. */
 final class DeviceHolders {
     private DeviceHolders() {}
 
@@ -15,8 +15,8 @@ final class DeviceHolders {
     private static final String MASTER = "ptmx";
 
     /**
-     * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty when none can be seen, and for a device
-     * that does not show in the file system. The program at the far end of a pseudo-terminal is left out, since it is the board.
+     * The other processes that hold the device, in words ({@code process 4711 (minicom)}); empty if none can be seen, or if the device does
+     * not show in the file system. The program at the far end of a pseudo-terminal is left out: it is the board.
      */
     static List<String> of(SerialDevice device) {
         if (!device.hasNode()) {
@@ -49,7 +49,7 @@ final class DeviceHolders {
         }
     }
 
-    /** Returns whether a descriptor is the far end of the pseudo-terminal {@code device}; Linux gives its number in {@code fdinfo}. */
+    /** Returns whether a descriptor is the far end of the pseudo-terminal {@code device}: Linux writes its number to {@code fdinfo}. */
     private static boolean isMaster(Path descriptor, Path device) {
         Path target = target(descriptor);
         if (target == null || !target.endsWith(MASTER) || !device.toString().startsWith(TERMINALS)) {

@@ -9,28 +9,24 @@ import java.util.function.IntSupplier;
 import javino.PortInterruptedException;
 
 /**
- * Opens devices one after the other, since jSerialComm keeps one error code for the whole program, that of the last failed opening. If a
- * driver takes long, as for Bluetooth, the others wait only a moment, and are then opened at the same time. Safe on any thread.
+ * Opens devices one after the other: jSerialComm has one error code for the whole program, that of the last failed opening. If a driver
+ * takes long, as for Bluetooth, other openings wait only a moment and then begin. Safe on any thread.
  */
 final class DriverOpening {
-    /** Stands for an error code that may be that of another opening. */
+    /** Replaces an error code that may belong to another opening. */
     static final int UNKNOWN_CODE = -1;
 
     private final ReentrantLock turn = new ReentrantLock(true);
     private final long maxWaitNanos;
 
-    /** @param maxWait the longest time that an opening waits for another */
     DriverOpening(Duration maxWait) {
         maxWaitNanos = maxWait.toNanos();
     }
 
     /**
-     * Opens a device.
-     *
-     * @param open opens the device by its driver; returns false if that fails
+     * @param open opens the device by its driver; false: that failed
      * @param errorCode gives the driver's error code of the failure
-     * @return empty if the device is open, else the driver's error code or {@link #UNKNOWN_CODE}
-     * @throws PortInterruptedException if the thread is interrupted while it waits for another opening
+     * @return empty: the device is open; else the driver's error code or {@link #UNKNOWN_CODE}
      */
     OptionalInt open(String port, BooleanSupplier open, IntSupplier errorCode) throws PortInterruptedException {
         boolean alone = awaitTurn(port);

@@ -10,26 +10,23 @@ enum OpenFailure {
     NO_PERMISSION,
     OTHER;
 
-    // errno of Linux and macOS; only EAGAIN differs, which is given if another process holds the lock
+    // errno of Linux and macOS; only EAGAIN differs: it means that another process holds the lock
     private static final Set<Integer> POSIX_NO_DEVICE =
             Set.of(5 /* EIO */, 6 /* ENXIO */, 19 /* ENODEV */, 20 /* ENOTDIR */, 21 /* EISDIR */, 25 /* ENOTTY */);
     private static final Set<Integer> POSIX_NOT_ALLOWED = Set.of(1 /* EPERM */, 13 /* EACCES */);
     private static final Set<Integer> POSIX_BUSY = Set.of(11 /* EAGAIN */, 16 /* EBUSY */, 35 /* EAGAIN on macOS */);
     private static final int POSIX_ENOENT = 2;
 
-    // GetLastError of Windows, where a port that another program has open answers "access denied"
+    // GetLastError of Windows: a port that another program has open answers "access denied"
     private static final Set<Integer> WINDOWS_NO_DEVICE =
             Set.of(2 /* ERROR_FILE_NOT_FOUND */, 3 /* ERROR_PATH_NOT_FOUND */);
     private static final Set<Integer> WINDOWS_BUSY =
             Set.of(5 /* ERROR_ACCESS_DENIED */, 32 /* ERROR_SHARING_VIOLATION */);
 
-    /**
-     * @param code errno
-     * @param exists whether the device's node is there
-     */
+    /** @param exists whether the device's node is there */
     static OpenFailure posix(int code, boolean exists) {
         if (code == POSIX_ENOENT) {
-            // jSerialComm's own code for a port that it has open itself is 2 as well
+            // jSerialComm's own code 2 means that it has this port open itself
             return exists ? OPEN_IN_THIS_PROGRAM : NO_SUCH_PORT;
         }
         if (!exists || POSIX_NO_DEVICE.contains(code)) {
@@ -38,7 +35,6 @@ enum OpenFailure {
         return POSIX_NOT_ALLOWED.contains(code) ? NO_PERMISSION : POSIX_BUSY.contains(code) ? BUSY : OTHER;
     }
 
-    /** @param code the error code of GetLastError */
     static OpenFailure windows(int code) {
         return WINDOWS_NO_DEVICE.contains(code) ? NO_SUCH_PORT : WINDOWS_BUSY.contains(code) ? BUSY : OTHER;
     }

@@ -7,11 +7,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * The name of a serial device, and the place where that device is found. A name without a slash is {@code /dev/NAME} on Linux and macOS,
- * and the device's own name on Windows.
- *
- * @param name the name, as it was given
- * @param path the path for the driver to open
+ * The name and the path of a serial device. A name without a slash is {@code /dev/NAME} on Linux and macOS, and the device's own name on
+ * Windows.
  */
 record SerialDevice(String name, String path) {
     private static final String DOS_NAMESPACE = "\\\\.\\";
@@ -28,7 +25,7 @@ record SerialDevice(String name, String path) {
         return new SerialDevice(name, name.contains("/") ? name : "/dev/" + name);
     }
 
-    /** One address for all names of this device: the path with symbolic links followed, as far as it exists. */
+    /** One address for all names of this device: the path with its symbolic links followed. */
     String canonicalAddress() {
         if (!hasNode()) {
             return path.toUpperCase(Locale.ROOT); // COM8 and com8 are one port
@@ -36,7 +33,7 @@ record SerialDevice(String name, String path) {
         try {
             return Path.of(path).toRealPath().toString();
         } catch (IOException | InvalidPathException e) {
-            return path; // nothing is there, so it has no other name
+            return path; // nothing is there, so there is no other name
         }
     }
 

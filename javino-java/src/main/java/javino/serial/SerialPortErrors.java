@@ -20,12 +20,6 @@ final class SerialPortErrors {
 
     private SerialPortErrors() {}
 
-    /**
-     * The exception for a device that the driver did not open.
-     *
-     * @param code the driver's error code
-     * @param ports the serial ports there are
-     */
     static PortException cannotOpen(SerialDevice device, int code, List<String> ports) {
         OpenFailure failure = device.hasNode() ? OpenFailure.posix(code, device.exists()) : OpenFailure.windows(code);
         return switch (failure) {
@@ -83,7 +77,6 @@ final class SerialPortErrors {
         }
     }
 
-    /** Says how a user gets permission to open a device that belongs to {@code group} and has {@code permissions}. */
     static String permissionRemedy(String path, String group, Set<PosixFilePermission> permissions) {
         boolean groupMay =
                 permissions.containsAll(Set.of(PosixFilePermission.GROUP_READ, PosixFilePermission.GROUP_WRITE));
@@ -94,7 +87,6 @@ final class SerialPortErrors {
         return path + " may be opened only by its owner: run \"sudo chmod a+rw " + path + "\"";
     }
 
-    /** The exception for a machine on which jSerialComm's native library cannot be loaded. */
     static PortFaultException noNativeLibrary(String name, LinkageError cause) {
         return new PortFaultException(
                 name,

@@ -22,7 +22,7 @@ public record SerialPortInfo(
         OptionalInt vendorId,
         OptionalInt productId,
         Optional<String> serialNumber) {
-    /** The port by its USB identity: {@code usb:2341:0043}, or {@code usb:2341:0043:SERIAL}; empty if it is not on USB. */
+    /** The port's USB identity: {@code usb:2341:0043}, or {@code usb:2341:0043:SERIAL}; empty: it is not on USB. */
     public Optional<String> usbName() {
         if (vendorId.isEmpty() || productId.isEmpty()) {
             return Optional.empty();

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javino.PortFaultException;
 
-/** Finds out about serial devices without opening them, since opening resets most boards. Safe on any thread. */
+/** Lists serial devices and looks at them without opening them: opening resets most boards. Safe on any thread. */
 public final class SerialPorts {
     private static final String UNKNOWN = "Unknown"; // jSerialComm's word for a text that it does not know
 
@@ -57,7 +57,7 @@ public final class SerialPorts {
                 known(port.getSerialNumber()));
     }
 
-    /** The name to open the port by; for a device below a folder of {@code /dev}, such as a pseudo-terminal, its path. */
+    /** The name that opens the port. For a device in a folder of {@code /dev}, such as a pseudo-terminal, this is its path. */
     private static String nameOf(SerialPort port) {
         SerialDevice device = SerialDevice.of(port.getSystemPortName());
         return device.hasNode() && !device.path().equals(port.getSystemPortPath())
@@ -74,16 +74,14 @@ public final class SerialPorts {
     }
 
     /**
-     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty when there are none, or when none
-     * can be seen: on systems without {@code /proc}, and for other users' processes.
+     * The other processes that have a serial device open, in words: {@code process 4711 (minicom)}. Empty: there are none, or this user
+     * cannot see them; on systems without {@code /proc} nobody can.
      */
     public static List<String> holders(String port) {
         return DeviceHolders.of(SerialDevice.of(port));
     }
 
-    /**
-     * Says how this user gets permission to open a serial device; empty if the user has it, or if only opening the device would show that.
-     */
+    /** Says how this user gets permission to open a serial device; empty: the user has it, or only opening the device would show that. */
     public static Optional<String> permissionRemedy(String port) {
         SerialDevice device = SerialDevice.of(port);
         if (!device.hasNode() || !device.exists()) {

@@ -14,42 +14,40 @@ import javino.PortInterruptedException;
 
 /** A serial device, or a pseudo-terminal that stands for one, through jSerialComm. */
 final class SerialTransport extends DriverTransport {
-    /** The time that one read of the driver waits: the driver counts in tenths of a second. */
+    /** The time that one read of the driver waits; the driver counts in tenths of a second. */
     private static final int SLICE_MILLIS = 100;
 
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(SLICE_MILLIS);
     private static final long MILLI_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** The longest time that closing waits for a read to end. */
     private static final int READ_END_MILLIS = 2_000;
-    /** The longest time that the driver gets to end a waiting write and close the port. */
     private static final int CLOSE_MILLIS = 2_000;
-    /** The interval at which the driver is asked for bytes in the last slice of a wait, on a line that was used just now. */
+    /** The interval of the questions for bytes in the last slice of a wait, on a line that was used just now. */
     private static final long POLL_NANOS = 250_000L;
-    /** The interval on a line that has been still for long: an unasked message comes seldom, and each question takes time. */
+    /** The longest interval, on a line that has long been still: unasked messages are rare, and each question takes time. */
     private static final long MAX_POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
-    /** The interval is the time for which the line has been still, divided by this. */
+    /** The interval is the time since the last byte, divided by this. */
     private static final int STILL_SHARE = 8;
 
-    /** The time that written bytes get to leave the driver, since closing the port drops the rest. */
+    /** The time that written bytes get to leave the driver: closing the port drops the rest. */
     private static final long LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that a driver certainly takes if it does not tell how many wait in it, as that of a pseudo-terminal does not. In Linux a
-     * pseudo-terminal holds four times as many, in macOS at 9600 baud also more than these.
+     * Bytes that any driver certainly takes. It is used for drivers that do not tell how many bytes wait, such as pseudo-terminals. A
+     * pseudo-terminal holds four times as many in Linux, and more than these in macOS at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 
     private static final DriverOpening OPENING = new DriverOpening(Duration.ofSeconds(1));
 
-    /** Held while the driver reads, so that no other thread closes the driver meanwhile. */
+    /** Held while the driver reads: no other thread closes the driver in that time. */
     final ReentrantLock reading = new ReentrantLock();
 
     private final SerialPort port;
     private volatile long lingerUntil = System.nanoTime();
     private volatile long stillSince = System.nanoTime();
-    /** True once the driver has shown that it knows how many bytes wait in it. */
+    /** The driver has shown that it counts the bytes that wait in it. */
     private volatile boolean countsWaiting;
 
     private SerialTransport(SerialPort port, String name, LineSettings line) {
@@ -89,7 +87,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected int readFromDriver(byte[] b, int off, int len, long nanos) throws PortException {
-        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // a bit less, so that a wait of one slice counts as one
+        boolean slice = nanos >= SLICE_NANOS - MILLI_NANOS; // a bit less: a wait of one slice counts as a slice
         int count = readNow(b, off, len, slice);
         if (count > 0) {
             stillSince = System.nanoTime();
@@ -100,8 +98,8 @@ final class SerialTransport extends DriverTransport {
     }
 
     /**
-     * The time until the driver is asked again if the line has been still for {@code stillNanos}. At 50 Hz asking costs more than all other
-     * work.
+     * The time until the driver is asked again, on a line that has been still for {@code stillNanos}. At 50 Hz the questions cost more than
+     * all other work.
      */
     static long pollNanos(long stillNanos) {
         return Math.min(Math.max(POLL_NANOS, stillNanos / STILL_SHARE), MAX_POLL_NANOS);
@@ -124,7 +122,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Takes the lock {@link #reading}. An interrupt ends the wait for it; an interrupted thread still gets a free lock. */
+    /** Takes the lock {@link #reading}. An interrupt ends the wait; an interrupted thread still gets a free lock. */
     private void awaitReading() throws PortInterruptedException {
         try {
             if (!reading.tryLock()) {
@@ -158,7 +156,7 @@ final class SerialTransport extends DriverTransport {
 
     @Override
     protected void closeDriver() {
-        boolean interrupted = Thread.interrupted(); // a thread that is interrupted closes the port with the same care
+        boolean interrupted = Thread.interrupted(); // an interrupted thread closes the port with the same care
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0); // ends a read that waits
         linger();
         boolean readingEnded = false;
@@ -180,7 +178,7 @@ final class SerialTransport extends DriverTransport {
         }
     }
 
-    /** Closes the port, which ends a waiting write. Returns false if the driver takes too long; true if closed or interrupted. */
+    /** Closes the port, which ends a waiting write. Returns false if the driver takes too long. */
     private boolean closePort() {
         Thread closing = new Thread(port::closePort, "close " + name());
         closing.setDaemon(true);
@@ -201,7 +199,7 @@ final class SerialTransport extends DriverTransport {
                         "port " + name() + " is given up as it is: its driver does not return from " + call);
     }
 
-    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}; not if the device is lost. */
+    /** Waits until the written bytes have left the driver, at most for {@link #MAX_LINGER_NANOS}. Does nothing for a lost device. */
     private void linger() {
         long now = System.nanoTime();
         long deadline = now + MAX_LINGER_NANOS;

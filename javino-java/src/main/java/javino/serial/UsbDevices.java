@@ -5,22 +5,14 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javino.NoSuchPortException;
 
-/**
- * Finds the one serial device with an identity on USB.
- *
- * @param present the serial devices there are now
- */
+/** Finds the one device with an identity on USB among the serial devices that are {@code present} now. */
 record UsbDevices(Supplier<List<SerialPortInfo>> present) {
-    /** On macOS each device has two names. The name with this beginning is for incoming calls; the other one is the name to open. */
+    /** macOS has two names for each device. The name with this beginning is for incoming calls; the other name is the one to open. */
     private static final String MAC_CALL_IN = "tty.";
 
     private static final String MAC_CALL_OUT = "cu.";
 
-    /**
-     * @param port the port's name as it was given, for messages
-     * @param address the part behind the scheme
-     * @throws NoSuchPortException if no device has this identity, or several have it; the message lists them
-     */
+    /** @throws NoSuchPortException if no device has this identity, or several have it; lists the devices */
     SerialDevice device(String port, String address) throws NoSuchPortException {
         List<SerialPortInfo> fitting = fitting(port, address);
         return switch (fitting.size()) {
@@ -67,7 +59,7 @@ record UsbDevices(Supplier<List<SerialPortInfo>> present) {
                 .collect(Collectors.joining(", "));
     }
 
-    /** Returns {@code ports} without the second names that macOS has for the same devices. */
+    /** Leaves out the second names that macOS has for the same devices. */
     static List<SerialPortInfo> onceEach(List<SerialPortInfo> ports) {
         List<String> devices = ports.stream().map(SerialPortInfo::name).toList();
         return ports.stream()

@@ -6,18 +6,14 @@ import java.util.regex.Pattern;
 import javino.NoSuchPortException;
 
 /**
- * The identity of a device on USB, whatever name the system gives it: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
+ * The identity of a device on USB, independent of its name: {@code 2341:0043}, or {@code 2341:0043:SERIAL}.
  *
- * @param serialNumber compared without regard to case, since Windows changes it; empty: any
+ * @param serialNumber compared without regard to case, which Windows changes; empty: any
  */
 record UsbIdentity(int vendor, int product, String serialNumber) {
     private static final Pattern FORM = Pattern.compile("([0-9A-Fa-f]{1,4}):([0-9A-Fa-f]{1,4})(?::(.+))?");
     private static final int HEX = 16;
 
-    /**
-     * @param port the port's name as it was given, for messages
-     * @param address the part behind the scheme
-     */
     static UsbIdentity of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {

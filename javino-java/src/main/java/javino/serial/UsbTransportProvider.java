@@ -9,7 +9,7 @@ import javino.Transport;
 import javino.TransportProvider;
 import javino.Transports;
 
-/** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, whatever its name is now. */
+/** {@code usb:2341:0043} and {@code usb:2341:0043:SERIAL}: the serial device on USB with this identity, under any name. */
 public class UsbTransportProvider implements TransportProvider {
     static final String SCHEME = "usb";
 
@@ -22,9 +22,8 @@ public class UsbTransportProvider implements TransportProvider {
     }
 
     /**
-     * Knows devices from another list than that of the driver.
-     *
-     * @param present the serial devices there are now; asked on any thread, about once a second while a device is waited for
+     * Takes the devices from another list than the driver's.
+     * @param present the serial devices there are now; called on any thread, about once a second while a device is missing
      */
     protected UsbTransportProvider(String scheme, Supplier<List<SerialPortInfo>> present) {
         this.scheme = scheme;

@@ -2,14 +2,14 @@ package javino.session;
 
 /** The outcome of a command. */
 public enum CommandOutcome {
-    /** The board has carried it out. */
+    /** The board has carried the command out. */
     DONE,
-    /** The board does not know it, takes other arguments, or refuses it now. */
+    /** The board does not know the command, takes other arguments, or refuses it now. */
     REFUSED,
-    /** The board has begun it, and has reported later that it could not carry it out. */
+    /** The board has begun the command, and has later reported a failure. */
     FAILED,
-    /** The command may or may not have been carried out. */
+    /** The board may or may not have carried the command out. */
     UNCONFIRMED,
-    /** The command is longer than the board takes, and was not sent. */
+    /** The command is longer than the board takes, so it was not sent. */
     TOO_LONG
 }

@@ -13,12 +13,10 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The computer's end of a line of version 2. It is given the frames that come, and asked for the next frame to write whenever the line is
- * free: repetitions first, then a request for percepts, then commands, then a request for the board's vocabulary.
- *
- * <p>At first it is closed and sends nothing by itself, until {@link #open} or the answer to a {@link #hello}. From then on one session
- * follows another, until it is closed or the board is silent. One thread at a time.
- *
+ * The computer's end of a line of version 2. The caller gives it the frames that arrive. Whenever the line is free, the caller asks for the
+ * next frame to write. The order is: repetitions, a request for percepts, commands, a request for the board's vocabulary.
+ * <p>A new session is closed: it sends nothing by itself until {@link #open}, or until the board answers a {@link #hello}. Then one session
+ * follows another until {@link #close}, or until the board falls silent. One thread at a time.
  * @param <C> the commands
  */
 public final class ComputerSession<C extends SessionCommand> {
@@ -37,7 +35,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private static final int MAX_ROW = 32;
 
     private static final int NAK_DIVISOR = 3;
-    /** After this number of frames in a row with impossible numbers, the board cannot be in the current session. */
+    /** After this number of frames in a row with impossible numbers, the board is not in the current session. */
     private static final int IMPOSSIBLE_NUMBERS = 16;
 
     private final long byteNanos;
@@ -51,7 +49,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private State state = State.CLOSED;
     private int nonce; // 0: none was chosen
-    private boolean isEnded; // a session with this nonce counts no more
+    private boolean isEnded; // a session with this nonce is over
     private int hellos;
     private long helloAt;
     private Welcome welcome = Welcome.NO_SESSION;
@@ -62,7 +60,7 @@ public final class ComputerSession<C extends SessionCommand> {
     private long timerFrom;
     private long repeatedAt;
     private boolean hasRepeated;
-    private long heardAt; // time of the last valid frame, or since when something is awaited
+    private long heardAt; // time of the last valid frame, or at which the wait for one began
     private int silentRepetitions;
     private int impossibleNumbers; // number of frames in a row with an impossible number
     private FrameKind writing; // the frame that next() returned last
@@ -80,39 +78,39 @@ public final class ComputerSession<C extends SessionCommand> {
         requests = new Requests(byteNanos);
     }
 
-    /** The session's nonce, with which its frames are checked; 0: there is none. */
+    /** The session's nonce, with which its frames are checked; 0: there is no session. */
     public int nonce() {
         return state == State.OPEN ? nonce : 0;
     }
 
-    /** Returns whether the board has answered HELLO, and has not been found restarted since. */
+    /** Returns whether the board has answered HELLO and is not known to have restarted since. */
     public boolean isOpen() {
         return state == State.OPEN;
     }
 
-    /** Returns whether the board still has to send something besides answers to requests. */
+    /** Returns whether the board owes something besides answers to requests. */
     public boolean isExpecting() {
         return state == State.OPENING || window.size() > 0 || state == State.OPEN && vocabulary.isAwaited();
     }
 
-    /** Returns whether the board has acknowledged and answered all that was sent. */
+    /** Returns whether the board has acknowledged or answered all that was sent. */
     public boolean isSettled() {
         return window.size() == 0 && requests.bytes() == 0;
     }
 
-    /** Begins to say HELLO until the board answers. */
+    /** Sends HELLO from now on, until the board answers. */
     public void open(long now) {
         if (state == State.CLOSED) {
             begin(State.OPENING, now);
         }
     }
 
-    /** Ends the session, if there is one, and sends nothing from now on. Commands that are out are unconfirmed. */
+    /** Ends the session, if there is one, and sends nothing more. Commands that are out are unconfirmed. */
     public void close(long now) {
         end(State.CLOSED, now);
     }
 
-    /** A HELLO that may begin a session, for a caller that does not know whether the board speaks version 2. */
+    /** A HELLO that may begin a session. The caller need not know whether the board speaks version 2. */
     public WireFrame hello() {
         if (nonce == 0 || isEnded) {
             renew();
@@ -125,23 +123,23 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out: it ends the session that the board may have begun, so another is begun behind it. */
+    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session begins behind it. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
-        } else { // WELCOME came when this frame's turn had come
+        } else { // WELCOME arrived when it was this frame's turn
             end(State.OPENING, now);
         }
     }
 
-    /** The actions of the board in the order of their numbers; empty while they are not known. */
+    /** The board's actions in the order of their numbers; empty: not known yet. */
     public Optional<List<BoardAction>> vocabulary() {
         return vocabulary.actions();
     }
 
     /**
-     * Asks for percepts, again and again, until {@link #cancelRequest} or the report of the answer. Percepts received before the request
-     * has gone out are no answer to it.
+     * Asks for percepts, again and again, until {@link #cancelRequest} or the report of the answer. Percepts that arrive before the request
+     * has gone out are no answer.
      *
      * @param functors empty for all, or {@code (dist,light)}
      */
@@ -149,7 +147,6 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.want(functors, now);
     }
 
-    /** Stops asking for percepts. */
     public void cancelRequest() {
         requests.cancel();
     }
@@ -180,8 +177,8 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * Takes a WELCOME while there is no session. A WELCOME that does not answer the last HELLO still shows that the board speaks version 2.
-     * A WELCOME of a session in which commands have begun already shows that another computer uses the same nonce.
+     * Takes a WELCOME while there is no session. A WELCOME for another HELLO than the last still proves that the board speaks version 2. If
+     * commands have begun in its session, another computer uses the same nonce.
      */
     private void welcomed(Welcome said, WireFrame frame, long now) {
         if (said.revision() != Welcome.REVISION) {
@@ -290,12 +287,10 @@ public final class ComputerSession<C extends SessionCommand> {
         return hasRepeated && now - repeatedAt < timeoutNanos() / NAK_DIVISOR;
     }
 
-    /** Records that bytes have come. */
     public void receiving(long now) {
         requests.receiving(now);
     }
 
-    /** Records that a frame has come whose checksum was wrong. */
     public void damaged() {
         requests.damaged();
     }
@@ -322,9 +317,9 @@ public final class ComputerSession<C extends SessionCommand> {
     }
 
     /**
-     * The frame that is to be written now; null: there is none. It counts as sent: {@link #wrote} follows.
+     * The frame to write now; null: there is none. The frame counts as sent; {@link #wrote} must follow.
      *
-     * @param waiting the commands from which it may take some
+     * @param waiting the commands that it may take
      */
     public WireFrame next(long now, WaitingCommands<C> waiting) {
         if (state == State.OPEN) {
@@ -358,7 +353,7 @@ public final class ComputerSession<C extends SessionCommand> {
 
     private WireFrame request(long now) {
         if (requests.bytes() > 0) {
-            silentRepetitions++; // the request before this one has no answer
+            silentRepetitions++; // the request before has no answer
         } else if (window.size() == 0) {
             heardAt = now; // nothing has been awaited
         }
@@ -373,7 +368,7 @@ public final class ComputerSession<C extends SessionCommand> {
             timeout.timedOut();
             silentRepetitions++;
             window.repeat();
-            isTimed = false; // the timer begins again when the repetition has gone out
+            isTimed = false; // the timer starts again when the repetition has gone out
         }
     }
 
@@ -438,21 +433,21 @@ public final class ComputerSession<C extends SessionCommand> {
                 || vocabulary.itemOf(command).payload().length() > welcome.longestPayload();
     }
 
-    /** The most bytes that the board takes as the text of a command, or of a command that changes its rules. */
+    /** The most bytes that the board takes as the text of a command, or of a change of its rules. */
     public int longestText(boolean isRule) {
         int payload = welcome.longestPayload();
         return Math.max(0, payload - (isRule || payload > CommandItem.BY_NUMBER ? 2 : 1));
     }
 
     private final class Row {
-        private final boolean isFirst; // no other row is out, so this one may be longer than the credit
+        private final boolean isFirst; // no other row is out, so this row may exceed the credit
         private String payload = "";
 
         Row(boolean isFirst) {
             this.isFirst = isFirst;
         }
 
-        /** Adds an item if the frame has room for it, and {@linkplain Window#hasRoomFor the board} for the frame; else returns false. */
+        /** Adds an item if the frame and {@linkplain Window#hasRoomFor the board} have room for it; else returns false. */
         boolean add(CommandItem item) {
             String longer = payload + item.payload();
             boolean isAlone = payload.isEmpty();
@@ -480,7 +475,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /** Records when the last byte of the frame that {@link #next} returned leaves the line. */
+    /** Records when the last byte of the frame from {@link #next} leaves the line. */
     public void wrote(long leavesAt) {
         if (writing == null) {
             return;
@@ -502,11 +497,7 @@ public final class ComputerSession<C extends SessionCommand> {
         }
     }
 
-    /**
-     * Nanoseconds until {@link #next} has a frame if nothing comes meanwhile; {@link Long#MAX_VALUE}: it will have none.
-     *
-     * @param waiting as for {@link #next}
-     */
+    /** Nanoseconds until {@link #next} has a frame if nothing arrives; {@link Long#MAX_VALUE}: it will have none. */
     public long nanosUntilNext(long now, WaitingCommands<C> waiting) {
         return switch (state) {
             case CLOSED -> Long.MAX_VALUE;
@@ -524,7 +515,7 @@ public final class ComputerSession<C extends SessionCommand> {
         return Math.min(Math.min(untilRepetition, untilRequest), vocabulary.nanosUntilDue(now));
     }
 
-    /** Returns whether a frame of commands is to be written, new or repeated. */
+    /** Returns whether a frame of commands is due, new or repeated. */
     private boolean hasCommands(WaitingCommands<C> waiting) {
         if (window.unsent() < window.size()) {
             return new Row(window.bytes() == 0).add(repetitionOf(window.get(window.unsent())));

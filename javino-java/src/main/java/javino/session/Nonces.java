@@ -6,12 +6,12 @@ import java.util.random.RandomGenerator;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions. Their HELLO needs no escape and holds no {@code f}, since {@code f} begins a frame of version 1. */
+/** Chooses the nonces of sessions. Their HELLO needs no escape, and holds no {@code f}, which would begin a frame of version 1. */
 final class Nonces {
     private static final List<Integer> USABLE = usable();
 
     private final RandomGenerator random;
-    private int last = -1; // place of the last nonce among the usable ones; -1: there was none
+    private int last = -1; // place of the last nonce among the usable ones; -1: none yet
 
     Nonces(RandomGenerator random) {
         this.random = random;
@@ -36,9 +36,7 @@ final class Nonces {
         return WireFrame.of(FrameKind.HELLO, nonce, "");
     }
 
-    /**
-     * A nonce that was not used before, as long as there is one, so that a late WELCOME with an earlier nonce is not taken for the answer.
-     */
+    /** An unused nonce as long as there is one: a late WELCOME with an earlier nonce is then no answer. */
     int next() {
         last = (last < 0 ? random.nextInt(USABLE.size()) : last + 1) % USABLE.size();
         return USABLE.get(last);

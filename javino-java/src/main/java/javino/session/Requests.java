@@ -7,8 +7,8 @@ import javino.wire.PerceptDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Asks for percepts and reads the answers. A request is repeated when its answer is damaged, or later than twice the smoothed time that
- * answers take; the first answer to any request since the last answer counts.
+ * Asks for percepts and reads the answers. A request is repeated if its answer is damaged, or takes twice the smoothed time of answers. The
+ * first answer to any request since the last answer is taken.
  */
 final class Requests {
     private static final int NUMBERS = 255;
@@ -16,11 +16,11 @@ final class Requests {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     private static final int MAX_DOUBLINGS = 4;
-    /** A line that has been silent for this time, or four byte times, is not sending the answer. */
+    /** A line that has been silent for this time, or for four byte times, is not sending the answer. */
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     private static final int QUIET_BYTES = 4;
-    /** Bytes postpone a repetition for this time at most: a line that is never silent brings something else than the answer. */
+    /** Bytes postpone a repetition at most for this time: a line that is never silent brings something else than the answer. */
     private static final long MAX_POSTPONED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
     private static final int SMOOTHING = 4;
@@ -29,8 +29,8 @@ final class Requests {
     private final PerceptDecoder reader = new PerceptDecoder();
     private final AnswerParts parts = new AnswerParts();
     private long asked; // requests in this session
-    private long answered; // how many of them are answered, or older than an answered one
-    private String wanted; // functors; null: nothing is asked
+    private long answered; // how many requests are answered, or older than an answered one
+    private String wanted; // functors; null: nothing is wanted
     private boolean isOut; // a request for the wanted functors is out
     private boolean isDamaged;
     private int repetitions;
@@ -53,7 +53,6 @@ final class Requests {
         dueAt = now;
     }
 
-    /** Stops asking: nobody waits for the answer any more. */
     void cancel() {
         wanted = null;
     }
@@ -62,7 +61,7 @@ final class Requests {
         return wanted != null;
     }
 
-    /** Forgets the state of a session; wanted percepts are requested in the next one. */
+    /** Forgets the session's state. Percepts that are wanted are requested in the next session. */
     void reset(long now) {
         reader.forget();
         parts.forget();
@@ -73,7 +72,6 @@ final class Requests {
         dueAt = now;
     }
 
-    /** Bytes of a request that is not answered. */
     int bytes() {
         return bytes;
     }
@@ -98,7 +96,7 @@ final class Requests {
         }
         isOut = true;
         isDamaged = false;
-        String functors = wanted.length() < longestPayload ? wanted : ""; // else all: a board may send more than wanted
+        String functors = wanted.length() < longestPayload ? wanted : ""; // else all: a board may send more than is wanted
         WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
         bytes = frame.toBytes(nonce).length;
         return frame;
@@ -114,12 +112,12 @@ final class Requests {
         lastByteAt = now;
     }
 
-    /** Records that a damaged frame has come, which may have been the answer. */
+    /** Records that a damaged frame has arrived: it may have been the answer. */
     void damaged() {
         isDamaged |= isOut;
     }
 
-    /** Takes a frame of percepts and reports the answer that it completes. */
+    /** Takes a frame of percepts, and reports an answer that it completes. */
     <C> void accept(WireFrame frame, long now, int limit, SessionListener<C> listener) {
         AnswerParts.Answer answer = parts.accept(frame);
         if (answer == null) {

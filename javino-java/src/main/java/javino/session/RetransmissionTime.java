@@ -3,8 +3,8 @@ package javino.session;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The time after which unacknowledged frames are repeated: twice the smoothed round trip behind their last byte, and longer with each
- * repetition in vain. {@link ComputerSession} repeats them, then or when the board shows that it has missed something.
+ * The time after which unacknowledged frames are repeated: twice the smoothed round trip, counted from their last byte; longer with each
+ * vain repetition. {@link ComputerSession} also repeats frames when the board shows that it has missed something.
  */
 final class RetransmissionTime {
     private static final long MIN_NANOS = TimeUnit.MILLISECONDS.toNanos(60);
@@ -16,7 +16,7 @@ final class RetransmissionTime {
     private long smoothedNanos; // 0: none has been measured
     private int doublings;
 
-    /** Records the time between the last byte of a frame and its acknowledgement. The frame was sent only once. */
+    /** Records the time from the last byte of a frame to its acknowledgement. The frame was sent only once. */
     void measured(long nanos) {
         long atLeast1 = Math.max(1, nanos);
         smoothedNanos =
@@ -31,11 +31,7 @@ final class RetransmissionTime {
         doublings++;
     }
 
-    /**
-     * The timeout.
-     *
-     * @param lineNanos nanoseconds that the unacknowledged frames take on the line
-     */
+    /** @param lineNanos nanoseconds that the unacknowledged frames take on the line */
     long nanos(long lineNanos) {
         long base = Math.max(MIN_NANOS, (smoothedNanos == 0 ? FIRST_NANOS : 2 * smoothedNanos) + lineNanos);
         return Math.max(base, Math.min(base << Math.min(doublings, 10), MAX_DOUBLED_NANOS));

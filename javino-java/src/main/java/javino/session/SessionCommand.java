@@ -7,11 +7,11 @@ public interface SessionCommand {
     /** The command's text, a character a byte; for a command that changes rules, a description for a person. */
     String text();
 
-    /** The command's change of the board's rules; null: none, the text is for the board's program. */
+    /** The command's change of the board's rules; null: the text is for the board's program. */
     default CommandItem.Rule rule() {
         return null;
     }
 
-    /** Returns whether its time is over, or nobody waits for its outcome any more: then the board must not carry it out any more. */
+    /** Returns whether the command's time is over or nobody waits for its outcome. Then the board must not carry it out any more. */
     boolean isOver();
 }

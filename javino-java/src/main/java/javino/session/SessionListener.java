@@ -4,12 +4,12 @@ import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
 import javino.wire.Welcome;
 
-/** Receives the reports of a session, while one of the session's methods runs; it does not call the session back. */
+/** Receives the reports of a session, while one of the session's methods runs. It must not call the session. */
 public interface SessionListener<C> {
-    /** The board speaks version 2, and a session with it is being begun. */
+    /** The board speaks version 2; a session is about to begin. */
     void found();
 
-    /** The board speaks another {@linkplain Welcome#REVISION revision} of version 2: no session begins. Called for each such answer. */
+    /** The board speaks another {@linkplain Welcome#REVISION revision} of version 2, so no session begins. Called for each such answer. */
     void otherRevision(int revision);
 
     /** A session has begun: the board knows no rules. */
@@ -24,14 +24,14 @@ public interface SessionListener<C> {
     /** Percepts have come unasked. */
     void heard(String percepts);
 
-    /** An answer of more bytes than the limit was dropped. */
+    /** An answer was dropped: it has more bytes than the limit. */
     void dropped();
 
-    /** An intact frame was dropped, since its payload has no known form. */
+    /** An intact frame was dropped: its payload has no known form. */
     void unreadable(FrameKind kind);
 
     /**
-     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known, so the rest stays
+     * A page of the board's vocabulary holds no action, although only {@code described} of {@code total} are known. So the others stay
      * unknown. Called for each such page.
      */
     void undescribed(int described, int total);
@@ -39,6 +39,6 @@ public interface SessionListener<C> {
     /** A rule on the board has begun to be met. */
     void reported(CriticalReport report);
 
-    /** The board has not answered for so long that it may have been exchanged for another. The session is closed. */
+    /** The board has not answered for so long that another may be in its place. The session is closed. */
     void lapsed();
 }

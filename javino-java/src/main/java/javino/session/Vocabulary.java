@@ -12,7 +12,7 @@ import javino.wire.FrameKind;
 import javino.wire.VocabularyPage;
 import javino.wire.WireFrame;
 
-/** Asks the board for its actions, page by page, and knows the numbers of the actions without arguments. */
+/** Asks the board for its actions, page by page, and knows the numbers of those without arguments. */
 final class Vocabulary {
     private static final long FIRST_TIMEOUT_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     private static final int MAX_DOUBLINGS = 6;
@@ -26,7 +26,6 @@ final class Vocabulary {
     private Optional<List<BoardAction>> complete = Optional.empty();
     private long dueAt;
 
-    /** Forgets everything: another session begins. */
     void reset() {
         actions.clear();
         numbers.clear();
@@ -43,12 +42,11 @@ final class Vocabulary {
         }
     }
 
-    /** The actions in the order of their numbers; empty while they are not known. */
     Optional<List<BoardAction>> actions() {
         return complete;
     }
 
-    /** Returns the form in which a command goes out: a rule, a number or a text. An empty text goes out as no command. */
+    /** Returns the form in which a command goes out: a rule, a number or a text. An empty text becomes "no command". */
     CommandItem itemOf(SessionCommand command) {
         if (command.rule() != null) {
             return command.rule();
@@ -65,7 +63,7 @@ final class Vocabulary {
         return isWanted && complete.isEmpty();
     }
 
-    /** Returns whether a page may come soon. A late page is read when the line is read for another reason. */
+    /** Returns whether a page may come soon. A late page waits until the line is read for another reason. */
     boolean isAwaited() {
         return asks() && doublings == 1;
     }

@@ -18,7 +18,7 @@ final class Window<C> {
             this.command = command;
         }
 
-        /** Records that "no command" has gone out in its place. */
+        /** Records that "no command" has gone out in this command's place. */
         void markVoid() {
             isVoid = true;
         }
@@ -28,16 +28,16 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. It carries commands up to, but not including, place {@code end} of those that are out. */
+    /** A frame on its way. It carries the commands that are out, up to and without place {@code end}. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();
     private Deque<Sent> frames = new ArrayDeque<>();
     private int oldest;
-    private int unsent; // place of the first command that is to be sent again
+    private int unsent;
     private OptionalLong roundTrip = OptionalLong.empty();
 
-    /** The number of the oldest command that is out; if none is out, of the next one. */
+    /** The number of the oldest command that is out; if none is out, of the next command. */
     int oldest() {
         return oldest;
     }
@@ -67,12 +67,7 @@ final class Window<C> {
         return bytes;
     }
 
-    /**
-     * Returns whether a frame of {@code bytes} may go out beside the frames that are on their way, within the board's credit.
-     *
-     * @param requestBytes bytes of the requests that are on their way
-     * @param credit the most bytes that the board can take at once
-     */
+    /** Returns whether the board's credit allows a frame of {@code bytes} beside the frames and requests that are on their way. */
     boolean hasRoomFor(int bytes, int requestBytes, int credit) {
         return bytes() + requestBytes + bytes <= credit;
     }
@@ -87,7 +82,6 @@ final class Window<C> {
         frames.clear();
     }
 
-    /** Records that a frame with the commands up to place {@code end} goes out. */
     void sent(int bytes, int end, boolean isRepeated, long now) {
         frames.add(new Sent(bytes, end, isRepeated, now));
         unsent = end;
@@ -120,7 +114,7 @@ final class Window<C> {
         return handled;
     }
 
-    /** The round trip of the newest frame that the last acknowledgement covers and that was sent only once; empty: there is none. */
+    /** The round trip of the newest acknowledged frame that was sent only once; empty: there is none. */
     OptionalLong roundTrip() {
         return roundTrip;
     }

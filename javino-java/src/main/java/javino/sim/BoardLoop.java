@@ -22,11 +22,10 @@ import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
 /**
- * Runs a board's program: takes messages from a line, one after the other, has the program handle each, and answers in the protocol version
- * of the message.
- *
- * <p>One loop serves one opening of the port. All methods are called on its thread, that of the board; only {@link #say} and {@link #write}
- * are safe on any thread.
+ * Runs a board's program: takes messages from a line one by one, has the program handle each, and answers in the protocol version of the
+ * message.
+ * <p>One loop serves one opening of the port. The board's thread calls all methods; only {@link #say} and {@link #write} are safe on any
+ * thread.
  */
 public final class BoardLoop {
     private static final System.Logger LOG = System.getLogger(BoardLoop.class.getName());
@@ -45,8 +44,7 @@ public final class BoardLoop {
     private final byte[] buffer = new byte[MemoryLine.CAPACITY];
     private volatile Thread board;
     private volatile int version = 1; // version of the message handled last
-    // the sum of all silences. It is the receiver's clock, so that bytes which waited in a buffer or for this thread do
-    // not count as late
+    // the sum of all silences, as the receiver's clock: bytes that waited in a buffer or for this thread are not late
     private long silentNanos;
     private long listenedNanos; // silence since the last byte
     private long lookedNanos;
@@ -66,10 +64,9 @@ public final class BoardLoop {
     }
 
     /**
-     * @param line the board's end of the line
-     * @param reads the version whose messages are found, or both
-     * @param capacity the capacity that it reports to computers of version 2
-     * @param clock the clock of the line
+     * @param line the board's end of the line, with the clock {@code clock}
+     * @param reads the version whose messages it finds, or both
+     * @param capacity the capacity that the board reports to computers of version 2
      */
     public BoardLoop(
             Transport line, BoardProgram program, Protocol reads, BoardSession.Capacity capacity, LineClock clock) {
@@ -87,7 +84,7 @@ public final class BoardLoop {
                 arrived::add);
     }
 
-    /** The nonce of the session to which the bytes that arrive now belong, once the messages before them have been handled; 0: none. */
+    /** The nonce of the session to which new bytes belong when the messages before them have been handled; 0: none. */
     private int nonce() {
         Iterator<BoardReceiver.Found> newestFirst = arrived.descendingIterator();
         while (newestFirst.hasNext()) {
@@ -99,29 +96,20 @@ public final class BoardLoop {
         return session.nonce();
     }
 
-    /**
-     * Handles messages until the line is gone.
-     *
-     * @throws javino.PortGoneException when the line is gone
-     * @throws InterruptedException if the thread is interrupted
-     */
+    /** Handles messages until the line is gone; then throws {@link javino.PortGoneException}. */
     public void run() throws PortException, InterruptedException {
         while (true) {
             step(READ_MILLIS);
         }
     }
 
-    /**
-     * Handles the next message, waiting for one at most {@code timeoutMillis}; throws as {@link #run} does.
-     *
-     * @param timeoutMillis milliseconds, at least 0; while the board watches rules, it waits only a few milliseconds
-     */
+    /** Handles the next message; waits for it at most {@code timeoutMillis}, or a few milliseconds if the board watches rules. */
     public void step(int timeoutMillis) throws PortException, InterruptedException {
         receive(timeoutMillis);
         handleNext();
     }
 
-    /** Waits for bytes unless a message is there, and takes all that have arrived by then. */
+    /** Waits for bytes unless a message is there. Takes all bytes that have arrived by then. */
     void receive(int timeoutMillis) throws PortException {
         board = Thread.currentThread();
         boolean waits = arrived.isEmpty();
@@ -130,7 +118,7 @@ public final class BoardLoop {
         try {
             count = line.read(buffer, 0, buffer.length, waits ? patience(timeoutMillis) : 0);
         } catch (PortGoneException e) {
-            if (waits) { // else the messages that arrived before come first
+            if (waits) { // else the messages that arrived earlier come first
                 throw e;
             }
         }
@@ -152,7 +140,7 @@ public final class BoardLoop {
         return session.hasRules() ? Math.min(timeoutMillis, LOOK_MILLIS) : timeoutMillis;
     }
 
-    /** Handles a message that has arrived, if there is one, and looks whether rules are met. */
+    /** Handles a message that has arrived, if any. Checks whether rules are met. */
     void handleNext() throws PortException, InterruptedException {
         BoardReceiver.Found found = arrived.poll();
         if (found != null && found.version2() != null) {
@@ -199,7 +187,7 @@ public final class BoardLoop {
                 || clock.nanos() - lookedNanos < TimeUnit.MILLISECONDS.toNanos(LOOK_MILLIS)) {
             return;
         }
-        isLooking = true; // frames sent by this look are no reason to look again
+        isLooking = true; // frames that this look sends cause no second look
         try {
             String percepts = program.sensors();
             session.look(percepts == null ? "" : percepts);
@@ -213,7 +201,7 @@ public final class BoardLoop {
         return arrived.size();
     }
 
-    /** Removes the oldest message that was not handled, and returns it; empty: it is of version 2, so the computer repeats it. */
+    /** Removes and returns the oldest unhandled message; empty: it is of version 2, so the computer repeats it. */
     Optional<Frame> overwrite() {
         return Optional.ofNullable(arrived.remove().version1());
     }
@@ -222,7 +210,7 @@ public final class BoardLoop {
         read += line.read(buffer, 0, buffer.length, 0);
     }
 
-    /** Notes that the current message counts as handled, as far as others can see. */
+    /** Notes for others that the current message is handled. */
     void markHandled() {
         if (arrived.isEmpty() && !isHandlingCommands && receiver.nanosUntilIdle(silentNanos) == Long.MAX_VALUE) {
             handled = read;
@@ -239,22 +227,21 @@ public final class BoardLoop {
     }
 
     /**
-     * Returns whether everything that was written to the board has been read and handled; safe on any thread.
-     *
-     * @param silencesBefore {@link #silences} at an earlier time: two more show that a line is empty if nothing else can show it
+     * Returns whether all that was written to the board has been read and handled; safe on any thread.
+     * @param silencesBefore an earlier value of {@link #silences}; if nothing else shows that the line is empty, two more silences do
      */
     boolean isDrained(int silencesBefore) {
         return line instanceof MemoryLine.End end ? end.isRead(handled) : silences - silencesBefore >= 2;
     }
 
-    /** The version of the protocol of the message that was handled last; 1 before the first. */
+    /** The protocol version of the message that was handled last; 1 before the first message. */
     public int version() {
         return version;
     }
 
     /**
-     * Sends a message that nobody asked for, in {@link #version}; in version 2 it may have any length. On the board's thread it returns
-     * when the last byte has left.
+     * Sends a message unasked, in {@link #version}; in version 2 it may have any length. On the board's thread, returns when the last byte
+     * has left.
      *
      * @throws IllegalArgumentException if the text does not fit into a message
      */
@@ -266,7 +253,7 @@ public final class BoardLoop {
         }
     }
 
-    /** Splits a text into the messages that it needs in {@link #version}, sends all but the last, and returns the last. */
+    /** Splits a text into messages of {@link #version}. Sends all but the last, and returns the last. */
     String sayBeginning(String text) throws PortException, InterruptedException {
         List<String> messages = version == 1 ? MessageParts.of(text) : List.of(text);
         if (!hasToldLeftOut && messages.stream().mapToInt(String::length).sum() < text.length()) {
@@ -304,8 +291,8 @@ public final class BoardLoop {
     }
 
     /**
-     * Writes bytes, and on the board's thread returns when the last has left: a board does not read while it sends. If the port has been
-     * closed they are lost, as on a device; {@link #step} throws as soon as all that was received has been handled.
+     * Writes bytes. On the board's thread, returns when the last byte has left: a board does not read while it sends. If the port is
+     * closed, the bytes are lost, as on a device; {@link #step} throws when all that was received has been handled.
      */
     public void send(byte... bytes) throws PortException, InterruptedException {
         put(bytes);

@@ -7,11 +7,10 @@ import javino.PortException;
 import javino.wire.BoardAction;
 
 /**
- * The program of a simulated board, as a sketch is that of a real one. All methods are called on the board's thread and may take their
- * time; the board does nothing else meanwhile.
+ * The program of a simulated board, like the sketch of a real one. The board's thread calls all methods; they may take their time, and the
+ * board does nothing else meanwhile.
  */
 public interface BoardProgram {
-    /** The outcome of a command. */
     enum Outcome {
         /** The command was carried out. */
         DONE,
@@ -19,20 +18,20 @@ public interface BoardProgram {
         /** The command is unknown, or has wrong arguments. */
         REFUSED,
 
-        /** The command was begun; {@link BoardSession#report} follows. In version 1 the same as {@link #DONE}. */
+        /** The command was begun; {@link BoardSession#report} follows. In version 1 this means {@link #DONE}. */
         LATER
     }
 
     /**
-     * The actions that it reports to computers; empty: it reports none. Actions without arguments may be called by their place in this
-     * list. Only the first 126 actions with names of at most 250 bytes count. A computer is told how many others there are, and sends none
-     * of them.
+     * The actions that the board reports to computers; empty: none. Actions without arguments may be called by their place in this list.
+     * Only the first 126 actions with names of at most 250 bytes count. A computer learns how many others there are, and sends none of
+     * them.
      */
     default List<BoardAction> vocabulary() {
         return List.of();
     }
 
-    /** The kinds of percepts that it describes to computers of version 2; empty: it describes none. */
+    /** The kinds of percepts that the board describes to computers of version 2; empty: none. */
     default List<PerceptKind> perceptKinds() {
         return List.of();
     }
@@ -49,13 +48,13 @@ public interface BoardProgram {
     String percepts(String request) throws PortException, InterruptedException;
 
     /**
-     * The percepts that the sensors show now, in the form of {@link #percepts}; called every few milliseconds while the board watches
+     * The percepts that the sensors show now, in the form of {@link #percepts}. Called every few milliseconds while the board watches
      * rules.
      */
     default String sensors() throws PortException, InterruptedException {
         return percepts(PerceptsRequest.ALL);
     }
 
-    /** Is called with the numbers of bytes when the answer to a request has been given to the line. */
+    /** Called when the line has taken the answer to a request, with the numbers of bytes. */
     default void answered(int requestBytes, int answerBytes) {}
 }

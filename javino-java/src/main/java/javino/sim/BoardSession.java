@@ -18,18 +18,15 @@ import javino.wire.Welcome;
 import javino.wire.WireFrame;
 
 /**
- * The board's side of version 2 of the protocol: frames come in, frames go out, and the board's program is called for commands and
- * percepts.
- *
- * <p>It has no thread and no clock. One thread, the board's, calls {@link #receive} and {@link #look}; {@link #sendPercepts} and
- * {@link #report} are safe on any. Frames are given to the line on the thread that causes them.
+ * The board's side of version 2 of the protocol. Frames come in and go out; the board's program handles commands and gives percepts.
+ * <p>It has no thread and no clock. The board's thread calls {@link #receive} and {@link #look}; {@link #sendPercepts} and {@link #report}
+ * are safe on any thread. The thread that causes a frame gives it to the line.
  */
 public final class BoardSession {
-    /** Takes the frames that the session sends. */
     @FunctionalInterface
     public interface Line {
         /**
-         * Sends a frame; may be called on several threads at a time.
+         * Sends a frame; several threads may call this at a time.
          *
          * @param nonce the nonce of the session that the frame belongs to; 0: none
          */
@@ -39,8 +36,8 @@ public final class BoardSession {
     /**
      * The capacity of a board.
      *
-     * @param credit bytes of frames that it holds while its program is busy, 0 to 255
-     * @param longestPayload bytes of payload that it takes, 0 to 255
+     * @param credit bytes of frames that the board holds while its program is busy, 0 to 255
+     * @param longestPayload most bytes of payload that it takes, 0 to 255
      * @param rules critical rules that it watches, 0 to 255
      * @param shapes percept texts that it can number, 0 to 126
      */
@@ -48,13 +45,12 @@ public final class BoardSession {
         /** The largest capacity that the protocol can express, without rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
-        /** Returns this capacity, with {@code value} rules. */
         public Capacity withRules(int value) {
             return new Capacity(credit, longestPayload, value, shapes);
         }
     }
 
-    /** The bytes of an answer in a frame while there are rules, so that urgent frames do not wait for a long one. */
+    /** The bytes of an answer in one frame while there are rules: urgent frames then do not wait for a long one. */
     public static final int PART_WITH_RULES = 12;
 
     private static final int NUMBERS = 256;
@@ -81,19 +77,17 @@ public final class BoardSession {
         writer = new PerceptWriter(capacity.shapes());
     }
 
-    /** The session's nonce; 0: there is none. */
     public synchronized int nonce() {
         return nonce;
     }
 
-    /** Returns whether there is a session. */
     public synchronized boolean isOpen() {
         return nonce != 0;
     }
 
     /** Handles a frame from the computer. */
     public void receive(WireFrame frame) throws PortException, InterruptedException {
-        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else the same HELLO has come twice
+        if (frame.kind() == FrameKind.HELLO && frame.number() != nonce()) { // else the same HELLO came twice
             begin(frame.number());
         }
         if (frame.kind() == FrameKind.HELLO || !isOpen()) {
@@ -108,7 +102,7 @@ public final class BoardSession {
         }
     }
 
-    /** Ends the session, if there is one: a frame of version 1 has come, and its sender knows of no session. */
+    /** Ends the session, if there is one: the sender of a frame of version 1 knows of no session. */
     public void end() {
         begin(0);
     }
@@ -199,13 +193,13 @@ public final class BoardSession {
         }
     }
 
-    /** The action whose outcome is open, to {@link #report} it; 0: there is none. */
+    /** The action whose outcome is open, for {@link #report}; 0: there is none. */
     public synchronized long openAction() {
         return isBusy ? begun : 0;
     }
 
     /**
-     * Reports the outcome of an action for which {@link Outcome#LATER} was returned. An action of an earlier session is ignored.
+     * Reports the outcome of an action that returned {@link Outcome#LATER}. An action of an earlier session is ignored.
      *
      * @param action the value of {@link #openAction} while the action is open
      */
@@ -237,7 +231,7 @@ public final class BoardSession {
         }
     }
 
-    /** Sends percepts that nobody asked for, each with a {@code ;} behind it; nothing without a session. */
+    /** Sends percepts unasked, each with a {@code ;} behind it. Sends nothing without a session. */
     public void sendPercepts(String percepts) throws PortException, InterruptedException {
         if (isOpen()) {
             sendPercepts(0, percepts);
@@ -267,7 +261,7 @@ public final class BoardSession {
                         .payload());
     }
 
-    /** The actions of the program that have a number; the computer is told how many others there are. */
+    /** The program's actions that have a number. The computer learns how many others there are. */
     private List<BoardAction> actions() {
         return program.vocabulary().stream()
                 .filter(action -> action.name().length() <= VocabularyPage.MAX_NAME)
@@ -286,7 +280,7 @@ public final class BoardSession {
         return !rules.isEmpty();
     }
 
-    /** Looks at the sensors: the reflex of each rule that begins to be met is carried out, and the computer informed. */
+    /** Looks at the sensors. If a rule begins to be met, carries its reflex out and informs the computer. */
     public void look(String percepts) throws PortException, InterruptedException {
         for (HeldRules.Beginning beginning : rules.look(PerceptTerm.split(percepts))) {
             ReflexOutcome outcome = carryOutReflex(beginning.rule().reflex());

@@ -35,7 +35,7 @@ final class BoardSocket {
             Run run = new Run(line, new Thread(() -> run(line), "board " + port));
             run.thread.setDaemon(true);
             current = run;
-            if (unplugged) { // checked after the assignment: either unplug() sees this run, or this sees unplugged
+            if (unplugged) { // checked after the assignment: either unplug() sees this run, or this thread sees unplugged
                 throw new NoSuchPortException(
                         port, "the simulated board " + port + " was unplugged while it was opened");
             }
@@ -46,7 +46,7 @@ final class BoardSocket {
         }
     }
 
-    /** Takes the line away from a board that is running; it cannot be opened again. */
+    /** Takes the line away from a running board; the board cannot be opened again. */
     void unplug() {
         unplugged = true;
         Run run = current;
@@ -79,7 +79,6 @@ final class BoardSocket {
         }
     }
 
-    /** Gives a run whose line is gone a moment to end. */
     private void requireOver(Run run) throws PortException {
         if (!run.line.isGone()) {
             throw new PortBusyException(port, "another part of this program");

@@ -12,11 +12,7 @@ import javino.wire.WireFrame;
 
 /** The critical rules that a board watches. One thread at a time. */
 final class HeldRules {
-    /**
-     * A rule that begins to be met.
-     *
-     * @param percept the first text that meets it
-     */
+    /** A rule that begins to be met; {@code percept} is the first text that meets it. */
     record Beginning(int number, BoardRule rule, String percept) {}
 
     private static final class Watched {
@@ -45,7 +41,7 @@ final class HeldRules {
         rules.clear();
     }
 
-    /** Sets a rule or removes some, as a command says; false: it is malformed, or the board has no room for rules. */
+    /** Sets a rule or removes some, as a command says; false: the command is malformed, or the board has no room. */
     boolean change(CommandItem.Rule command) {
         if (capacity == 0) {
             return false;
@@ -66,11 +62,7 @@ final class HeldRules {
         return true;
     }
 
-    /**
-     * Compares the rules with the percepts that the sensors show now; a percept that CRITICAL has no room for meets no rule.
-     *
-     * @return the rules that begin to be met, in the order of their numbers
-     */
+    /** Returns the rules that begin to be met by the percepts, by number. A percept that is too long for CRITICAL meets none. */
     List<Beginning> look(List<String> percepts) {
         List<Beginning> beginnings = new ArrayList<>();
         rules.forEach((number, watched) -> {

@@ -16,7 +16,7 @@ import javino.Frame;
 import javino.PerceptsRequest;
 
 /**
- * The messages of a line, in their order and with their times. Immutable.
+ * The messages of a line in their order, with their times. Immutable.
  *
  * <p>As a file it is text in UTF-8: the line {@code javino-recording 1}, and a line for each message,
  * {@code <ms>\t<in|out|critical|reflex>\t<message>}.
@@ -39,10 +39,10 @@ public record LineRecording(List<Entry> entries) {
         /** To the board. */
         OUT,
 
-        /** From the board, of its own accord: the percept that met one of its critical rules. */
+        /** From the board, unasked: the percept that met one of its critical rules. */
         CRITICAL,
 
-        /** A command that nobody sent: the board carried it out as the reflex of a critical rule. */
+        /** A command that nobody sent: a board carried it out as the reflex of a critical rule. */
         REFLEX;
 
         final String word = name().toLowerCase(Locale.ROOT);
@@ -52,7 +52,6 @@ public record LineRecording(List<Entry> entries) {
      * One message.
      *
      * @param millis milliseconds since the recording began, at least 0
-     * @param direction the direction of the message
      * @param message the message's text, a character a byte
      */
     public record Entry(long millis, Direction direction, String message) {
@@ -77,7 +76,7 @@ public record LineRecording(List<Entry> entries) {
         }
     }
 
-    /** The messages that came from the board as answers, or unasked with all its percepts. */
+    /** The messages that came from the board: answers, and unasked messages with all its percepts. */
     public List<Entry> received() {
         return entries.stream()
                 .filter(entry -> entry.direction() == Direction.IN)
@@ -125,7 +124,7 @@ public record LineRecording(List<Entry> entries) {
         return new LineRecording(entries);
     }
 
-    /** Reads the first line. Any other file may be endless, so this reads only as much of it as shows that it is no recording. */
+    /** Reads the first line. Another file may be endless, so this reads only enough to show that it is no recording. */
     private static void requireHeader(LineNumberReader text) throws IOException {
         char[] beginning = new char[MAX_HEADER];
         text.mark(MAX_HEADER);

@@ -3,9 +3,9 @@ package javino.sim;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 
-/** One direction of a {@link MemoryLine}: bytes, each with the time at which it has arrived. Guarded by the line's lock. */
+/** One direction of a {@link MemoryLine}: bytes, each with the time of its arrival. Guarded by the line's lock. */
 final class MemoryDirection {
-    /** Signalled when bytes have been put on it or taken from it. */
+    /** Signalled when bytes are put on it or taken from it. */
     final Condition changed;
 
     private final byte[] bytes;
@@ -24,7 +24,7 @@ final class MemoryDirection {
         lineFreeAt = now;
     }
 
-    /** Puts as many of the bytes on the line as there is room for, and returns how many. */
+    /** Puts as many bytes on the line as it has room for; returns their number. */
     int put(byte[] source, int off, int len, long now) {
         int room = Math.min(len, bytes.length - count);
         lineFreeAt += Math.max(0, now - lineFreeAt);
@@ -38,7 +38,7 @@ final class MemoryDirection {
         return room;
     }
 
-    /** Takes bytes that have arrived by {@code now}, and returns how many. */
+    /** Takes bytes that have arrived by {@code now}; returns their number. */
     int take(byte[] target, int off, int len, long now) {
         int moved = 0;
         while (moved < len && count > 0 && readyAt[first] - now <= 0) {

@@ -14,11 +14,11 @@ import javino.Transport;
 /**
  * A line in memory: two ends, each a {@link Transport}. Simulated boards and tests use it in place of a device.
  *
- * <p>It carries bytes at once, or gives every byte its time at the line's rate, in both directions independently. Like a driver it holds
- * up to {@value #CAPACITY} bytes a direction that the far end has not read; a write beyond them waits.
+ * <p>It carries bytes at once, or gives each byte its time at the line's rate. The directions are independent. Like a driver it holds
+ * {@value #CAPACITY} unread bytes a direction; a further write waits.
  *
- * <p>When one end is closed the other may read the bytes that were still on their way to it; then the line is gone for both. When it is
- * unplugged it is gone for both at once. All methods are safe on any thread.
+ * <p>When one end is closed, the other may read the bytes that are on their way; then the line is gone for both. When the line is
+ * unplugged, it is gone for both at once. All methods are safe on any thread.
  */
 public final class MemoryLine {
     /** The most unread bytes that the line holds in each direction. */
@@ -43,12 +43,12 @@ public final class MemoryLine {
         board = new End(toBoard, toComputer);
     }
 
-    /** A line that carries bytes at once, whatever rate {@code line} says. */
+    /** A line that carries bytes at once, at any rate of {@code line}. */
     public static MemoryLine unlimited(String name, LineSettings line) {
         return unlimited(name, line, LineClock.system());
     }
 
-    /** A line that carries bytes at once, whatever rate {@code line} says; its waits go by {@code clock}. */
+    /** A line that carries bytes at once, at any rate of {@code line}; its waits use {@code clock}. */
     public static MemoryLine unlimited(String name, LineSettings line, LineClock clock) {
         return new MemoryLine(name, line, 0, clock);
     }
@@ -68,7 +68,7 @@ public final class MemoryLine {
         return computer;
     }
 
-    /** The end that the board is at. */
+    /** The board's end. */
     public Transport board() {
         return board;
     }
@@ -83,7 +83,7 @@ public final class MemoryLine {
         end(why, board.in);
     }
 
-    /** Ends the line and empties the directions that nobody reads any more. Only the first reason counts. */
+    /** Ends the line and empties the directions that nobody reads any more. The first reason stays. */
     private void end(String why, MemoryDirection... emptied) {
         lock.lock();
         try {
@@ -203,7 +203,7 @@ public final class MemoryLine {
             }
         }
 
-        /** Returns whether the bytes read from this end are {@code count}, and no other is on its way to it. */
+        /** Returns whether {@code count} bytes have been read from this end, and no other is on its way to it. */
         boolean isRead(long count) {
             lock.lock();
             try {

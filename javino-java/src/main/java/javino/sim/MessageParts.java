@@ -6,13 +6,13 @@ import java.util.regex.Pattern;
 import javino.Frame;
 
 final class MessageParts {
-    /** Matches the rest of a message if it fits into a frame; else as many whole percepts as fit; else a percept that is too long. */
+    /** Matches the rest of a message if it fits into a frame; else as many whole percepts as fit; else one percept that is too long. */
     private static final Pattern PART = Pattern.compile("(?s).{1,255}\\z|.{0,254};|[^;]+(;|\\z)");
 
     private MessageParts() {}
 
     /**
-     * Cuts a message into parts that fit into frames of version 1, one at least. It cuts behind percepts, as boards do, and leaves out a
+     * Cuts a message into parts that fit into frames of version 1, at least one. It cuts behind percepts, like boards, and leaves out a
      * percept that is too long for a frame.
      */
     static List<String> of(String message) {

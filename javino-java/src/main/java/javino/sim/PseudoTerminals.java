@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Two pseudo-terminals joined by the program {@code socat}: bytes written to one are read from the other, as over a null-modem cable. For
- * tests and measurements that need real serial devices of the operating system, but no board. Not for Windows.
+ * Two pseudo-terminals joined by the program {@code socat}: bytes written to one are read from the other, as over a null-modem cable. Tests
+ * and measurements use them as serial devices of the operating system without a board. Not for Windows.
  */
 public final class PseudoTerminals implements AutoCloseable {
     private static final long START_LIMIT_MILLIS = 10_000;
@@ -27,7 +27,7 @@ public final class PseudoTerminals implements AutoCloseable {
         try {
             return socat("-V").waitFor() == 0;
         } catch (IOException e) {
-            return false; // there is no such program
+            return false; // the program is not there
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;
@@ -66,12 +66,12 @@ public final class PseudoTerminals implements AutoCloseable {
         return directory.resolve("computer").toFile();
     }
 
-    /** The device that stands for the board's own end. */
+    /** The device at the board's own end. */
     public File board() {
         return directory.resolve("board").toFile();
     }
 
-    /** Takes both away, as a cable that is pulled. May be called twice. */
+    /** Takes both away, like a pulled cable. May be called twice. */
     @Override
     public void close() {
         socat.destroy();
@@ -81,7 +81,7 @@ public final class PseudoTerminals implements AutoCloseable {
             Files.deleteIfExists(board().toPath());
             Files.deleteIfExists(directory);
         } catch (IOException e) {
-            directory.toFile().deleteOnExit(); // only an empty temporary directory stays until then
+            directory.toFile().deleteOnExit(); // until then only an empty temporary directory stays
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

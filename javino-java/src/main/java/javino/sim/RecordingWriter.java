@@ -13,7 +13,7 @@ public final class RecordingWriter implements AutoCloseable {
     /**
      * Begins a recording. Its time 0 ms is now.
      *
-     * @param out takes the text; is closed by {@link #close}
+     * @param out takes the text; {@link #close} closes it
      * @param nowNanos the present time, by the same clock as for {@link #add}
      */
     public RecordingWriter(Writer out, long nowNanos) throws IOException {
@@ -22,7 +22,7 @@ public final class RecordingWriter implements AutoCloseable {
         line(LineRecording.HEADER);
     }
 
-    /** Adds a message at {@code nowNanos}; a message earlier than the last gets the last one's time. */
+    /** Adds a message at {@code nowNanos}; if that is earlier than the last message, at the last message's time. */
     public synchronized void add(long nowNanos, LineRecording.Direction direction, String message) throws IOException {
         latestMillis = Math.max(latestMillis, TimeUnit.NANOSECONDS.toMillis(nowNanos - startNanos));
         line(latestMillis + "\t" + direction.word + "\t" + RecordingText.write(message));

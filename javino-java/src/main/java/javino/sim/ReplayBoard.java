@@ -11,10 +11,9 @@ import javino.Transport;
  * A board that sends the messages of a recorded board again: the port {@code replay:FILE}, or
  * {@code SimulatedBoards.plugIn("robot", ReplayBoard.of(LineRecording.read(file)))}.
  *
- * <p>If the recorded board was asked for its percepts, this one answers each request with the newest message that the recorded board had
- * sent by that time, counted from the first request; after the end of the recording, with the last message. Else it sends each message
- * unasked at its time, counted from the opening of the port, and then falls silent. It speaks both versions of the protocol, and takes any
- * command.
+ * <p>If the recorded board was asked for its percepts, this board answers requests: with the recorded board's newest message by that time,
+ * counted from the first request; after the end of the recording, with the last message. Else this board sends each message unasked at its
+ * time, counted from the opening of the port, and then falls silent. It speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;
@@ -59,8 +58,8 @@ public final class ReplayBoard implements SimulatedBoard {
     }
 
     /**
-     * Returns a copy of this board that answers the first request with the first message, the second request with the second message, at
-     * whatever time. A repetition of a request, as in version 2 after a late answer, counts as another request.
+     * Returns a copy of this board that answers request number n with message number n, at any time. A repeated request is another request;
+     * version 2 repeats one after a late answer.
      */
     public ReplayBoard inTurn() {
         return new ReplayBoard(said, true, true, repeated, commands, clock);
@@ -81,13 +80,13 @@ public final class ReplayBoard implements SimulatedBoard {
         new Run(line).run();
     }
 
-    /** The length of a round in ms: from the first message to the end of the last, which counts as long as the others are on average. */
+    /** The length of a round in ms. The last message takes as long as the others on average. */
     private long periodMillis() {
         long span = said.get(said.size() - 1).millis() - said.get(0).millis();
         return Math.max(1, said.size() == 1 ? span : span + span / (said.size() - 1));
     }
 
-    /** The time at which a message is due, counted from the first; numbers go on counting in further rounds. */
+    /** The time at which message {@code number} is due, counted from the first; numbers go on in further rounds. */
     private long offsetMillis(int number) {
         long rounds = number / said.size();
         return rounds * periodMillis()

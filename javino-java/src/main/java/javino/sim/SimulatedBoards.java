@@ -14,9 +14,8 @@ import javino.Services;
 import javino.Transport;
 
 /**
- * The simulated boards of this program, by name. Boards found as services are plugged in, once each, when a name is first looked for.
- *
- * <p>There is one table for the whole program, as for the devices of a machine. All methods are safe on any thread.
+ * The simulated boards of this program, by name. The first search for a name plugs in the boards found as services, once each. The whole
+ * program has one table, as a machine has for its devices. All methods are safe on any thread.
  */
 public final class SimulatedBoards {
     /** The scheme of their ports. */
@@ -44,7 +43,7 @@ public final class SimulatedBoards {
     }
 
     /**
-     * Takes a board away; if it is open, both ends of its line see that it is gone.
+     * Takes a board away. If its port is open, the line is gone for both ends.
      *
      * @return whether there was a board of that name
      */
@@ -63,7 +62,7 @@ public final class SimulatedBoards {
         return List.copyOf(SOCKETS.keySet());
     }
 
-    /** Returns whether the program of the board that is plugged in under this name runs, or is about to. */
+    /** Returns whether the program of the board under this name runs, or is about to. */
     static boolean isRunning(String name) {
         BoardSocket socket = SOCKETS.get(name);
         return socket != null && socket.isRunning();

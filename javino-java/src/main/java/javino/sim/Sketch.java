@@ -10,22 +10,21 @@ import javino.wire.BoardAction;
 /**
  * A board in a program, as two functions: one returns percepts, one carries out commands. It speaks both versions of the protocol.
  *
- * <p>As any {@link SimulatedBoard} it is the port {@code sim:NAME} once its class is named in
- * {@code META-INF/services/javino.sim.SimulatedBoard}, or {@code SimulatedBoards.plugIn("NAME", sketch)} has been called. One object serves
- * the port however often it is opened. Both functions are called on the board's thread, one at a time, and may take their time: the board
- * does nothing else meanwhile. An exception of theirs takes the port away from its owner, who gets it in the message.
+ * <p>Like any {@link SimulatedBoard} it is the port {@code sim:NAME} if {@code META-INF/services/javino.sim.SimulatedBoard} names its
+ * class, or after {@code SimulatedBoards.plugIn("NAME", sketch)}. One object serves all openings of the port. The board's thread calls both
+ * functions, one at a time. They may take their time: the board does nothing else meanwhile. An exception in them takes the port away from
+ * its owner, who gets the exception's message.
  */
 public interface Sketch extends SimulatedBoard {
     /**
-     * Returns the percepts that the sensors show now; called for each request.
-     *
-     * @return the percepts, each a literal as {@code dist(front,30)}, without a {@code ;}
+     * Returns the percepts that the sensors show now, each a literal such as {@code dist(front,30)}, without a {@code ;}. Called for each
+     * request.
      */
     List<String> percepts();
 
     /**
-     * Returns the kinds of its percepts, which tools, checks and the live view read: {@code
-     * PerceptKind.parseLines("dist(front|left, cm 0..400)")}. Unless overridden, it describes none.
+     * Returns the kinds of its percepts for tools, checks and the live view: {@code PerceptKind.parseLines("dist(front|left, cm 0..400)")}.
+     * By default, none.
      */
     default List<PerceptKind> perceptKinds() {
         return List.of();
@@ -34,16 +33,16 @@ public interface Sketch extends SimulatedBoard {
     /**
      * Carries out a command, as {@code ledOn} or {@code speed(3)}.
      *
-     * @return whether the board knows the command; if not, a plan's {@code argo.act} fails with {@code error(act_refused)}, in version 2
+     * @return whether the board knows the command; if not, in version 2, a plan's {@code argo.act} fails with {@code error(act_refused)}
      */
     boolean act(String command);
 
-    /** Returns its actions, by which computers check commands: {@link BoardProgram#vocabulary}. Unless overridden, it tells none. */
+    /** Returns its actions, by which computers check commands: {@link BoardProgram#vocabulary}. By default, none. */
     default List<BoardAction> actions() {
         return List.of();
     }
 
-    /** Returns the percepts that rules on the board are compared with, every few milliseconds; unless overridden, {@link #percepts}. */
+    /** Returns the percepts to compare with the board's rules, every few milliseconds. By default, {@link #percepts}. */
     default List<String> sensors() {
         return percepts();
     }
@@ -55,10 +54,8 @@ public interface Sketch extends SimulatedBoard {
     }
 
     /**
-     * Like {@link #run(Transport)}, for a board that watches critical rules, or on a line with a clock of its own.
-     *
-     * @param clock the line's
-     * @param rules the number of rules that the board can watch, 0 to 255
+     * Like {@link #run(Transport)}, for a board that watches up to {@code rules} critical rules (0 to 255), or on a line with its own
+     * clock.
      */
     default void run(Transport line, LineClock clock, int rules) throws PortException, InterruptedException {
         new SketchProgram(this, line, clock, rules).run();

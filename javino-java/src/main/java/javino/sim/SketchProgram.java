@@ -52,7 +52,7 @@ final class SketchProgram implements BoardProgram {
         return message(sketch.sensors(), Set.of());
     }
 
-    /** The message of the percepts of some functors; none: of all. */
+    /** The message of the percepts of some functors; an empty set: of all. */
     private static String message(List<String> percepts, Set<String> functors) {
         return percepts.stream()
                 .map(percept -> percept + ";")

@@ -3,7 +3,7 @@ package javino.tcp;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 
-/** Runs calls of the system that no interrupt ends, each on a thread of its own, so that callers can give up waiting for them. */
+/** Runs system calls that no interrupt ends, each on a thread of its own: callers can give up waiting. */
 final class BlockingCall {
     private BlockingCall() {}
 

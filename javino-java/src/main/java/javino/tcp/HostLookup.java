@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * Finds the addresses of a host, with a time limit. The system's lookup has none, cannot be interrupted, and may take a minute without a
- * network. So it runs on a thread of its own, at most one for each host: callers that ask meanwhile get the same result.
+ * Finds the addresses of a host, with a time limit. The system's lookup has no limit, cannot be interrupted, and may take a minute without
+ * a network. So it runs on a thread of its own, at most one for each host; all callers that wait for a host share the result.
  */
 final class HostLookup {
     private static final ConcurrentMap<String, Future<InetAddress[]>> UNDER_WAY = new ConcurrentHashMap<>();
@@ -20,10 +20,8 @@ final class HostLookup {
     private HostLookup() {}
 
     /**
-     * @param limitNanos nanoseconds to wait at most
      * @param resolver finds the addresses, as {@link InetAddress#getAllByName} does
-     * @throws UnknownHostException if there is no such host, or its addresses were not found in time; the message is for a person
-     * @throws InterruptedException if the thread is interrupted
+     * @throws UnknownHostException if there is no such host, or the lookup took longer; the message is for a person
      */
     static InetAddress[] addresses(String host, long limitNanos, Callable<InetAddress[]> resolver)
             throws UnknownHostException, InterruptedException {

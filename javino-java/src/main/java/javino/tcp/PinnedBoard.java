@@ -16,8 +16,8 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts only a board that shows the expected certificate, whoever issued it and whatever name is in it. If none is expected, it trusts the
- * one that the board shows. The messages of its exceptions are for a person.
+ * Trusts only a board that shows the expected certificate, with any issuer and any name in it. If no certificate is expected, trusts the
+ * one that the board shows. Its exceptions' messages are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private final Optional<X509Certificate> expected;
@@ -25,18 +25,13 @@ final class PinnedBoard extends X509ExtendedTrustManager {
     private final String file;
     private X509Certificate shown;
 
-    /**
-     * @param expected the certificate that the board has to show
-     * @param file the file that holds or will hold it, for messages
-     * @param now the time at which it has to be valid
-     */
     PinnedBoard(Optional<X509Certificate> expected, String file, Date now) {
         this.expected = expected;
         this.file = file;
         this.now = now;
     }
 
-    /** The certificate that was shown and is trusted; null before. */
+    /** The certificate that the board has shown and that is trusted; null: none yet. */
     X509Certificate shown() {
         return shown;
     }
@@ -73,7 +68,7 @@ final class PinnedBoard extends X509ExtendedTrustManager {
             byte[] digest = MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded());
             return "SHA-256 " + HexFormat.ofDelimiter(":").withUpperCase().formatHex(digest);
         } catch (GeneralSecurityException e) {
-            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate came in this form
+            throw new IllegalStateException(e); // every Java has SHA-256, and the certificate arrived in this encoding
         }
     }
 

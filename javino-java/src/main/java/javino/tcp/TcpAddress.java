@@ -17,10 +17,6 @@ record TcpAddress(String host, int number) {
     private static final Pattern FORM =
             Pattern.compile("(?://)?(?:\\[([^\\]\\s]+)]|([^\\[\\]\\s:/?#@]*))(?::([^:/\\]]*))?/?");
 
-    /**
-     * @param port the port's name as it was given, for messages
-     * @param address the part behind the scheme; the two slashes may be missing
-     */
     static TcpAddress of(String port, String address) throws NoSuchPortException {
         Matcher form = FORM.matcher(address);
         if (!form.matches()) {
@@ -50,7 +46,7 @@ record TcpAddress(String host, int number) {
                         + scheme + "://192.168.1.20:4000)");
     }
 
-    /** A text that is the same for all spellings of one place. Does not look the host up. */
+    /** One text for all spellings of an address. Does not look the host up. */
     String canonical() {
         return "//" + this;
     }

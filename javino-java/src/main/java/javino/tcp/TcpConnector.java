@@ -19,14 +19,14 @@ import jdk.net.ExtendedSocketOptions;
 
 /** Connects to a board on the network, with a time limit. An interrupt ends the wait. */
 final class TcpConnector {
-    /** The time limit of the host's lookup, and of connecting to all its addresses together; a local network needs a few milliseconds. */
+    /** The time limit of the host's lookup, and of connecting to all its addresses; a local network needs a few milliseconds. */
     static final int LIMIT_MILLIS = 3_000;
 
-    /** Room for bytes that the far end has not taken yet: small, so that no command waits long behind old ones. */
+    /** Room for bytes that the far end has not taken: small, so no command waits long behind old ones. */
     private static final int SEND_BUFFER = 4_096;
-    /** Room for bytes that have come and are not read yet: small, so that outdated messages of a talkative board do not pile up. */
+    /** Room for unread bytes: small, so outdated messages of a talkative board do not pile up. */
     private static final int RECEIVE_BUFFER = 32_768;
-    // with these, some seven seconds on a resting line show that the far end has vanished without a word
+    // on a resting line these reveal after seven seconds or so that the far end has vanished
     private static final int KEEPALIVE_IDLE_SECONDS = 2;
     private static final int KEEPALIVE_INTERVAL_SECONDS = 1;
     private static final int KEEPALIVE_PROBES = 5;
@@ -34,9 +34,7 @@ final class TcpConnector {
     private TcpConnector() {}
 
     /**
-     * @param port the port's name as it was given, for messages
      * @throws NoSuchPortException if there is no such host, or nothing answers there
-     * @throws PortInterruptedException if the thread is interrupted
      * @throws PortFaultException if the system refuses for another reason
      */
     static Socket connect(String port, TcpAddress address) throws PortException {
@@ -62,7 +60,7 @@ final class TcpConnector {
         }
     }
 
-    /** An interrupt does not end the system's connecting, but closing the socket does. */
+    /** Connects. No interrupt ends the system's connecting, so an interrupt closes the socket, which does. */
     private static Socket connect(InetSocketAddress place, int timeoutMillis) throws IOException, InterruptedException {
         Socket socket = new Socket();
         try {

@@ -12,7 +12,7 @@ import javino.PortGoneException;
 /** A TCP connection to a board on the network, or to a serial server with a board behind it. */
 class TcpTransport extends DriverTransport {
     private static final System.Logger LOG = System.getLogger(TcpTransport.class.getName());
-    /** The longest time that one read of the socket waits, since no interrupt ends it. */
+    /** The longest time that one read of the socket waits; no interrupt ends a read. */
     private static final int MAX_SLICE_MILLIS = 100;
 
     private static final int DRAIN_BYTES = 65_536;
@@ -31,7 +31,7 @@ class TcpTransport extends DriverTransport {
         this.in = in;
     }
 
-    /** Returns whether {@link InputStream#available} counts all bytes that have arrived; else only a read can tell. */
+    /** Returns whether {@link InputStream#available} counts all bytes that have arrived; if not, only a read finds them. */
     boolean isInputPlain() {
         return true;
     }
@@ -98,7 +98,7 @@ class TcpTransport extends DriverTransport {
         }
     }
 
-    /** Reads the rest: a connection closed with unread bytes is reset, and then the far end may lose the last bytes sent to it. */
+    /** Reads the rest. Closing a connection with unread bytes resets it, and the far end may then lose the last bytes sent to it. */
     static void drain(Socket socket, InputStream in) throws IOException {
         socket.setSoTimeout(1);
         int drained = 0;

@@ -17,10 +17,10 @@ import javino.PortException;
 import javino.PortFaultException;
 import javino.PortInterruptedException;
 
-/** Makes a TLS connection of a TCP connection: checks the board's certificate, and shows the computer's own where the board asks for it. */
+/** Makes a TLS connection over a TCP connection: checks the board's certificate, and shows the computer's own if the board asks for it. */
 final class TlsConnector {
     private static final System.Logger LOG = System.getLogger(TlsConnector.class.getName());
-    /** The wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only after the handshake. */
+    /** The wait for a refusal: in TLS 1.3 a board refuses the computer's certificate only behind the handshake. */
     private static final int REFUSAL_MILLIS = 300;
 
     private final String port;
@@ -44,9 +44,8 @@ final class TlsConnector {
     }
 
     /**
-     * @param port the port's name as it was given, for messages
      * @param folder the folder with the certificates; the certificate of a new board is added
-     * @param limitMillis the longest time in milliseconds that each answer of the board may take while TLS begins
+     * @param limitMillis milliseconds that each answer of the board may take while TLS begins
      * @throws PortException if there is no connection, or the other end is not trusted; its class and its message say why
      */
     static TlsTransport connect(String port, TcpAddress address, TlsFolder folder, LineSettings line, int limitMillis)

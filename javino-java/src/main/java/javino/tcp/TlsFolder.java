@@ -20,8 +20,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The certificates of boards and of this computer, as PEM files in a folder: {@code robot_4433.crt} is that of the board at
- * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. They are read at each opening.
+ * The certificates of boards and of this computer, as PEM files in a folder. {@code robot_4433.crt} belongs to the board at
+ * {@code tls://robot:4433}, {@code computer.crt} and {@code computer.key} are the computer's own. Each opening reads the files.
  *
  * @param path the folder, which need not exist
  */
@@ -36,15 +36,14 @@ record TlsFolder(Path path) {
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
     }
 
-    /** The file that holds, or will hold, the certificate of the board at {@code address}. */
     Path fileOf(TcpAddress address) {
         return path.resolve(address.toString().replaceAll("[^a-z0-9.-]", "_") + ".crt");
     }
 
     /**
-     * The certificate that the board at {@code address} has to show; empty if none is known.
+     * The certificate that the board at {@code address} has to show; empty: none is known.
      *
-     * @throws IOException if there is a file without a certificate; the message is for a person
+     * @throws IOException if its file holds no certificate; the message is for a person
      */
     Optional<X509Certificate> boardAt(TcpAddress address) throws IOException {
         Path file = fileOf(address);
@@ -62,7 +61,6 @@ record TlsFolder(Path path) {
         }
     }
 
-    /** The file that holds, or could hold, the computer's own certificate. */
     Path computerFile() {
         return path.resolve("computer.crt");
     }
@@ -71,7 +69,7 @@ record TlsFolder(Path path) {
     record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**
-     * The computer's own certificate; empty if it has none.
+     * The computer's own certificate; empty: it has none.
      *
      * @throws IOException if one of the two files is missing or cannot be read; the message is for a person
      */

@@ -19,8 +19,7 @@ final class TlsTransport extends TcpTransport {
     private final Function<IOException, String> broken;
 
     /**
-     * @param socket a socket whose handshake is done, over {@code plain}; both become this transport's own
-     * @param in the socket's input
+     * @param socket a socket over {@code plain} whose handshake is done; this transport owns both
      * @param broken gives the reason of a lost connection, from the exception of a read or a write
      */
     TlsTransport(
@@ -51,14 +50,14 @@ final class TlsTransport extends TcpTransport {
         try (plain) {
             if (!isLost()) {
                 sayFarewell();
-                drain(plain, plain.getInputStream()); // also after a farewell that failed, so that earlier bytes arrive
+                drain(plain, plain.getInputStream()); // also after a failed farewell, so earlier bytes arrive
             }
         } catch (IOException e) {
             noteHaste(e);
         }
     }
 
-    /** This needs a lock of the TLS socket that a waiting write holds; closing the TCP socket beneath ends that write. */
+    /** Ends TLS. This needs a lock of the TLS socket that a waiting write may hold; closing the TCP socket beneath ends that write. */
     private void sayFarewell() {
         try {
             BlockingCall.start("close " + name(), () -> {

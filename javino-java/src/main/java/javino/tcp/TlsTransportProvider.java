@@ -6,8 +6,8 @@ import javino.Transport;
 import javino.TransportProvider;
 
 /**
- * {@code tls://host:port}: a board on the network behind TLS. The board's certificate is kept at the first connection, or was put into the
- * folder {@code ~/.argo/tls} before, and no other one is accepted from then on; see the documentation of the ports.
+ * {@code tls://host:port}: a board on the network behind TLS. The first connection keeps the board's certificate in the folder
+ * {@code ~/.argo/tls}, unless one is there already. From then on no other certificate is accepted; see the documentation of the ports.
  */
 public final class TlsTransportProvider implements TransportProvider {
     private final TcpTransportProvider tcp = new TcpTransportProvider();

@@ -1,5 +1,5 @@
 /**
- * Opens connections to boards in a network and to serial servers: the ports {@code tcp://HOST:PORT}, and {@code
- * tls://HOST:PORT} with certificates of both ends.
+ * Opens connections to boards in a network and to serial servers: the ports {@code tcp://HOST:PORT}, and {@code tls://HOST:PORT} with
+ * certificates at both ends.
  */
 package javino.tcp;

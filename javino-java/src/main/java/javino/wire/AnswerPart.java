@@ -7,7 +7,6 @@ import java.util.List;
  * The part of an answer that one frame carries, or all of it.
  *
  * @param kind {@link FrameKind#PERCEPTS}, {@link FrameKind#PERCEPTS_PART} or {@link FrameKind#PERCEPTS_LAST}
- * @param payload the payload of the frame
  */
 public record AnswerPart(FrameKind kind, String payload) {
     /** The most parts of an answer. */
@@ -25,7 +24,7 @@ public record AnswerPart(FrameKind kind, String payload) {
     /**
      * The frames of an answer in their order.
      *
-     * @param request number of the request that it answers; 0: none
+     * @param request number of the answered request; 0: none
      * @param size the most bytes of the answer in a frame; raised if there would be too many parts
      * @throws IllegalArgumentException if the answer is longer than {@value #MAX_PARTS} frames can carry
      */

@@ -3,7 +3,6 @@ package javino.wire;
 /**
  * An action that a board's program has registered.
  *
- * @param name the action's functor
  * @param arguments the number of arguments that it takes, 0 to 254; {@link #ANY}: any number
  */
 public record BoardAction(String name, int arguments) {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * A critical rule that a board watches itself.
+ * A critical rule that a board itself watches.
  *
  * @param functor the percept's functor, with a {@code ~} in front if the percept is negated
  * @param conditions conditions that must all be met; none: each percept of the functor is critical
@@ -62,13 +62,13 @@ public record BoardRule(String functor, List<Condition> conditions, String refle
         }
     }
 
-    /** Returns whether a command can set it: it is short enough, and each character is a byte. */
+    /** Returns whether a command can carry the rule: it is short enough, and each character is a byte. */
     public boolean isSendable() {
         String text = text(1);
         return text.length() <= CommandItem.MAX_TEXT && text.chars().allMatch(c -> c <= 0xFF);
     }
 
-    /** The command that sets it as rule {@code number}, 1 to 255. */
+    /** The command that sets this as rule {@code number}, 1 to 255. */
     public CommandItem.Rule setting(int number) {
         return new CommandItem.Rule(text(number));
     }

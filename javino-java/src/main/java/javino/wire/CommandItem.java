@@ -3,7 +3,7 @@ package javino.wire;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A command as it stands in a frame. */
+/** A command in the form that it has in a frame. */
 public sealed interface CommandItem {
     /** An action without arguments, by its number in the vocabulary: 0 to {@value CommandItem#MAX_ACTION}. */
     record Action(int number) implements CommandItem {
@@ -44,7 +44,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** No command, in the place of one whose time is over. */
+    /** No command, in place of a command whose time is over. */
     record Nothing() implements CommandItem {
         @Override
         public String payload() {
@@ -52,7 +52,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** The highest number that an action can be called by. */
+    /** The highest number of an action that can be called by number. */
     int MAX_ACTION = 125;
 
     /** Bytes of the longest command. */
@@ -67,7 +67,7 @@ public sealed interface CommandItem {
         }
     }
 
-    /** The commands of a payload. An item that is cut or empty ends them. */
+    /** The commands of a payload. A cut or empty item ends them. */
     static List<CommandItem> read(String payload) {
         List<CommandItem> items = new ArrayList<>();
         int at = 0;
@@ -97,6 +97,6 @@ public sealed interface CommandItem {
     char NOTHING = 0xFE;
     /** The byte in front of the length of a rule. */
     char RULE = 0xFF;
-    /** The byte in front of the length of a text. A text of 128 bytes or more needs it; any other may have it. */
+    /** The byte in front of the length of a text. A text of 128 bytes or more needs it; a shorter one may have it. */
     char LONG_TEXT = 0;
 }

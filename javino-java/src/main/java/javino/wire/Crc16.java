@@ -1,6 +1,6 @@
 package javino.wire;
 
-/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF; in a session its nonce changes the high byte of the initial value. */
+/** CRC-16/CCITT-FALSE: polynomial 0x1021, initial value 0xFFFF. A session's nonce changes the high byte of the initial value. */
 final class Crc16 {
     private static final int START = 0xFFFF;
     private static final int POLYNOMIAL = 0x1021;
@@ -21,7 +21,7 @@ final class Crc16 {
         return table;
     }
 
-    /** Begins anew, for a frame of the session with this nonce; 0: the frame belongs to no session. */
+    /** Begins anew for a frame of the session with this nonce; 0: of no session. */
     void reset(int nonce) {
         value = START ^ nonce << 8;
     }

@@ -3,7 +3,6 @@ package javino.wire;
 /**
  * A board's report that a rule begins to be met.
  *
- * @param rule the rule's number
  * @param outcome the outcome of its reflex
  * @param percept the text of the percept that meets it, with its {@code ;}
  */

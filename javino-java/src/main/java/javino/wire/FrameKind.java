@@ -10,9 +10,9 @@ public enum FrameKind {
     ASK(0x20),
     /** Requests a page of the vocabulary. */
     DESCRIBE(0x28),
-    /** Commands. The first has the frame's number, the others the next ones. */
+    /** Commands. The first has the frame's number, each further one the next number. */
     COMMANDS(0x30),
-    /** Like {@link #COMMANDS}; the computer has seen the refusal of the last command handled. */
+    /** Like {@link #COMMANDS}; the computer has also seen that the last command was refused. */
     COMMANDS_WITH_RESUME(0x31),
 
     /** The answer to {@link #HELLO}, or "no session". */
@@ -21,9 +21,9 @@ public enum FrameKind {
     ACK(0x81),
     /** A whole answer, or percepts sent unasked. */
     PERCEPTS(0x82),
-    /** A part of an answer that needs several, but not the last. */
+    /** A part of an answer of several parts, but not the last. */
     PERCEPTS_PART(0x83),
-    /** The last part of an answer that needs several. */
+    /** The last part of an answer of several parts. */
     PERCEPTS_LAST(0x84),
     /** A rule on the board begins to be met. */
     CRITICAL(0x85),
@@ -48,12 +48,12 @@ public enum FrameKind {
         return code;
     }
 
-    /** Returns whether the board sends such frames; else the computer does. */
+    /** Returns whether the board sends such frames; false: the computer does. */
     public boolean isFromBoard() {
         return (code & FROM_BOARD) != 0;
     }
 
-    /** Returns whether a frame has the same checksum in all sessions, since it begins a session or says that there is none. */
+    /** Returns whether a frame has the same checksum in all sessions: it begins a session, or reports that there is none. */
     boolean isOfNoSession() {
         return this == HELLO || this == WELCOME;
     }

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** The computer's side of an answer: makes text of items, and keeps the shapes that it has learned in a session. One thread at a time. */
+/** The computer's side of an answer: turns items into text, and keeps the shapes of a session. One thread at a time. */
 public final class PerceptDecoder {
     private final Shape[] shapes = new Shape[PerceptItems.MAX_IDS];
     private int known;
 
-    /** The number of shapes that it knows: all from shape 0 up to the first gap. */
+    /** The number of known shapes: all from shape 0 up to the first gap. */
     public int known() {
         return known;
     }
@@ -21,11 +21,11 @@ public final class PerceptDecoder {
     }
 
     /**
-     * The text of an answer; empty if an item cannot be read, and then all shapes are forgotten.
+     * The text of an answer; empty: an item cannot be read, so all shapes are forgotten.
      *
-     * @param items the items of all parts of the answer; a few of their bytes may stand for thousands of bytes of text
+     * @param items the items of all parts of the answer; a few bytes of items may make thousands of bytes of text
      * @param limit the most bytes of the text
-     * @throws TooLongException if the text has more; the shapes read by then are kept
+     * @throws TooLongException if the text is longer; the shapes read so far are kept
      */
     public Optional<String> read(String items, int limit) {
         try {
@@ -40,7 +40,7 @@ public final class PerceptDecoder {
         }
     }
 
-    /** Reports that the text of an answer has more bytes than it may have. */
+    /** The text of an answer is longer than the limit. */
     public static final class TooLongException extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
@@ -49,7 +49,7 @@ public final class PerceptDecoder {
         private static final long serialVersionUID = 1;
     }
 
-    /** Reads one answer. An attempt to read beyond the end shows that the answer is cut. */
+    /** Reads one answer. A read beyond the end proves that the answer is cut. */
     private final class Reading {
         private final String items;
         private final int limit;
@@ -145,7 +145,7 @@ public final class PerceptDecoder {
             return position++ % 2 == 0 ? pair >> 4 : pair & 0xF;
         }
 
-        /** The place behind the digits, and behind a half byte that is left over. */
+        /** The place behind the digits and a padding half byte. */
         int end() {
             if (position % 2 == 1 && next() != PerceptItems.END_OF_RUN) {
                 throw new UnreadableException();

@@ -8,9 +8,9 @@ final class PerceptItems {
     static final char CONTINUED = 0x7E;
     /** A text without an id. */
     static final char NO_ID = 0x7F;
-    /** Added to the id of an item that has only digits behind it. */
+    /** Added to the id of an item that holds only digits. */
     static final char DIGITS = 0x80;
-    /** The half byte behind a run of digits. */
+    /** The half byte that ends a run of digits. */
     static final int END_OF_RUN = 0xF;
     /** The most bytes of text, or percepts, in one item. */
     static final int MAX_LENGTH = 255;

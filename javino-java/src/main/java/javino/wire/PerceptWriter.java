@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The board's side of an answer: makes items of percepts, and numbers the shapes that it has sent in a session. One thread at a time. */
+/** The board's side of an answer: turns percepts into items, and numbers the shapes of a session. One thread at a time. */
 public final class PerceptWriter {
     private final int capacity;
     private final Map<Shape, Integer> ids = new HashMap<>();
@@ -15,7 +15,7 @@ public final class PerceptWriter {
         this.capacity = Math.min(capacity, PerceptItems.MAX_IDS);
     }
 
-    /** The number of shapes that it has numbered in the session. */
+    /** The number of shapes that have a number in this session. */
     public int numbered() {
         return ids.size();
     }
@@ -49,14 +49,14 @@ public final class PerceptWriter {
         return items.toString();
     }
 
-    /** The items of texts without ids, as those of a description. */
+    /** The items of texts without ids, such as those of a description. */
     public static String itemsWithoutIds(List<String> texts) {
         StringBuilder items = new StringBuilder();
         texts.forEach(text -> putText(items, text, PerceptItems.NO_ID));
         return items.toString();
     }
 
-    /** The id of a shape that is sent for the first time; if none is left, the id that marks a text without an id. */
+    /** The id of a new shape; if no id is left, the mark of a text without an id. */
     private int number(Shape shape, String percept) {
         if (ids.size() >= capacity || percept.length() > PerceptItems.MAX_LENGTH) {
             return PerceptItems.NO_ID;
@@ -77,7 +77,7 @@ public final class PerceptWriter {
                 .append(rest);
     }
 
-    /** A row of percepts that are sent as numbers and whose ids are consecutive. */
+    /** A row of percepts with consecutive ids, which are sent as digits only. */
     private static final class Row {
         private final StringBuilder items;
         private final StringBuilder halfBytes = new StringBuilder(); // each character is a half byte

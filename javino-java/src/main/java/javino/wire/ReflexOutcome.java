@@ -4,8 +4,8 @@ package javino.wire;
 public enum ReflexOutcome {
     /** The rule has no reflex. */
     NONE,
-    /** The board has carried it out. */
+    /** The board has carried the reflex out. */
     CARRIED_OUT,
-    /** The board's program does not know it, or takes other arguments. */
+    /** The board's program does not know the reflex, or takes other arguments. */
     REFUSED
 }

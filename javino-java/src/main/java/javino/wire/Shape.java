@@ -4,18 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A percept's text without its digits: the pieces between the runs of the digits 0 to 9, one more than there are runs. The values of one
- * sensor have one shape.
+ * A percept's text without its digits: the pieces between the runs of digits, one piece more than runs. All values of one sensor usually
+ * have one shape.
  *
- * @param pieces the texts between the runs; the first stands before the first run, the last behind the last. Any of them may be empty
+ * @param pieces the texts before, between and behind the runs of the digits 0 to 9; each may be empty
  */
 public record Shape(List<String> pieces) {
-    /** A shape of these pieces. */
     public Shape {
         pieces = List.copyOf(pieces);
     }
 
-    /** The shape of a text. */
     public static Shape of(String text) {
         return of(text, new ArrayList<>());
     }

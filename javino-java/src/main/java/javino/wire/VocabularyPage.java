@@ -6,22 +6,20 @@ import java.util.List;
 /**
  * A page of a board's vocabulary.
  *
- * @param request number of the request that it answers
- * @param first number of the first action in it
- * @param total number of actions that the board has
+ * @param request number of the answered request
+ * @param first number of the page's first action
  * @param actions the actions, in the order of their numbers
  */
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
     private static final int HEADER = 3;
 
-    /** The longest name of an action that a page holds. */
     public static final int MAX_NAME = WireFrame.MAX_PAYLOAD - HEADER - 2;
 
     public VocabularyPage {
         actions = List.copyOf(actions);
     }
 
-    /** The page that begins with action {@code first} of {@code all} and holds as many as fit into {@code maxPayload} bytes. */
+    /** The page that begins with action {@code first} of {@code all} and holds as many actions as fit into {@code maxPayload} bytes. */
     public static VocabularyPage of(int request, int first, List<BoardAction> all, int maxPayload) {
         List<BoardAction> fitting = new ArrayList<>();
         int length = HEADER;

@@ -4,11 +4,11 @@ package javino.wire;
  * A board's description of itself when a session begins.
  *
  * @param nonce the nonce of the session; 0: the board has no session
- * @param credit bytes of frames that it can hold while its program is busy
- * @param longestPayload the most bytes of payload that it takes
- * @param rules number of critical rules that it holds at most
+ * @param credit bytes of frames that the board can hold while its program is busy
+ * @param longestPayload most bytes of payload that it takes
+ * @param rules most critical rules that it holds
  * @param revision the revision of version 2 that the board speaks; 0: a revision before {@link #REVISION}
- * @param actionsLost number of actions of its program that found no room
+ * @param actionsLost number of actions of its program that had no room
  */
 public record Welcome(int nonce, int credit, int longestPayload, int rules, int revision, int actionsLost) {
     /** The revision of version 2 that this library speaks. */
@@ -19,7 +19,7 @@ public record Welcome(int nonce, int credit, int longestPayload, int rules, int 
 
     private static final int LEAST_LENGTH = 4;
 
-    /** The description of a board of this revision that has room for all its actions. */
+    /** The description of a board of this revision with room for all its actions. */
     public Welcome(int nonce, int credit, int longestPayload, int rules) {
         this(nonce, credit, longestPayload, rules, REVISION, 0);
     }

@@ -3,10 +3,7 @@ package javino.wire;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 
-/**
- * Finds the frames of one direction, and of one session, in the bytes that arrive. Times are nanoseconds of any one clock. One thread at a
- * time.
- */
+/** Finds the frames of one direction and one session in the bytes that arrive. Times are nanoseconds of one clock. One thread at a time. */
 public final class WireDecoder {
     private static final int PAYLOAD_AT = 3; // the payload stands behind length, kind and number
     private static final int CRC_LENGTH = 2;
@@ -26,17 +23,17 @@ public final class WireDecoder {
     private long corrupt;
 
     /**
-     * @param fromBoard whether the frames are a board's, else a computer's
-     * @param timeoutNanos the length of a silence within a frame that ends the frame
-     * @param nonce gives the nonce of the session when a frame ends; 0: there is no session. Then a board checks only HELLO, and finds
+     * @param fromBoard true: a board sends the frames; false: a computer does
+     * @param timeoutNanos silence that ends a frame
+     * @param nonce gives the nonce of the session when a frame ends; 0: no session. Without a session a board checks only HELLO, and finds
      *     other frames with any checksum; a computer finds only WELCOME
-     * @param found is given each frame, on the thread that hands in its last byte
+     * @param found takes each frame, on the thread that hands in its last byte
      */
     public WireDecoder(boolean fromBoard, long timeoutNanos, IntSupplier nonce, Consumer<WireFrame> found) {
         this(fromBoard, timeoutNanos, WireFrame.MAX_PAYLOAD, nonce, found);
     }
 
-    /** Like the other constructor; a frame with a payload longer than {@code longestPayload} counts as damaged once its length has come. */
+    /** Like the other constructor. A payload longer than {@code longestPayload} makes its frame a damaged one. */
     public WireDecoder(
             boolean fromBoard, long timeoutNanos, int longestPayload, IntSupplier nonce, Consumer<WireFrame> found) {
         this.fromBoard = fromBoard;
@@ -46,26 +43,20 @@ public final class WireDecoder {
         this.found = found;
     }
 
-    /** Takes {@code count} bytes that have arrived without a silence between them, the last at {@code now}. */
+    /** Takes {@code count} bytes that arrived without a silence between them, the last at {@code now}. */
     public void accept(byte[] bytes, int offset, int count, long now) {
         for (int i = offset; i < offset + count; i++) {
             accept(bytes[i], now);
         }
     }
 
-    /**
-     * Takes bytes that may have arrived any time before {@code now}: a reader that was held up does not know of a silence before them.
-     */
+    /** Takes bytes that arrived at an unknown time up to {@code now}; no silence is assumed before them. */
     public void acceptUnbroken(byte[] bytes, int offset, int count, long now) {
         lastByteNanos = now;
         accept(bytes, offset, count, now);
     }
 
-    /**
-     * Takes one byte.
-     *
-     * @return whether it belongs to a frame, whole or damaged; if not, it may be of version 1
-     */
+    /** Takes one byte. Returns whether it belongs to a frame of version 2, whole or damaged. */
     public boolean accept(byte octet, long now) {
         idle(now);
         lastByteNanos = now;
@@ -81,7 +72,7 @@ public final class WireDecoder {
         return belongs;
     }
 
-    /** Notes that nothing has arrived since the last byte: a frame that has begun is given up after a silence. */
+    /** Notes that nothing has arrived since the last byte: a silence ends an unfinished frame. */
     public void idle(long now) {
         if (isInFrame && now - lastByteNanos > timeoutNanos) {
             drop();
@@ -98,12 +89,12 @@ public final class WireDecoder {
         return isInFrame;
     }
 
-    /** Frames so far that were damaged. */
+    /** The number of damaged frames so far. */
     public long damaged() {
         return damaged;
     }
 
-    /** Frames so far whose checksum was wrong in their session. */
+    /** The number of frames so far with a wrong checksum in their session. */
     public long corrupt() {
         return corrupt;
     }

@@ -6,9 +6,9 @@ import java.nio.charset.StandardCharsets;
 /**
  * A frame of version 2.
  *
- * @param isRefused from the board: the last command handled was refused, and those behind it wait
+ * @param isRefused from the board: the last command was refused, and the commands behind it wait
  * @param isBusy from the board: the command that is due is being carried out
- * @param number the byte SS, 0 to 255: a command's, request's or session's number; from the board the number of the command that is due
+ * @param number the byte SS, 0 to 255: the number of a command, a request or a session; from the board, of the command that is due
  * @param payload 0 to {@value #MAX_PAYLOAD} characters, each a byte
  */
 public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int number, String payload) {

@@ -11,10 +11,10 @@ import javino.wire.FrameKind
 import javino.wire.WireFrame
 
 /**
- * A simulated board in virtual time: it answers each request in the version it was asked in, carries out all commands except those that
- * begin with `bad`, and takes longer over those that begin with `walk`.
+ * A simulated board in virtual time. It answers each request in the request's version. It refuses commands that begin with `bad`, and takes
+ * longer over commands that begin with `walk`.
  *
- * @param startsAt the time in ms until which bytes that come are lost
+ * @param startsAt the time in ms before which arriving bytes are lost
  * @param damage damages bytes of the line, in either direction
  * @param readsVersion1 whether it answers version 1 too
  */
@@ -31,22 +31,22 @@ internal class VirtualBoard2(
     /** All frames of version 2 that the board has received. */
     val received = mutableListOf<WireFrame>()
 
-    /** Is called with each entry for [handled]; by default it adds the entry there. */
+    /** Called with each entry for [handled]; by default adds the entry to it. */
     var onHandled: (String) -> Unit = { handled += it }
 
-    /** Is called with each frame that comes; by default it adds the frame to [received]. */
+    /** Called with each frame that arrives; by default adds the frame to [received]. */
     var onReceived: (WireFrame) -> Unit = { received += it }
 
-    /** Changes the board's frames before they go on the line: leaves some out, doubles some. */
+    /** Changes the board's frames before they go on the line: may leave some out or double some. */
     var posting: (WireFrame) -> List<WireFrame> = { listOf(it) }
     var answer: (Int) -> String = { "$it;" }
 
-    /** ms that the board takes for a message, and for a command that begins with `walk`. */
+    /** The time in ms that the board takes for a message, and for a command that begins with `walk`. */
     var takes = 0.0
     var walkTakes = 0.0
     var silent = false
 
-    /** True if it leaves frames unread; else it carries commands and requests out. */
+    /** True: the board leaves frames unread. */
     var stopped = false
     private var answers = 0
     private val outgoing = ArrayDeque<Pair<Double, ByteArray>>()
@@ -60,7 +60,6 @@ internal class VirtualBoard2(
 
     private fun newSession() = BoardSession(Program(), CAPACITY) { frame, nonce -> posting(frame).forEach { post(it.toBytes(nonce)) } }
 
-    /** Forgets the session. */
     fun restart() {
         session = newSession()
     }
@@ -107,12 +106,12 @@ internal class VirtualBoard2(
         if (frame != null) session.receive(frame) else handleVersion1(message.version1().text())
     }
 
-    /** Sends percepts that nobody asked for. */
+    /** Sends percepts unasked. */
     fun say(text: String, version: Int = 2) {
         if (version == 1) post(Frame.of(text).toBytes()) else session.sendPercepts(text)
     }
 
-    /** Compares what its sensors show with its rules. */
+    /** Compares the sensors' [percepts] with the board's rules. */
     fun sees(percepts: String) = session.look(percepts)
 
     private fun handleVersion1(text: String) {

@@ -46,7 +46,7 @@ internal data class BoundsCase(
     }
 }
 
-/** The bounds of docs/real-time.md for [course], in ns; the computer takes no time. */
+/** The bounds of docs/real-time.md for [course], in ns, without any time of the computer. */
 internal class Bounds(private val course: BoundsCase) {
     private val times = course.times
     private val look = if (course.hasRules) times.ruleSensors else 0
@@ -57,7 +57,7 @@ internal class Bounds(private val course: BoundsCase) {
     private val parts = if (course.hasRules && items > PART) (items + PART - 1) / PART else 1
     private val answer = if (parts > 1) items + parts * AROUND_PART else items + AROUND_PART - 1
 
-    /** The time to read the sensors, and to write the bytes that the port's buffer has no room for. */
+    /** The time to read the sensors, and to write the bytes beyond the port's buffer. */
     private val sensors = times.sensors + look + if (parts > 1) 0 else bytes(maxOf(0, answer - LoopBoard.BUFFER))
 
     /** The longest frame that the board may be sending. */
@@ -83,7 +83,7 @@ internal class Bounds(private val course: BoundsCase) {
         reflex() + times.action + bytes(sending + report + REQUEST) + command(bytes) + sensors
 
     companion object {
-        /** The bytes around the text of a command that goes out alone. */
+        /** The bytes around the text of a single command. */
         const val AROUND_COMMAND = WireFrame.OVERHEAD + 1
 
         /** The bytes around the text of a report. */

@@ -3,8 +3,8 @@ package javino.virtual
 import kotlin.random.Random
 
 /**
- * Makes at least [exchanges] exchanges on random courses, the same ones for the same [seed], and returns the measurements that came closest
- * to each bound, or exceeded it most.
+ * Makes at least [exchanges] exchanges on random courses, which depend only on [seed]. Returns, for each bound, the measurement that came
+ * closest to it or exceeded it most.
  */
 internal fun checkBounds(exchanges: Int, seed: Long): Map<Bounded, Closest> {
     val closest = LinkedHashMap<Bounded, Closest>()

@@ -20,7 +20,7 @@ internal class Closest(val measured: Long, val bound: Long, val course: BoundsCa
     override fun toString() = "$measured of $bound ns, $course"
 }
 
-/** Makes exchanges on [course] in virtual time, and compares the times that they take with their bounds. */
+/** Makes exchanges on [course] in virtual time, and compares their times with the bounds. */
 internal class BoundsRun(private val course: BoundsCase, private val random: Random) : AutoCloseable {
     private var escapes = 0
     private var alarm: Pair<Long, () -> Unit>? = null
@@ -43,7 +43,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
 
     init {
         repeat(3) { request() }
-        settle(link.send("stop", URGENT)) // also settles the vocabulary, which is asked for then
+        settle(link.send("stop", URGENT)) // also awaits the vocabulary, which the computer then asks for
         if (course.hasRules) {
             link.onBoardEvents(Reports())
             settle(link.sendRule(RULE.setting(1), URGENT))
@@ -51,7 +51,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         rest()
     }
 
-    /** Counts the bytes that stand before escaped ones, which bounds leave out. */
+    /** Counts the bytes in front of escaped ones: bounds leave these out. */
     private fun count(bytes: ByteArray): List<Piece> {
         escapes += bytes.count { it == ESCAPE }
         return FAULTLESS.pass(bytes)
@@ -78,7 +78,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         exchanges++
     }
 
-    /** Waits until the line is silent, also after a second answer to a repeated request, and the board may be anywhere in its loop. */
+    /** Waits until the line is silent, also behind a second answer to a repeated request. Then the board may be anywhere in its loop. */
     private fun rest() {
         link.watch(1 + TimeUnit.NANOSECONDS.toMillis(bounds.answer() + course.byteNanos * 100).toInt())
         await(now + random.nextLong(2 * course.times.loop))
@@ -131,7 +131,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         others.forEach(::settle)
     }
 
-    /** Requests percepts at the interval, until something is new, and acts on it. */
+    /** Requests percepts at the interval until one is new, and acts on it. */
     private fun plan() {
         rest()
         escapes = 0
@@ -158,7 +158,7 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         await(nanos)
     }
 
-    /** A rule begins to be met while percepts are requested; the computer acts on the board's report. */
+    /** Lets a rule be met while percepts are requested; the computer acts on the board's report. */
     private fun reflex() {
         rest()
         escapes = 0
@@ -224,14 +224,14 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         var doneAt = 0L
             private set
 
-        /** Commands that were under way at [await], or carried out between its call and the awaited command. */
+        /** Commands that were under way at [await], or were carried out between [await] and the awaited command. */
         var before = 0
             private set
         private var awaited: String? = null
         private val ends = ArrayDeque<Long>() // the times at which the last commands ended
         private val others = List(course.percepts) { i -> "dist(${('a' + i % 26).toString().repeat(1 + i / 26)},%s);" }.joinToString("")
 
-        /** Notes from now on when [command] is carried out. */
+        /** Notes from now on when the board carries out [command]. */
         fun await(command: String): String {
             awaited = command
             before = ends.count { it > now }
@@ -268,10 +268,10 @@ internal class BoundsRun(private val course: BoundsCase, private val random: Ran
         const val NEAR = "near(1);"
         const val FAR = "near(0);"
 
-        /** Events of the line are some ns late. */
+        /** An allowance for the rounding of event times, in ns. */
         const val ROUNDING = 10_000L
 
-        /** The number of two digits by which percepts show [news]. */
+        /** The two digits by which percepts show [news]. */
         fun shown(news: Int) = 10 + news % 90
         val URGENT = SendOptions(true, 0)
         val RULE = BoardRule("near", listOf(BoardRule.Condition(1, BoardRule.Operator.EQUAL, "1")), REFLEX)

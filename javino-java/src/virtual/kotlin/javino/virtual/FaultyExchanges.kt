@@ -11,8 +11,8 @@ import javino.sim.VirtualBoard2
 import java.util.concurrent.CompletableFuture
 
 /**
- * The outcome of [exchanges] exchanges on a faulty line of 115,200 baud to a board of version 2: half of them commands, in rows of four,
- * and half requests for nine percepts, with 500 ms for the answer.
+ * The outcome of [exchanges] exchanges with a board of version 2, on a faulty line of 115,200 baud. Half of them are commands, in rows of
+ * four; half are requests for nine percepts, with 500 ms for the answer.
  */
 internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, toComputer: LineFaults) {
     private val carriedOut = ByteArray(exchanges / 2 + 1)
@@ -23,20 +23,18 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
     var answered = 0
         private set
 
-    /** Frames that the computer dropped for their checksum. */
+    /** Frames that the computer dropped because of their checksum. */
     var corruptFrames = 0L
         private set
 
-    /** Violations, in words: commands that were carried out wrongly or out of order, or confirmed and not carried out. */
+    /** Violations, in words: commands that were carried out wrongly or out of order, or were confirmed but not carried out. */
     val wrong = mutableListOf<String>()
 
-    /** Answers that were believed and that the board did not send. */
+    /** Answers that the computer believed although the board did not send them. */
     val corruptBelieved = mutableListOf<String>()
 
-    /** The number of commands that were confirmed as carried out. */
     val confirmations: Int get() = confirmed.count { it }
 
-    /** The number of commands that were carried out more than once. */
     val twice: Int get() = carriedOut.count { it > 1 }
 
     init {
@@ -91,7 +89,7 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
         /** A line of 115,200 baud, and a board that has started. */
         val FAST: LinkSettings = LinkSettings.defaults().withBaud(115_200).withBootMillis(0)
 
-        /** Commands that are sent before the next request, and requests before the next commands. */
+        /** The number of commands before the next request, and of requests before the next commands. */
         private const val ROW = 4
         private const val LIMIT_MS = 500
         private val COMMAND = Regex("2:speed\\((\\d+)\\)")
@@ -99,7 +97,7 @@ internal class FaultyExchanges(private val exchanges: Int, toBoard: LineFaults, 
         /** The [n]th answer. */
         fun ninePercepts(n: Int): String = "count($n,${n * 31L % 1009});" + "dist(f,$n);".repeat(8)
 
-        /** The number of an answer, 0 if it has none. */
+        /** The number in an answer; 0: it has none. */
         fun numberIn(answer: String): Int = answer.substringAfter('(').substringBefore(',').toIntOrNull() ?: 0
     }
 }

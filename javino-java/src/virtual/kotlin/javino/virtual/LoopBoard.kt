@@ -12,11 +12,11 @@ import kotlin.random.Random
 /**
  * The longest times of a board, in ns.
  *
- * @property loop time of a round of the sketch's `loop()`, without the times below
+ * @property loop time of a round of the sketch's `loop()`, without the other times
  * @property action time of an action
  * @property sensors time to read the sensors for an answer and to code it
  * @property ruleSensors time to read the sensors of the rules and to compare
- * @property isSteady each time is the longest; else it is drawn, up to the longest
+ * @property isSteady true: each time is the longest; false: each is drawn, up to the longest
  */
 internal data class BoardTimes(val loop: Long, val action: Long, val sensors: Long, val ruleSensors: Long, val isSteady: Boolean)
 
@@ -30,8 +30,8 @@ internal interface TimedSketch {
 }
 
 /**
- * A board of version 2 whose sketch calls the library once each round of its `loop()`, as the Arduino library works: a call handles up to
- * eight messages; sensors of rules are read every 5 ms at most; parts of an answer go out when the line is free; and a write waits for room
+ * A board of version 2 whose sketch calls the library once in each round of its `loop()`, like the Arduino library. A call handles up to
+ * eight messages. It reads the sensors of rules every 5 ms at most. Parts of an answer go out when the line is free. A write waits for room
  * in the port's buffer.
  */
 internal class LoopBoard(
@@ -71,7 +71,7 @@ internal class LoopBoard(
 
     private fun round() = maxOf(1, draw(times.loop))
 
-    /** Draws a time, often the longest, since bounds are about that. */
+    /** Draws a time, often the longest, which decides about bounds. */
     private fun draw(longest: Long) = if (times.isSteady || random.nextInt(4) == 0) longest else random.nextLong(longest + 1)
 
     /** Reads the sensors of the rules, handles a message, or ends the call if there is none. */
@@ -83,7 +83,7 @@ internal class LoopBoard(
             spent += draw(times.ruleSensors)
             session.look(percepts)
             isCalled = true
-            now += spent // then the program takes what has arrived meanwhile
+            now += spent // then the program takes bytes that have arrived meanwhile
             return
         }
         if (parts.isNotEmpty() && lineFreeAt <= now + spent) post(parts.removeFirst())
@@ -102,7 +102,7 @@ internal class LoopBoard(
         spent = 0
     }
 
-    /** The nonce of the session to which bytes that arrive now belong, once the frames before them have been handled. */
+    /** The nonce of the session to which new bytes belong when the frames before them have been handled. */
     private fun nonce() = arrived.lastOrNull { it.kind() == FrameKind.HELLO }?.number() ?: session.nonce()
 
     private fun send(frame: WireFrame, nonce: Int) {
@@ -133,7 +133,7 @@ internal class LoopBoard(
     }
 
     companion object {
-        /** Bytes that the computer may have sent without an outcome. */
+        /** Bytes of frames that the computer may have out. */
         const val CREDIT = 60
 
         /** Bytes that the port takes before a write waits. */

@@ -5,7 +5,7 @@ import kotlin.math.ln
 import kotlin.math.pow
 
 /**
- * Faults of a line, byte by byte and each by chance.
+ * Random faults of a line, byte by byte.
  *
  * @param bitErrors the probability that a bit is turned over
  * @param lost probability that a byte does not arrive
@@ -23,11 +23,11 @@ internal class RandomFaults(
     private val random = SplittableRandom(seed)
     private val wrongByte = 1 - (1 - bitErrors).pow(8)
 
-    /** True if the last bytes that passed arrived undamaged, though perhaps late. */
+    /** True if the last bytes arrived undamaged, though perhaps late. */
     var intact = true
         private set
 
-    /** The longest delay, in ns, of the last bytes that passed. */
+    /** The longest delay of the last bytes, in ns. */
     var lateNanos = 0L
         private set
 
@@ -58,14 +58,14 @@ internal class RandomFaults(
         else -> byteArrayOf(byte, byte)
     }
 
-    /** Picks the bits of a byte that are turned over: at least one. */
+    /** Draws the bits of a byte that are turned over: at least one. */
     private fun wrongBits(): Int {
         val first = (ln(1 - random.nextDouble() * wrongByte) / ln(1 - bitErrors)).toInt().coerceIn(0, 7)
         return (first + 1..7).fold(1 shl first) { bits, bit -> if (random.nextDouble() < bitErrors) bits or (1 shl bit) else bits }
     }
 }
 
-/** Applies [fault] to the [turn]th write, counted from 1, and nothing to the others. */
+/** Applies [fault] to write number [turn], counted from 1, and to no other. */
 internal class OneFault(private val turn: Int, private val fault: (ByteArray) -> List<Piece>) : LineFaults {
     private var writes = 0
 

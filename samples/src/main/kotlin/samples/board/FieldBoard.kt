@@ -14,10 +14,12 @@ import kotlin.time.Duration.Companion.nanoseconds
 /**
  * A board with the field's library: version 1 of the Javino protocol, one message at a time.
  *
- * Between two rounds of its `loop()` it reads all bytes that have arrived, with room for one message. The first byte of the next frame
- * empties the message, so that the sketch calls a null pointer and the board restarts; from the fifth byte on the message is forgotten.
- * While the board sends an answer it does not read. The line decides how long an answer takes: every byte takes ten bit times at the rate
- * with which the port was opened. Percepts that do not fit into one message are sent in several.
+ * Between two rounds of its `loop()` the board reads all bytes that have arrived, with room for one message. The first byte of the next
+ * frame empties the message. The sketch then calls a null pointer, and the board restarts. If five or more bytes of the next frame arrive,
+ * the board only forgets the message.
+ *
+ * While the board sends an answer, it does not read. Every byte of the answer takes ten bit times at the rate of the port. Percepts that do
+ * not fit into one message are sent in several.
  *
  * @param clock the clock that times bytes; the line's own
  * @param loopMs the time of a round of `loop()`, in ms; 0: every byte is looked at when it arrives
@@ -30,7 +32,7 @@ class FieldBoard(
     private val startMs: Int = 100,
 ) {
     private var message: String? = null
-    private var bytesBehind = 0 // number of bytes read behind the message
+    private var bytesBehind = 0 // bytes read behind the message
 
     /** The number of restarts because frames followed each other too closely. */
     @Volatile
@@ -40,7 +42,7 @@ class FieldBoard(
     /**
      * Runs the board until its [line] is gone.
      *
-     * @throws javino.PortGoneException when it is
+     * @throws javino.PortGoneException when the line is gone
      * @throws InterruptedException when this thread is interrupted
      */
     fun run(line: Transport) {
@@ -83,31 +85,31 @@ class FieldBoard(
         decoder.reset()
     }
 
-    /** Puts [percepts] into as few messages as can hold them, at least one; none is cut in two. */
+    /** Puts [percepts] into as few messages as possible, at least one. No percept is cut in two. */
     private fun messages(percepts: List<String>) = percepts.fold(listOf("")) { messages, percept ->
         if (messages.last().length + percept.length >= Frame.MAX_PAYLOAD) messages + "$percept;"
         else messages.dropLast(1) + "${messages.last()}$percept;"
     }
 
     private companion object {
-        /** The board restarts if at most this many bytes of the next frame are read behind a message; with more, it loses the message. */
+        /** The board restarts if it reads at most this many bytes of the next frame behind a message. With more, it loses the message. */
         const val CLEARING = 4
         const val WRITE_LIMIT_MS = 30_000
     }
 }
 
 /**
- * The bytes that a board has not read yet. It reads them one by one, but takes those that arrived while it was busy together.
+ * The unread bytes of a board. The board reads them one by one, but all bytes that arrived while it was busy together.
  *
- * If a busy machine wakes the board too late, bytes that arrived after its time are not part of that burst: else commands would be lost
- * that no real board loses.
+ * A busy computer may wake the board too late. Bytes that arrived after the board's time are not part of that burst. Otherwise commands
+ * would be lost that no real board loses.
  */
 private class Unread(private val line: Transport, private val clock: LineClock) {
     private val arrived = ByteArray(MAX_WAITING)
     private var waiting = ByteArray(0)
     private var burst = 0
 
-    /** Waits until [end] by the line's clock. Only bytes that have come by then count as one burst, even if this waits longer. */
+    /** Waits until [end] by the line's clock. Only bytes that have come by that time count as one burst, even if this waits longer. */
     fun lookAwayUntil(end: Long) {
         do {
             val left = end - clock.nanos()
@@ -126,7 +128,6 @@ private class Unread(private val line: Transport, private val clock: LineClock) 
         return waiting.copyOf(count).also { waiting = waiting.copyOfRange(count, waiting.size) }
     }
 
-    /** Drops all bytes that have arrived. */
     fun forget() {
         waiting = ByteArray(0)
         burst = 0

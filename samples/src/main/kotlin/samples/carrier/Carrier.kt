@@ -5,10 +5,8 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
 /**
- * A robot on a straight way with a can at its end. It can drive there, grip the can and bring it back. Its three boards share it. Any
- * thread.
- *
- * @param clock the robot's time
+ * A robot on a straight way with a can at its end. The robot can drive there, grip the can and bring it back. The robot's three boards
+ * share this object. Any thread may call.
  */
 internal class Carrier(private val clock: LineClock) {
     private var moving = Direction.NO
@@ -29,7 +27,7 @@ internal class Carrier(private val clock: LineClock) {
     @get:Synchronized
     val grasp: Hand get() = hand
 
-    /** The distance to the can before it, in cm; [FAR_CM] if there is nothing before it. */
+    /** The distance to the can before the robot, in cm; [FAR_CM] if nothing is before it. */
     @get:Synchronized
     val free: Double get() = can?.let { it - way } ?: FAR_CM
 
@@ -40,7 +38,7 @@ internal class Carrier(private val clock: LineClock) {
         moving = direction
     }
 
-    /** Closes its hand, around the can if that is near enough. */
+    /** Closes the robot's hand, around the can if that is near enough. */
     @Synchronized
     fun grip() {
         if (hand == Hand.FULL) return
@@ -51,7 +49,7 @@ internal class Carrier(private val clock: LineClock) {
         }
     }
 
-    /** Opens its hand. A can in it is put down before the robot. */
+    /** Opens the robot's hand. Puts a can in it down before the robot. */
     @Synchronized
     fun release() {
         if (hand == Hand.FULL) {
@@ -61,14 +59,14 @@ internal class Carrier(private val clock: LineClock) {
         hand = Hand.OPEN
     }
 
-    /** A direction; its percept has the [word]. */
+    /** A direction, with the [word] for it in percepts. */
     enum class Direction(val word: String, val sign: Int) {
         FORWARD("forward", 1),
         BACKWARD("backward", -1),
         NO("no", 0),
     }
 
-    /** A state of its hand; its percept has the [word]. */
+    /** A state of the robot's hand, with the [word] for it in percepts. */
     enum class Hand(val word: String) {
         OPEN("open"),
         CLOSED("closed"),
@@ -79,13 +77,12 @@ internal class Carrier(private val clock: LineClock) {
         /** The distance of the can from the robot's start, in cm. */
         const val CAN_CM = 60.0
 
-        /** The reach of its hand, in cm. */
+        /** The reach of the robot's hand, in cm. */
         const val REACH_CM = 12.0
 
         /** The sensor's reading if nothing is before the robot, in cm. */
         const val FAR_CM = 200.0
 
-        /** The robot's speed, in cm/s. */
         const val SPEED_CM_S = 20.0
     }
 }

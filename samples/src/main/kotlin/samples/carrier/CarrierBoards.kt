@@ -23,7 +23,7 @@ abstract class CarrierBoard internal constructor(private val name: String, priva
     }
 }
 
-/** A board of the robot that has the actions [deeds], by their names. */
+/** A board of the robot with the actions [deeds], by their names. */
 internal abstract class Part(private vararg val deeds: Pair<String, () -> Unit>) : Sketch {
     final override fun actions() = deeds.map { BoardAction(it.first, 0) }
 
@@ -55,7 +55,7 @@ internal class Eyes(private val carrier: Carrier) : Part() {
 /** Actions `grip`, `release`, `halt`; percept `hand(open)`, `hand(closed)` or `hand(full)`. */
 internal class Arm(private val carrier: Carrier) : Part(
     "grip" to { carrier.grip() }, "release" to { carrier.release() },
-    "halt" to {}, // a hand that moves at once has nothing to halt
+    "halt" to {}, // the hand moves at once, so there is nothing to halt
 ) {
     override fun percepts() = listOf("hand(${carrier.grasp.word})")
 }

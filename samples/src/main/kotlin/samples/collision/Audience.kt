@@ -8,12 +8,11 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * The spectators of a run in a browser. The run waits for the first of them, because it is too short to open a browser meanwhile.
+ * The spectators of a run in a browser. The run waits for the first of them, since it is too short for opening a browser.
  *
  * @property port the port of the agent's view; 0: any free port
- * @param waitS the time for which the run waits, in s
- * @param out takes the view's address
- * @param keyboard Enter typed there ends the waiting; the end of its input does not
+ * @property waitS the time for which the run waits, in s
+ * @property keyboard Enter on it ends the waiting; the end of its input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)
@@ -30,7 +29,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
             return
         }
         view.show {
-            firstBrowser.countDown() // a view asks for its picture when it has somebody to show it to
+            firstBrowser.countDown() // a view asks for its picture for its first spectator
             picture().drawn(conclusion)
         }
         val waiting = if (waitS > 0) "  (the robot starts when a browser shows it, at Enter, or in $waitS s)" else ""
@@ -51,7 +50,7 @@ internal class Audience(val port: Int, private val waitS: Int, private val out: 
     private fun isEntered(): Boolean = try {
         keyboard.available() > 0 && keyboard.read() >= 0
     } catch (_: IOException) {
-        false // thrown if there is no keyboard
+        false // there is no keyboard
     }
 
     private companion object {

@@ -100,7 +100,7 @@ internal class CollisionCommand : ToolCommand() {
         return verdict.exitStatus
     }
 
-    /** Does [action] on Ctrl-C. This is no shutdown hook, since jSerialComm's hook closes the ports while other hooks run. */
+    /** Does [action] on Ctrl-C. A shutdown hook does not serve, since jSerialComm's hook closes the ports while other hooks run. */
     private fun whenInterrupted(action: () -> Unit) = listOf("INT", "TERM").forEach { name -> Signal.handle(Signal(name)) { action() } }
 
     private fun levels(): Levels {
@@ -134,7 +134,7 @@ internal class CollisionCommand : ToolCommand() {
     }
 
     private companion object {
-        const val INTERRUPTED = 130 // the exit status with which shells report Ctrl-C
+        const val INTERRUPTED = 130 // the exit status of shells for Ctrl-C
         const val MAX_PORT = 65_535
         const val WAIT_S = 60
         const val MAX_WAIT_S = 3600

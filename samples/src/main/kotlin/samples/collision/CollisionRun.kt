@@ -14,7 +14,7 @@ import samples.project.SampleProject
 import java.util.concurrent.TimeUnit
 import kotlin.random.Random
 
-/** The variables of a run, as the options of [CollisionCommand] explain them; [port] is null for the simulated robot. */
+/** The variables of a run; the options of [CollisionCommand] explain them. For the simulated robot [port] is null. */
 internal data class Levels(
     val filter: String,
     val limit: Int,
@@ -26,11 +26,7 @@ internal data class Levels(
     val seed: Long,
 )
 
-/**
- * One run of the collision experiment.
- *
- * @param audience the spectators in a browser; null: none
- */
+/** One run of the collision experiment. [audience] are the spectators in a browser; null: none. */
 internal class CollisionRun(
     private val levels: Levels,
     private val progress: Progress,
@@ -39,7 +35,7 @@ internal class CollisionRun(
 ) {
     private val witness = Witness()
     private val mas = MasRun(project())
-    private var boards: List<RobotBoard> = emptyList() // the boards that are plugged in
+    private var boards: List<RobotBoard> = emptyList() // plugged-in boards
 
     private fun project() = SampleProject("collision").apply {
         believe(
@@ -62,7 +58,7 @@ internal class CollisionRun(
         return createLiteral("boards", createList(ports))
     }
 
-    /** Runs it and returns its verdict; always ends by itself. Called once. */
+    /** Runs the experiment and returns its verdict. Always ends by itself. Call it once. */
     fun run(): Verdict {
         val scene = scene()
         try {
@@ -80,8 +76,8 @@ internal class CollisionRun(
         get() = levels.port?.takeIf { witness.beliefs.mayDrive }?.let { "the robot on $it may still drive: its agent could not send stop" }
 
     /**
-     * Gives the run up: stops a real robot unless it has been stopped, because a board's motors keep their last command. Takes
-     * [HALT_LIMIT_S] s at most; any thread may call it.
+     * Aborts the run. Stops a real robot unless it has been stopped, since a board's motors keep their last command. Takes [HALT_LIMIT_S] s
+     * at most. Any thread may call it.
      */
     fun abandon() {
         progress.end()
@@ -118,7 +114,7 @@ internal class CollisionRun(
 
         fun simulated(board: String) = "${SimulatedBoards.SCHEME}:$board"
 
-        /** The time that the board may take to answer, in ms: three times the time of an answer at 9600 baud while a command waits. */
+        /** The longest time for the board's answer, in ms: three times that of an answer at 9600 baud while a command waits. */
         const val ANSWER_LIMIT_MS = 1000.0
         const val LOOK_MS = 50L
         const val MAX_S = 60L

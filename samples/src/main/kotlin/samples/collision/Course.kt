@@ -7,19 +7,18 @@ import kotlin.time.DurationUnit
 /**
  * The way of a robot towards a wall: its place at any instant, as a function of time and of its commands.
  *
- * The robot keeps a constant speed while it drives, and starts and stops at once: at 10 cm/s a wheeled robot coasts for less than a
- * millimetre, the unit of the results. When its distance reaches 0 it has collided and stays where it is.
+ * The robot drives at a constant speed, and starts and stops at once. At 10 cm/s a wheeled robot coasts for less than a millimetre, the
+ * unit of the results. When its distance reaches 0, it has collided and stays there.
  *
- * Immutable: a command gives a new course. Instants are nanoseconds of any one steady clock, distances are cm from the wall to
- * the robot's front.
+ * Immutable: a command gives a new course. Instants are ns of any one steady clock, distances are cm from the wall to the robot's front.
  */
 class Course private constructor(private val speed: Double, private val legs: List<Leg>) {
     private class Leg(val start: Long, val distance: Double, val drives: Boolean)
 
-    /** Returns the course after the command to drive at [now]; the same if the robot drives already or has collided. */
+    /** Returns the course after the command to drive at [now]; this course if the robot already drives or has collided. */
     fun drive(now: Long): Course = if (stateAt(now).let { it == State.STANDING || it == State.STOPPED }) then(now, true) else this
 
-    /** Returns the course after the command to stop at [now]; the same if the robot does not drive. */
+    /** Returns the course after the command to stop at [now]; this course if the robot does not drive. */
     fun stop(now: Long): Course = if (stateAt(now) == State.DRIVING) then(now, false) else this
 
     private fun then(now: Long, drives: Boolean) = Course(speed, legs + Leg(now, distanceAt(now), drives))
@@ -38,13 +37,13 @@ class Course private constructor(private val speed: Double, private val legs: Li
         else -> State.STANDING
     }
 
-    /** The instant at which the robot first drove, or null. */
+    /** The instant at which the robot first drove; null: it never has. */
     val departure: Long? get() = legs.firstOrNull { it.drives }?.start
 
-    /** The instant of the last command to stop that had an effect, or null without one or if the robot drives again. */
+    /** The instant of the last command to stop that had an effect; null without one, or if the robot drives again. */
     val halt: Long? get() = legs.last().takeIf { !it.drives && legs.size > 1 }?.start
 
-    /** Returns the instant at which the robot, as far as it has driven by [now], was first [cm] from the wall; null if it has not been. */
+    /** Returns the instant at which the robot was first [cm] from the wall; null if the robot has not been so near by [now]. */
     fun reached(cm: Double, now: Long): Long? {
         legs.forEachIndexed { i, leg ->
             val end = legs.getOrNull(i + 1)?.start ?: now
@@ -55,12 +54,11 @@ class Course private constructor(private val speed: Double, private val legs: Li
         return null
     }
 
-    /** The state of the robot. */
+    /** The states of a robot. */
     enum class State {
-        /** The robot has not driven yet. */
+        /** The robot has never driven. */
         STANDING,
 
-        /** The robot drives towards the wall. */
         DRIVING,
 
         /** The robot has driven and stands in front of the wall. */

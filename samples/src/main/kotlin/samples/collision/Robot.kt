@@ -7,11 +7,9 @@ import java.util.concurrent.atomic.AtomicReference
 import kotlin.random.Random
 
 /**
- * A 4WD robot in front of a wall: it drives with `front`, halts with `stop`, and has two lamps that `ledLightOn`,
- * `ledLightOff`, `ledTempOn` and `ledTempOff` switch.
+ * A 4WD robot in front of a wall. The robot drives with `front` and halts with `stop`. `ledLightOn`, `ledLightOff`, `ledTempOn` and
+ * `ledTempOff` switch its two lamps.
  *
- * @param clock the robot's time
- * @param sensors the robot's sensors
  * @param noticed receives each change of the robot's state when the board notices it, at the next message
  */
 class Robot(
@@ -25,10 +23,10 @@ class Robot(
         clock: LineClock, random: Random, noticed: (Course, Course.State) -> Unit = { _, _ -> },
     ) : this(clock, Sensors(random), noticed)
 
-    /** The robot's course by the commands so far; any thread may ask. */
+    /** The robot's course by the commands so far. Any thread may ask. */
     val course: Course get() = way.get()
 
-    /** The lamps that are on, of `light` and `temp`; any thread may ask. */
+    /** The lamps that are on, of `light` and `temp`. Any thread may ask. */
     @Volatile
     var lamps: Set<String> = emptySet()
         private set
@@ -55,7 +53,7 @@ class Robot(
         return command in ACTIONS
     }
 
-    @Synchronized // the sensors may be on a board of their own, with a thread of its own
+    @Synchronized // the sensors may be on another board, with another thread
     private fun notice(now: Long) {
         val state = course.stateAt(now)
         if (state == lastNoticed) return

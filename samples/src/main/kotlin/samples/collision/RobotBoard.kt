@@ -7,9 +7,9 @@ import javino.sim.Sketch
 import samples.board.FieldBoard
 import kotlin.random.Random
 
-/** `sim:robot`, the robot and the wall of the collision experiment. The robot outlives its port: opened again, it stands where it stood. */
+/** `sim:robot`, the robot and the wall of the collision experiment. When its port is opened again, the robot stands where it stood. */
 class RobotBoard internal constructor(private val name: String, private val sketch: Sketch) : SimulatedBoard {
-    /** The board that a Jason project finds as a service; it logs the robot's actions. */
+    /** The board that a Jason project finds as a service, which logs the robot's actions. */
     constructor() : this(NAME, Robot(LineClock.system(), Random.Default, ::log))
 
     override fun name() = name
@@ -20,7 +20,7 @@ class RobotBoard internal constructor(private val name: String, private val sket
         /** The board's name after `sim:`. */
         const val NAME = "robot"
 
-        /** The name of the board with the sensors, if they have a board of their own. */
+        /** The name of the board with the sensors, if they have their own board. */
         const val SENSORS = "robot-sensors"
 
         /** Returns the boards of [robot]: one, or two, the first with wheels and lamps and the second with the sensors. */
@@ -30,7 +30,6 @@ class RobotBoard internal constructor(private val name: String, private val sket
     }
 }
 
-/** The wheels and lamps of [robot]. */
 private class Motion(private val robot: Robot) : Sketch {
     override fun actions() = robot.actions()
 
@@ -39,7 +38,6 @@ private class Motion(private val robot: Robot) : Sketch {
     override fun act(command: String) = robot.act(command)
 }
 
-/** The sensors of [robot]. */
 private class Senses(private val robot: Robot) : Sketch {
     override fun percepts() = robot.percepts()
 

@@ -2,7 +2,7 @@ package samples.collision
 
 import javino.LineClock
 
-/** A running experiment as spectators see it. */
+/** A running experiment in the eyes of its spectators. */
 internal interface Scene {
     /** Returns the run in a few facts: `distance 87.3 cm`, `driving`, `4.2 s`. */
     fun look(): List<String>
@@ -10,7 +10,7 @@ internal interface Scene {
     /** Returns the run as a picture. Any thread may call this. */
     fun picture(): TrackPicture
 
-    /** Returns the result, or null while the run lasts. */
+    /** Returns the result; null while the run lasts. */
     fun verdict(): Verdict?
 
     /** Returns the verdict on a run that has lasted [seconds] s, which is too long. */
@@ -18,8 +18,8 @@ internal interface Scene {
 }
 
 /**
- * The simulated [robot], whose place is known whatever its agent believes. A standing robot has ended its run only if its agent believes
- * so: an agent that waits for its board to answer will go on.
+ * The simulated [robot], whose place is known whatever its agent believes. If the robot stands, the run has ended only if the agent
+ * believes so, since an agent that waits for its board's answer will go on.
  */
 internal class SimulatedScene(
     private val robot: Robot, private val beliefs: () -> Witness.Beliefs, private val limit: Int, private val clock: LineClock,
@@ -60,7 +60,7 @@ internal class SimulatedScene(
     private fun words(state: Course.State) = state.name.lowercase()
 }
 
-/** A robot on a [port], known only by its agent's beliefs. */
+/** A robot on a [port]. Only the agent's beliefs tell of it. */
 internal class BoardScene(
     private val witness: Witness, private val port: String, private val limit: Int, private val clock: LineClock,
 ) : Scene {

@@ -4,13 +4,12 @@ import kotlin.math.ceil
 import kotlin.random.Random
 
 /**
- * The twelve sensors of the robot: distance (cm), light (0 to 1023, as an analogue input gives it) and temperature (°C) on its
- * front, back, right and left. More sensors are further sets of twelve at the same places; the sides of the second set are called `f2`,
- * `b2` and so on.
+ * The twelve sensors of the robot: distance (cm), light (0 to 1023, like an analogue input) and temperature (°C) on its front, back, right
+ * and left. More sensors are further sets of twelve at the same places. The sides of the second set are called `f2`, `b2` and so on.
  *
- * Every reading carries noise, and no sensor gives the same reading twice in a row, so that all twelve percepts change from frame to frame:
- * the worst case for an agent, to which real sensors come close. A distance sensor never reads short: it gives the next whole cm, or up to
- * [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
+ * Every reading has noise, and no sensor gives the same reading twice in a row. So all twelve percepts change from frame to frame. Such
+ * percepts are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is the next
+ * whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
  *
  * For one thread.
  *
@@ -24,7 +23,8 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
     }
 
     /**
-     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123)` to `temp(l,25)`.
+     * Returns the readings of a robot whose front is [distance] cm from the wall, as the percepts of one frame: `dist(f,123)` to
+     * `temp(l,25)`.
      */
     fun frame(distance: Double): List<String> = buildList {
         for (set in 1..sets) for (kind in KINDS) for (side in SIDES) {
@@ -48,12 +48,12 @@ class Sensors(private val random: Random, private val sets: Int = 1) {
         /** The largest excess of a distance reading over the true distance, rounded up, in cm. */
         const val DISTANCE_NOISE = 1
 
-        /** The length of the room, in cm, from the wall in front to the wall behind, less the robot's own length. */
+        /** The length of the room in cm, from the wall in front to the wall behind, less the robot's own length. */
         const val ROOM_CM = 400.0
 
         private const val AISLE_CM = 80.0
         private const val SIDES = "fbrl"
-        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some are close to the limits in the agent's plans
+        private val LIGHT = mapOf('f' to 95, 'b' to 105, 'r' to 140, 'l' to 60) // some near the limits in the agent's plans
         private val TEMPERATURE = mapOf('f' to 25, 'b' to 26, 'r' to 25, 'l' to 24)
 
         private val KINDS = listOf(

@@ -7,7 +7,7 @@ import kotlin.math.roundToInt
  * The robot on its track, to scale.
  *
  * @property distance the distance of the robot's front from the wall in cm; null: not known
- * @property limit the distance at which it is to stop, in cm from the wall
+ * @property limit the distance at which the robot is to stop, in cm from the wall
  * @property range the length for which the picture has room, in cm, above 0
  * @property doing the robot's state, such as `driving`
  */
@@ -25,13 +25,11 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
 
     /** Returns the index of the character that is [distance] cm left of the wall. */
     private fun cell(distance: Double): Int {
-        val first = ONE_LINE_ROBOT.length - 1 // the front of a robot that stands at the left edge
+        val first = ONE_LINE_ROBOT.length - 1 // the front of a robot at the left edge
         return first + ((CELLS - 1 - first) * (1 - share(distance))).roundToInt()
     }
 
-    /**
-     * Draws the SVG. Without a `viewBox` it is as wide as the page; percentages are of that width, and lengths and letters keep their size.
-     */
+    /** Draws the SVG. Without a `viewBox` it is as wide as the page. Percentages are of that width. Lengths and letters keep their size. */
     private fun svg(stop: Double = place(limit.toDouble())) = """
         <svg xmlns="http://www.w3.org/2000/svg" font-family="system-ui, sans-serif" font-size="13">
           <style>
@@ -58,14 +56,12 @@ internal data class TrackPicture(val distance: Double?, val limit: Int, val rang
         </svg>
     """.trimIndent()
 
-    /** Returns the place in the picture that is [distance] cm from the wall, in percent of the picture's width. */
     private fun place(distance: Double) = ROBOT + (WALL - ROBOT) * (1 - share(distance))
 
-    /** Returns [distance] cm as a share of [range], from 0 to 1. */
     private fun share(distance: Double) = (distance / range).coerceIn(0.0, 1.0)
 
     private companion object {
-        /** The place at which the wall begins, in percent of the width. */
+        /** The place of the wall, in percent of the width. */
         const val WALL = 98.0
 
         /** The part of the width for the robot, in percent. */

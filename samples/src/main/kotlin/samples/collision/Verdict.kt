@@ -2,12 +2,7 @@ package samples.collision
 
 import java.util.Locale
 
-/**
- * The end of a run of the collision experiment.
- *
- * @property sentence the sentence that is printed
- * @property exitStatus the program's exit status: 0 if the robot was stopped
- */
+/** The end of a run of the collision experiment. [exitStatus] is the program's exit status: 0 if the robot was stopped. */
 internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     /** The robot stands [distance] cm from the wall, [nanosAfter] ns after it crossed the limit; null: it did not cross it. */
     class Stopped(distance: Double, limit: Int, nanosAfter: Long?) : Verdict(
@@ -20,7 +15,7 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     class Collided(limit: Int, nanosAfter: Long) :
         Verdict("ran into the wall: the agent had not stopped the robot ${seconds(nanosAfter)} s after the $limit cm limit", 1)
 
-    /** The agent has sent `stop` to a real robot, whose front sensor showed [distance] cm. */
+    /** The agent has sent `stop` to a real robot. The robot's front sensor showed [distance] cm. */
     class Sent(distance: Double?, limit: Int) : Verdict(
         "stopped: " + (distance?.let { "the front sensor says ${cm(it)} cm" } ?: "the front sensor says nothing") +
             ", the limit is $limit cm",
@@ -31,7 +26,7 @@ internal sealed class Verdict(val sentence: String, val exitStatus: Int) {
     class Failed(why: String) : Verdict(why, 1)
 }
 
-/** Writes [distance], in cm, as the samples print it: `38.6`. */
+/** Writes [distance], in cm, in the format of the samples: `38.6`. */
 internal fun cm(distance: Double): String = String.format(Locale.ROOT, "%.1f", distance)
 
 /** Writes [nanos] as seconds: `4.2`. */

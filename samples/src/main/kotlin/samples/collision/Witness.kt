@@ -12,11 +12,11 @@ import jason.asSyntax.StringTerm
  * Reads the beliefs of an agent that stops a robot, for other threads. Jason's belief base belongs to the agent's thread, so that thread
  * reads it, at the end of each reasoning cycle.
  *
- * @param changed is called by the agent's thread for each change of the believed front distance, with the events and intentions that are
- * left
+ * @param changed called by the agent's thread for each change of the believed front distance, with the numbers of remaining events and
+ *   intentions
  */
 class Witness(private val changed: (front: Double?, events: Int, intentions: Int) -> Unit = { _, _, _ -> }) : AgArch() {
-    /** The beliefs at the end of the last reasoning cycle; any thread may ask. */
+    /** The beliefs at the end of the last reasoning cycle. Any thread may ask. */
     @Volatile
     var beliefs = Beliefs()
         private set
@@ -37,16 +37,16 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     private fun all(functor: String, arity: Int): Sequence<Literal> =
         ts.ag.bb.getCandidateBeliefs(PredicateIndicator(functor, arity))?.asSequence().orEmpty()
 
-    /** Makes the agent stop its robot, whatever it is doing; returns at once. */
+    /** Makes the agent stop its robot at once, whatever it is doing. Does not wait for that. */
     fun haltRobot() {
         ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
         firstAgArch.wakeUpSense()
     }
 
     /**
-     * @property distance the front distance in cm, null if it has perceived none
-     * @property status `front` while it has its robot drive, `stopped` when it has stopped it, null before
-     * @property trouble the reason why it cannot go on, null if it can
+     * @property distance the front distance in cm; null: the agent has perceived none
+     * @property status `front` while the agent has its robot drive, `stopped` when it has stopped it, null before
+     * @property trouble the reason why the agent cannot go on; null: it can
      * @property port the state of the agent's port: `on`, `off` or `timeout`; null: the agent has not asked for a port
      */
     data class Beliefs(
@@ -55,7 +55,6 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
         val trouble: String? = null,
         val port: String? = null,
     ) {
-        /** True if the agent has stopped its robot. */
         val isStopped: Boolean get() = status == STOPPED
 
         /** True if the agent has had its robot drive and has not stopped it. */

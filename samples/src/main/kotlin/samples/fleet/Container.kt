@@ -6,11 +6,10 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * A JADE container with Jason's agents, in a process of its own: `jason.infra.jade.RunJadeMAS` in the directory of the project.
+ * A JADE container with Jason's agents, in another process: `jason.infra.jade.RunJadeMAS` in the directory of the project.
  *
  * @property name the container's name in the `.mas2j`, behind `at`
- * @property port the port at which it listens
- * @param printed receives each line that it prints, from a thread of its own
+ * @param printed receives each line that it prints, on its own thread
  */
 internal class Container private constructor(
     val name: String, val port: Int, private val process: Process, printed: (String) -> Unit,
@@ -25,13 +24,13 @@ internal class Container private constructor(
 
     val isAlive: Boolean get() = process.isAlive
 
-    /** Ends its process at once, as a power failure does. */
+    /** Ends the container's process at once, like a power failure. */
     fun kill() {
         process.destroyForcibly().waitFor()
         reader.join()
     }
 
-    /** Asks the container's process to end; kills it if it does not end in time. */
+    /** Asks the container's process to end. Kills it if it does not end in time. */
     override fun close() {
         process.destroy()
         if (!process.waitFor(PATIENCE_S, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
@@ -42,10 +41,8 @@ internal class Container private constructor(
         private const val PATIENCE_S = 5L
 
         /**
-         * Starts a container of [project], a `.mas2j` file. It listens only on [HOST].
-         *
-         * @param port the port at which it listens
-         * @param mainPort the port of the main container, also if this is the main container
+         * Starts a container of [project], a `.mas2j` file. The container listens only on [HOST]. [mainPort] is the port of the main
+         * container, even if this is the main container.
          */
         fun start(project: Path, name: String, port: Int, mainPort: Int, printed: (String) -> Unit): Container {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
@@ -56,8 +53,7 @@ internal class Container private constructor(
         }
 
         /**
-         * Returns the arguments of Java for the container [name] of [project] that listens at [own], while the main container listens at
-         * [main].
+         * Returns the arguments of Java for the container [name] of [project] that listens at [own]. The main container listens at [main].
          */
         fun program(project: String, name: String, own: Address, main: Address): List<String> {
             val role = if (own == main) emptyList() else listOf("-container")
@@ -69,10 +65,9 @@ internal class Container private constructor(
                 listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
         }
 
-        /** The address that all containers of the sample have. */
+        /** The host of all containers of the sample. */
         const val HOST = "127.0.0.1"
     }
 
-    /** The address at which a container listens. */
     data class Address(val host: String, val port: Int)
 }

@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit
 internal class Fleet private constructor(private val containers: List<Container>) : AutoCloseable {
     val ports: List<Int> = containers.map { it.port }
 
-    /** Ends the process of [container] as a power failure does. */
+    /** Ends the process of [container] like a power failure. */
     fun kill(container: String) = containers.first { it.name == container }.kill()
 
     fun isAlive(container: String) = containers.first { it.name == container }.isAlive
@@ -23,8 +23,8 @@ internal class Fleet private constructor(private val containers: List<Container>
         private const val START_LIMIT_S = 60L
 
         /**
-         * Starts them, the coordinator first.
-         * @param printed receives each line that they print, from threads of their own
+         * Starts the containers, the coordinator first.
+         * @param printed receives each line that they print, on several threads
          * @throws IllegalStateException if the coordinator does not start
          */
         fun start(printed: (String) -> Unit): Fleet {
@@ -49,7 +49,6 @@ internal class Fleet private constructor(private val containers: List<Container>
             return Path.of(source.toURI())
         }
 
-        /** Returns ports of this computer on which nobody listens now. */
         private fun freePorts(count: Int): List<Int> {
             val sockets = List(count) { ServerSocket(0, 1, InetAddress.getByName(Container.HOST)) }
             return sockets.map { it.localPort }.also { sockets.forEach(ServerSocket::close) }

@@ -7,10 +7,8 @@ import javino.sim.Sketch
 import samples.board.FieldBoard
 
 /**
- * The firmware of a robot that drives to ordered places: after `goto(P)` it is on its way, `driving(P)`, and [TRAVEL_MS] ms later it is
- * there, `at(P)`. It starts `at(home)`.
- *
- * @param clock the clock of its journeys
+ * The firmware of a robot that drives to ordered places. After `goto(P)` it is on its way, `driving(P)`. [TRAVEL_MS] ms later it is there,
+ * `at(P)`. The robot starts `at(home)`.
  */
 class Rover(private val clock: LineClock) : Sketch {
     private var place = "home"
@@ -26,14 +24,14 @@ class Rover(private val clock: LineClock) : Sketch {
     }
 
     companion object {
-        /** The time that the robot takes from any place to any other. */
+        /** The robot's time from any place to any other, in ms. */
         const val TRAVEL_MS = 400
 
         private val GOTO = Regex("""goto\((\w+)\)""")
     }
 }
 
-/** `sim:rover`, the board of each scout in the sample `fleet`; there is one in each process. */
+/** `sim:rover`, the board of each scout in the sample `fleet`. Each process has one. */
 class RoverBoard : SimulatedBoard {
     private val board = FieldBoard(Rover(LineClock.system()))
 

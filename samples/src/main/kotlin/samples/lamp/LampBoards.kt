@@ -20,5 +20,5 @@ class BlinkBoard : LampBoard("blink")
 /** `sim:left`, one of the boards of the sample `two-boards`. */
 class LeftBoard : LampBoard("left")
 
-/** `sim:right`, the other board of that sample. */
+/** `sim:right`, the other board of the sample `two-boards`. */
 class RightBoard : LampBoard("right")

@@ -12,7 +12,7 @@ import java.util.logging.StreamHandler
 
 /** The log of Jason, ARGO and the agents during a run, one line each: `[robot] port "sim:robot" is on`. */
 object Logs {
-    /** Sends it to [out]. */
+    /** Sends the log to [out]. */
     fun to(out: PrintStream) {
         LogManager.getLogManager().reset()
         Logger.getLogger("").apply {
@@ -36,12 +36,7 @@ object Logs {
     }
 }
 
-/**
- * A file that receives the log of Jason, ARGO and the agents, and all other printed text, from its creation until
- * it is closed.
- *
- * @property path the file's path
- */
+/** A file with the log of Jason, ARGO and the agents, and all other printed text, from its creation until [close]. */
 internal class LogFile private constructor(val path: Path) : AutoCloseable {
     private val out = System.out
     private val err = System.err
@@ -53,7 +48,7 @@ internal class LogFile private constructor(val path: Path) : AutoCloseable {
         stream.close()
     }
 
-    /** Closes and deletes it: the log of a successful run is not needed. */
+    /** Closes and deletes the file, since nobody needs the log of a successful run. */
     fun delete() {
         close()
         Files.deleteIfExists(path)

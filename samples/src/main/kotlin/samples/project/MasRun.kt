@@ -11,8 +11,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * Runs a Jason project inside this program: without a window, without a network service, and without ending the program when an agent ends
- * the system with `.stopMAS`. Only one runs at a time, since Jason keeps it in a static.
+ * Runs a Jason project inside this program, without a window and a network service. The program goes on when an agent ends the system with
+ * `.stopMAS`. Only one project runs at a time, since Jason keeps it in a static field.
  */
 internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     private val ended = CompletableFuture<Int>()
@@ -20,13 +20,13 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     init {
         parseArgs(arrayOf("--no-net"))
         setProject(sample.mas)
-        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, as Jason does
+        (DirectiveProcessor.getDirective("include") as Include).setSourcePath(sample.mas.sourcePaths) // for all agents, like Jason
     }
 
     /**
-     * Creates the agents and starts them; puts each of [witnesses] in front of the architectures of the agent with its name.
+     * Creates and starts the agents. Puts each of [witnesses] in front of the architectures of the agent with its name.
      *
-     * @param beforeStart is called when the agents are there and do not run yet
+     * @param beforeStart called when the agents exist but do not run yet
      * @throws IllegalStateException if an agent cannot be created; the log has Jason's reasons
      */
     fun begin(witnesses: Map<String, AgArch> = emptyMap(), beforeStart: () -> Unit = {}) {
@@ -40,12 +40,12 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /**
-     * Runs the project, with its log on the standard output, until its agents end it, and returns their exit status; 1 if they have not
-     * ended it within [MAX_S] s, with a message on the standard error.
+     * Runs the project until its agents end it, with its log on the standard output. Returns their exit status. If they have not ended it
+     * within [MAX_S] s, returns 1 and reports that on the standard error.
      */
     fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 
-    /** Runs the project as [toItsEnd] does, but ends it after [seconds] s, with exit status 0. */
+    /** Runs the project like [toItsEnd], but ends it after [seconds] s, with exit status 0. */
     fun forAtMost(seconds: Int): Int = logged(seconds) ?: 0
 
     private fun logged(seconds: Int): Int? {
@@ -58,19 +58,18 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
         }
     }
 
-    /** Returns the live view of [agent], once it is created; null: it has none. */
+    /** Returns the live view of [agent], once it is created; null: the agent has none. */
     fun viewOf(agent: String): AgentView? =
         generateSequence(ags.getValue(agent).firstAgArch) { it.nextAgArch }.filterIsInstance<Arch>().flatMap { it.observers }
             .filterIsInstance<AgentView>().firstOrNull()
 
-    /** Waits until an agent has ended the system, at most [millis] ms; returns the agent's exit status, null if none has. */
+    /** Waits until an agent has ended the system, at most [millis] ms. Returns the agent's exit status; null if none has ended it. */
     fun awaitEnd(millis: Long): Int? = try {
         ended.get(millis, TimeUnit.MILLISECONDS)
     } catch (_: TimeoutException) {
         null
     }
 
-    /** Stops all agents, which close their ports. */
     fun end() = stopAgs(0)
 
     /** Notes the end of the system by `.stopMAS`. */

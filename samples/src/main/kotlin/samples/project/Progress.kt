@@ -7,11 +7,10 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The progress of a run in one line: rewritten in place on a terminal; elsewhere a plain line now and then.
- * Safe for use by several threads.
+ * The progress of a run in one line. On a terminal, the line is rewritten in place. Elsewhere, a plain line is printed now and then. Safe
+ * for use by several threads.
  *
  * @param inPlace whether [out] is a terminal, on which the line is rewritten
- * @param charset the character set of [out]
  */
 class Progress(private val out: PrintStream, private val inPlace: Boolean, charset: Charset) {
     private val separator = if (charset.newEncoder().canEncode('·')) " · " else " - "
@@ -21,7 +20,7 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
     private var nextPlain = 0L
 
     /**
-     * Shows [facts] side by side, unless it has ended.
+     * Shows [facts] side by side, until [end].
      *
      * @param nanos the time since the run began, never less than before
      * @param drawing a drawing before the facts on a terminal, if a line of [MAX_COLUMNS] has room for both
@@ -53,13 +52,15 @@ class Progress(private val out: PrintStream, private val inPlace: Boolean, chars
     companion object {
         private const val PLAIN_INTERVAL_NANOS = 5_000_000_000L
 
-        /** The length that fits into a line of a terminal of the usual width; a longer line would wrap, and could not be rewritten. */
+        /** The longest line for a terminal of the usual width. A longer line would wrap, and could not be rewritten. */
         const val MAX_COLUMNS = 79
 
         /** Shows progress on this program's standard output. */
         fun onStandardOutput() = Progress(System.out, isTerminal() && canRewrite(System.getenv()), charset())
 
-        /** Returns true if the terminal of a program with [environment] can rewrite a line; a log of CI keeps all that is printed. */
+        /**
+         * Returns true if the terminal of a program with [environment] can rewrite a line. A log of CI keeps everything that is printed.
+         */
         fun canRewrite(environment: Map<String, String>) = environment["TERM"] != "dumb" && environment["CI"].isNullOrEmpty()
 
         private fun charset(): Charset =

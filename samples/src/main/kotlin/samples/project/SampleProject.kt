@@ -8,8 +8,8 @@ import java.net.URL
 import kotlin.io.path.toPath
 
 /**
- * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it.
- * Changes of a command line are made here, after the project has been read.
+ * A Jason project on the class path: `collision` is `collision/collision.mas2j` there, with its agents beside it. Changes from a command
+ * line are made here, after the project has been read.
  */
 class SampleProject(name: String) {
     private val source: URL = checkNotNull(SampleProject::class.java.getResource("/$name/$name.mas2j")) {
@@ -25,17 +25,17 @@ class SampleProject(name: String) {
 
     private val given = HashMap<String, List<Literal>>()
 
-    /** The initial beliefs in place of those in the project, by the agents' names. */
+    /** The initial beliefs that replace those of the project, by the agents' names. */
     val beliefs: Map<String, List<Literal>> get() = given
 
     private fun agent(name: String): AgentParameters = checkNotNull(mas.getAg(name)) { "$source has no agent $name" }
 
     /** Gives [agent] these initial beliefs in place of those in the project. */
     fun believe(agent: String, vararg beliefs: Literal) {
-        agent(agent).addOption("beliefs", "") // not as an option: an option is text, which not every string survives
+        agent(agent).addOption("beliefs", "") // not as an option, since not every string survives as its text
         given[agent] = beliefs.asList()
     }
 
-    /** Sets an option of [agent], as `[key=value]` does in the project. */
+    /** Sets an option of [agent], like `[key=value]` in the project. */
     fun set(agent: String, key: String, value: String) = agent(agent).addOption(key, value)
 }

@@ -53,7 +53,7 @@ internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : 
         timer.scheduleAtFixedRate(::publish, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** The bridge's port, as an agent names it. */
+    /** The bridge's port in an agent's notation. */
     val port: String get() = "ros://127.0.0.1:${server.port}"
 
     /** The first turtle, `turtle1`. */

@@ -11,12 +11,12 @@ object Dist : PerceptType("dist") {
     val cm by number()
 }
 
-/** Keeps what is in front of the robot. */
+/** Keeps percepts of things in front of the robot. */
 val frontOnly = keepFilter("frontOnly") {
     keep(Dist) { side eq "f" }
 }
 
-/** Keeps what is in front of the robot and nearer than a metre. */
+/** Keeps percepts of things in front of the robot and nearer than a metre. */
 val nearFront = keepFilter("nearFront") {
     keep(Dist) {
         side eq "f"

@@ -3,19 +3,19 @@ package argo.check.findings
 import argo.check.syntax.Position
 import java.nio.file.Path
 
-/** How sure and how grave a finding is. */
+/** How sure a finding is, and how bad. */
 enum class Level {
-    /** Jason refuses the program, or this fails whenever it runs. */
+    /** Jason refuses the program, or this place fails whenever it runs. */
     ERROR,
 
-    /** This is very probably not meant. */
+    /** The author very probably meant something else. */
     WARNING,
 
-    /** This may be meant, and is worth a look. */
+    /** The author may mean this, but it is worth a look. */
     HINT,
 }
 
-/** A part of [file] from [begin] up to [end], which it does not contain. */
+/** A part of [file]. The position [end] is the first behind that part. */
 data class Place(val file: Path, val begin: Position, val end: Position) {
     override fun toString(): String = "$file:$begin"
 }
@@ -23,8 +23,8 @@ data class Place(val file: Path, val begin: Position, val end: Position) {
 /**
  * A finding of a check.
  *
- * @property rule the rule's name, as `goal-without-plan`
- * @property what what is found, in a sentence without a full stop
+ * @property rule the rule's name, such as `goal-without-plan`
+ * @property what the finding, in a sentence without a full stop
  * @property why the consequence
  * @property remedy what to do
  */

@@ -17,17 +17,16 @@ class AgentProgram(val path: Path, text: String) {
 
     val mentions: Mentions by lazy { MentionReader().read(program.components) }
 
-    /** Words in text that is left out behind an error: they may mean anything. */
+    /** The words in parts that the reader skipped after an error. A skipped word may mean anything. */
     val unread: Set<String> by lazy {
         val spans = program.components.filterIsInstance<Unread>().map { it.span }
         val tokens = if (spans.isEmpty()) emptyList() else program.tokens.filter { token -> spans.any { it.touches(token.span.start) } }
         tokens.map { it.text }.toSet()
     }
 
-    /** The files that this includes, as written. */
+    /** The files that this program includes, as written. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
-    /** The names of the filters that this changes to. */
     internal val filtersCalled: List<String> get() = mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
         when (val name = it.literal.arguments.firstOrNull()) {
             is Literal -> name.functor
@@ -36,16 +35,16 @@ class AgentProgram(val path: Path, text: String) {
         }
     }
 
-    /** True if a directive with an inner program may make plans of its own, as the patterns of Jason do. */
+    /** True if a directive with an inner program, such as a pattern of Jason, may make plans of its own. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
 
-    /** The goals and beliefs in comments `argo: others may send goal/2, belief/1`; functors, with the number of arguments. */
+    /** The goals and beliefs that comments `argo: others may send goal/2, belief/1` list, each as functor/number of arguments. */
     val sentByOthers: Set<String> by lazy {
         val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
     }
 
-    /** Returns whether a comment in [line], or in one of its own above, says that findings there are of no interest. */
+    /** Returns whether findings in [line] are ignored. A comment in that line, or a line above with only the comment, asks for that. */
     fun isIgnored(line: Int): Boolean = line in ignoredLines
 
     private val ignoredLines: Set<Int> by lazy {

@@ -4,17 +4,12 @@ import argo.check.syntax.Position
 import argo.check.syntax.Span
 import javino.PerceptKind
 
-/**
- * A word that a file gives a meaning to.
- *
- * @property span the place in [file]
- */
+/** A word to which [file] gives a meaning, at [span]. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span)
 
-/** A description of percepts that cannot be read, and the reason. */
 internal class Unreadable(val file: ProjectFile, val span: Span, val reason: String)
 
-/** The kinds of percepts that a file describes. */
+/** The kinds of percepts that [file] describes. */
 internal class Descriptions(private val file: ProjectFile) {
     private val read = ArrayList<Described<PerceptKind>>()
     private val refused = ArrayList<Unreadable>()
@@ -22,7 +17,7 @@ internal class Descriptions(private val file: ProjectFile) {
     val percepts: List<Described<PerceptKind>> get() = read
     val unreadable: List<Unreadable> get() = refused
 
-    /** Takes in the part [span] of the file, which should describe a kind. */
+    /** Reads the part [span] of the file as the description of one kind. */
     fun add(span: Span) {
         try {
             read += Described(PerceptKind.parse(file.text.substring(span.start, span.end)), file, span)
@@ -32,7 +27,7 @@ internal class Descriptions(private val file: ProjectFile) {
     }
 }
 
-/** Reads a file of percepts, which has a kind in each line and comments behind `#`. */
+/** Reads a file of percepts: one kind in each line, comments behind `#`. */
 internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).apply {
     for (line in 1..file.lines.count) {
         val kind = file.lines.text(line).substringBefore('#')
@@ -41,7 +36,7 @@ internal fun perceptsFile(file: ProjectFile): Descriptions = Descriptions(file).
     }
 }
 
-/** What a sketch, or a program in Python, says in calls of the Javino library: the kinds of its percepts, and its actions. */
+/** The kinds of percepts and the actions that a sketch or a Python program gives to the Javino library. */
 internal class BoardProgram(private val file: ProjectFile) {
     val descriptions = Descriptions(file).apply {
         DESCRIBED.findAll(file.text).forEach { add(spanOf(it.groups[1]!!.range)) }
@@ -59,7 +54,7 @@ internal class BoardProgram(private val file: ProjectFile) {
     private fun spanOf(range: IntRange) = Span(range.first, range.last + 1)
 
     private companion object {
-        /** A string of a sketch may stand in the macro `F(…)`, which keeps it in flash. */
+        /** A sketch may write a string as `F("…")`, a macro that keeps it in flash. */
         const val IN_FLASH = "\\s*(?:F\\s*\\(\\s*)?"
         const val NAME = "$IN_FLASH[\"'](\\w+)[\"']\\s*\\)?"
         const val FUNCTION = "(?:\\s*,\\s*[a-zA-Z_]\\w*)?"
@@ -67,7 +62,7 @@ internal class BoardProgram(private val file: ProjectFile) {
         val STRING = Regex("\"([^\"\n]*)\"")
         val DESCRIBED = Regex("\\bdescribe\\s*\\($IN_FLASH\"([^\"\n]*)\"")
 
-        /** In Python, which takes descriptions behind the function that perceives. */
+        /** The Python library takes descriptions behind the function that perceives. */
         val PERCEIVED = Regex("\\bperceive\\s*\\((?:[^()\"]++|\"[^\"\n]*+\")*+")
         val ACT = Regex("\\.act\\s*\\[$NAME\\s*]\\s*=")
         val ON_ACTION = Regex("\\b(?:onAction|on_action)\\s*\\($NAME(?:$FUNCTION$NUMBER\\s*\\))?")

@@ -18,14 +18,14 @@ import kotlin.io.path.name
 /**
  * A file with a filter, in XML or JSON.
  *
- * @property filter null if it is refused
- * @property problems the reasons why it is refused
+ * @property filter null if the file is refused
+ * @property problems the reasons for the refusal
  */
 class FilterFile private constructor(val path: Path, val text: String, val filter: PerceptionFilter?, val problems: List<Problem>) {
-    /** The name by which an agent calls it. */
+    /** The name by which an agent calls this filter. */
     val name: String get() = path.name.substringBeforeLast('.')
 
-    /** Returns a place in [line] from [column] on, each counted from 1. */
+    /** Returns the place of one character; [line] and [column] count from 1. */
     fun place(line: Int, column: Int = 1): Place = Place(path, Position(line, column), Position(line, column + 1))
 
     companion object {
@@ -34,7 +34,6 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
             Regex("(?:\\s++|\uFEFF|<\\?.*?\\?>|<!--.*?-->|<!DOCTYPE[^>]*>)*+<PerceptionFilter\\b.*", RegexOption.DOT_MATCHES_ALL)
         private val LISTS = setOf("rules", "critical")
 
-        /** Returns the filter in the file at [path]. */
         internal fun of(path: Path, text: String): FilterFile = try {
             val filter = text.byteInputStream().use { input ->
                 if (path.extension == "xml") XmlFilters.read(input, "$path") else JsonFilters.read(input, "$path")
@@ -45,15 +44,17 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
         }
 
         /**
-         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter.
-         *
-         * @param called the names of filters that programs change to
+         * Returns true if the file at [path] with this [text], in XML or JSON, is meant as a filter. [called] are the names of filters that
+         * programs change to.
          */
         internal fun isMeant(path: Path, text: String, called: Set<String>): Boolean =
             path.parent?.name == FOLDER || path.name in called || path.name.substringBeforeLast('.') in called ||
                 if (path.extension == "xml") ROOT.matches(text) else hasRules(text)
 
-        /** Returns true if a list of the JSON document [text] holds a rule: an object with a predicate. Other documents have rules too. */
+        /**
+         * Returns true if the JSON document [text] has a list with a filter's rule, an object with a predicate. Other documents have rules
+         * too.
+         */
         private fun hasRules(text: String): Boolean = try {
             JsonFactory().createParser(text).use { parser ->
                 generateSequence(parser::nextToken).any {

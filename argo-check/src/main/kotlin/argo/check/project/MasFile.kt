@@ -9,15 +9,16 @@ import argo.check.syntax.TokenKind
 import argo.check.syntax.programOf
 import java.nio.file.Path
 
-/** An option of an agent in a project file, as `argo_view=8080`. */
+/** An option of an agent in a project file, such as `argo_view=8080`. */
 class AgentOption(val name: Token, val value: Token?)
 
 /**
  * An agent in a project file.
  *
  * @property source the program's path as written, with its ending
- * @property architectures the names of its `agentArchClass`es
- * @property hasOwnClass true if a class decides which events, options and intentions come first, or which beliefs there are
+ * @property architectures the names behind `agentArchClass`
+ * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
+ *   options and intentions, or hold other beliefs.
  */
 class MasAgent(
     val name: Token,
@@ -27,21 +28,20 @@ class MasAgent(
     val hasOwnClass: Boolean,
     val number: Int,
 ) {
-    /** The beliefs and goals with which its options have it begin: `[beliefs="limit(20)", goals="drive"]`. */
+    /** The beliefs and goals that the agent's options give it at its start: `[beliefs="limit(20)", goals="drive"]`. */
     val initial: List<Mention> by lazy {
         options.flatMap { option -> INITIAL[option.name.text]?.let { role -> literalsIn(option).map { Mention(role, it) } }.orEmpty() }
     }
 
     val isArgo: Boolean get() = architectures.any { it.text == ARCHITECTURE }
 
-    /** The names of the running agents. */
+    /** The names of the agents that Jason starts from this entry. */
     val names: List<String> get() = if (number == 1) listOf(name.text) else (1..number).map { "${name.text}$it" }
 
     companion object {
         const val ARCHITECTURE = "argo.Arch"
         private val INITIAL = mapOf("beliefs" to Role.BELIEVED, "goals" to Role.POSTED)
 
-        /** Returns the literals of an option's value, which Jason reads as the elements of a list. */
         private fun literalsIn(option: AgentOption): List<Literal> {
             val text = option.value?.text.orEmpty().removeSurrounding("\"").replace("\\\"", "\"")
             val holder = programOf("initial([$text]).").components.singleOrNull() as? Belief
@@ -64,7 +64,6 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return if (start == null) emptyList() else tokens.drop(start + 2)
     }
 
-    /** Returns the tokens of each agent, without the `;` behind it. */
     private fun entries(): List<List<Token>> {
         val entries = arrayListOf(ArrayList<Token>())
         val all = after(MasFrame.AGENTS)
@@ -95,6 +94,6 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
         return list.indices.filter { list.getOrNull(it + 1)?.isSymbol("=") == true }.map { AgentOption(list[it], list.getOrNull(it + 2)) }
     }
 
-    /** The first token that Jason refuses in the head, in the sections or behind an agent; null: it reads these parts. */
+    /** The first token of the head, the sections or an agent's end that Jason refuses; null: Jason accepts these parts. */
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 }

@@ -5,10 +5,8 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
 /**
- * Reads what frames the agents of a project file of Jason: its head, its sections, and the end of each agent. It is used once.
- *
- * @param tokens without comments
- * @param end stands behind them
+ * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file. [end] is the
+ * token for the end of the file.
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0
@@ -16,7 +14,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
 
     private val current: Token get() = tokens.getOrElse(at) { end }
 
-    /** Returns the first token that does not fit; null: Jason's parser finds none in these parts either. */
+    /** Returns the first token that Jason's parser refuses in these parts; null: there is none. */
     fun error(): SyntaxError? {
         take("MAS") { it.text == "MAS" }
         take("the name of the system, in lower case") { it.kind == TokenKind.ATOM }
@@ -39,7 +37,6 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         take(";")
     }
 
-    /** Takes options, a number, a class or a host of an agent. */
     private fun part() = when (current.text) {
         "[" -> skipBehind("]")
         "#" -> {
@@ -79,7 +76,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         const val AGENTS = "agents"
         val SECTIONS = setOf("classpath", "aslSourcePath", "directives", "environment", "executionControl", "infrastructure")
 
-        /** What stands behind an agent's source, before the name of a class or a host. */
+        /** The words before the name of a class or a host, behind an agent's source. */
         val WORDS = setOf("agentArchClass", "agentClass", "beliefBaseClass", "at")
         private val BEHIND_SOURCE = setOf("[", "#", ";")
         private val BEHIND_NAME = BEHIND_SOURCE + "("

@@ -5,25 +5,25 @@ import argo.check.syntax.Span
 
 /** What a program does with a literal. */
 enum class Role {
-    /** `!g`, `!!g`, an initial goal, or `{ +!g }` at a time. */
+    /** A goal that the program posts: `!g`, `!!g`, an initial goal, or `{ +!g }` in `.at`. */
     POSTED,
 
     /** A goal that another agent is asked to achieve. */
     SENT_GOAL,
 
-    /** A goal that an internal action asks for, as `.desire(g)`. */
+    /** A goal that an internal action names, as in `.desire(g)`. */
     NAMED_GOAL,
 
     /** The goal of a plan. */
     HANDLED,
 
-    /** The failure of a goal, as `-!g`. */
+    /** The goal of a plan for a failure, `-!g`. */
     FAILURE_HANDLED,
 
-    /** The goal of a plan for a test, as `+?b`. */
+    /** The test goal of a plan `+?b`. */
     TEST_HANDLED,
 
-    /** A belief, a rule's head, or what a plan adds. */
+    /** A belief that the program has or adds, or the head of a rule. */
     BELIEVED,
 
     /** A belief that another agent is told. */
@@ -32,7 +32,7 @@ enum class Role {
     /** A formula in a context, a rule, a test or a condition. */
     READ,
 
-    /** A belief whose addition or deletion a plan awaits. */
+    /** A belief whose addition or deletion triggers a plan. */
     EVENT,
 
     /** A belief that a plan deletes. */
@@ -41,17 +41,15 @@ enum class Role {
     /** A belief that another agent is asked for. */
     ASKED,
 
-    /** An action of the environment. */
     ACTION,
 
-    /** An internal action. */
     INTERNAL,
 
-    /** An argument. It may become anything. */
+    /** An argument, which may become a literal of any other role. */
     DATA,
 }
 
-/** A literal in a program, and what the program does with it. */
+/** A literal in a program, and its [role] there. */
 class Mention(val role: Role, val literal: Literal) {
     val functor: String get() = literal.functor
     val arity: Int get() = literal.arity

@@ -27,11 +27,11 @@ import argo.check.syntax.Trigger
 import argo.check.syntax.Unread
 import argo.check.syntax.Variable
 
-/** Finds what a program does with each of its literals. */
+/** Finds the role of each literal in a program. */
 internal class MentionReader {
     private val found = ArrayList<Mention>()
 
-    /** True if a plan posts, handles, adds or sends a variable, of which nothing is known. */
+    /** The roles in which the program uses a variable, so that their literals are not all known. */
     private val open = HashSet<Role>()
 
     fun read(components: List<Component>): Mentions {
@@ -73,7 +73,10 @@ internal class MentionReader {
         else -> Role.EVENT
     }
 
-    /** Reads an event in braces: it is made if [role] says so, as in `.at("now", { +!g })`, and else awaited or looked for. */
+    /**
+     * Reads an event in braces. In a [role] such as that of `.at("now", { +!g })` the event happens; otherwise an action waits or looks for
+     * it.
+     */
     private fun event(trigger: Trigger, role: Role) {
         val isMade = role == Role.POSTED || role == Role.BELIEVED
         when {
@@ -118,7 +121,7 @@ internal class MentionReader {
         }
     }
 
-    /** Reads a formula whose literals are looked up among the beliefs. */
+    /** Reads a formula. Jason looks its literals up among the beliefs. */
     private fun formula(term: Term) {
         when {
             term is Operation && (term.isOf("&") || term.isOf("|")) -> term.operands.forEach(::formula)
@@ -145,7 +148,6 @@ internal class MentionReader {
         call.annotations?.let(::data)
     }
 
-    /** Reads what is an argument or an operand. */
     private fun data(node: Node) {
         when (node) {
             is Literal -> if (node.isInternal) call(node) else mention(Role.DATA, node)
@@ -164,13 +166,12 @@ internal class MentionReader {
         }
     }
 
-    /** Reads an event in braces that looks like a statement, as `{ +b }`. */
     private fun awaited(block: Block) {
         val step = (block.content as? Body)?.statements?.singleOrNull() as? Formula
         if (step == null) content(block, Role.EVENT) else mention(Role.EVENT, step.term)
     }
 
-    /** Reads a plan that is data: it may be one that others are compared with. */
+    /** Reads a plan that is an argument. An action may compare other plans with it. */
     private fun pattern(plan: Plan) {
         event(plan.trigger, Role.DATA)
         rest(plan)
@@ -192,7 +193,7 @@ internal class MentionReader {
     }
 }
 
-/** @property open the roles in which a variable is mentioned: what has them is not known */
+/** @property open the roles in which the program uses a variable, so that the literals in these roles are not all known */
 class Mentions(val all: List<Mention>, val open: Set<Role>) {
     private val byRole: Map<Role, List<Mention>> = all.groupBy { it.role }
 

@@ -4,14 +4,14 @@ import javino.PerceptKind
 import java.nio.file.Path
 
 /**
- * A multi-agent system as its files say, and what is known of its robot.
+ * A multi-agent system as its files describe it, and its robot as far as it is known.
  *
  * @property programs the programs, by their absolute paths
- * @property foreignNames words in the project's files in other languages, which may name beliefs, goals and actions
- * @property operations names of [foreignNames] that look like actions or beliefs: strings, and operations of artifacts
- * @property javaActions the internal actions whose classes are in the project, as `my.act`
- * @property leftOut files that were not read, with the reason
- * @property projectFiles the files of Jason, of JaCaMo and of Gradle
+ * @property foreignNames words in files in other languages; they may name beliefs, goals and actions
+ * @property operations the [foreignNames] that look like actions or beliefs: strings, and operations of artifacts
+ * @property javaActions the internal actions whose classes are in the project, such as `my.act`
+ * @property leftOut files that were not read, each with the reason
+ * @property projectFiles the project files of Jason, JaCaMo and Gradle
  */
 data class Project(
     val root: Path,
@@ -30,19 +30,19 @@ data class Project(
 
     private val included: Map<Path, List<Path?>> = programs.mapValues { (path, program) -> program.includes.map { resolve(path, it) } }
 
-    /** Returns this project with another text of the program [path], as an editor has it. */
+    /** Returns this project with [text] in place of the text of the program [path], as for an unsaved change in an editor. */
     fun with(path: Path, text: String): Project =
         copy(programs = programs + (path.toAbsolutePath().normalize() to AgentProgram(path.toAbsolutePath().normalize(), text)))
 
-    /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter: its folder, a program or its rules say so. */
+    /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter by its folder, its rules or a program's call. */
     fun isFilter(path: Path, text: String): Boolean =
         FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())
 
-    /** Returns the agents whose program is [path], or includes it. */
+    /** Returns the agents whose program is [path] or includes [path]. */
     fun agentsOf(path: Path): List<MasAgent> =
         masFiles.flatMap { mas -> mas.agents.filter { path in closure(sourceOf(mas, it) ?: return@filter false) } }
 
-    /** Returns the path of an agent's program; null: it is none of this project's. */
+    /** Returns the path of an agent's program; null: the project does not have that program. */
     fun sourceOf(mas: MasFile, agent: MasAgent): Path? {
         val folder = mas.path.toAbsolutePath().parent
         val places = listOf(folder) + mas.sourcePaths.map(folder::resolve) + DEFAULT_SOURCES.map(folder::resolve)
@@ -50,7 +50,7 @@ data class Project(
             ?: programs.keys.singleOrNull { it.fileName.toString() == agent.source.substringAfterLast('/') }
     }
 
-    /** Returns the programs that are parts of the same agents as [path], and [path] itself. */
+    /** Returns [path] and the programs that an agent may have together with [path]. */
     fun partsOf(path: Path): Parts {
         val roots = programs.keys.filter { path in closure(it) }
         val all = roots.flatMap { closure(it) }.toSet() + path
@@ -85,5 +85,5 @@ data class Project(
     }
 }
 
-/** @property isOpen true if a file that one includes is not there */
+/** @property isOpen true if an included file is missing */
 class Parts(val programs: List<AgentProgram>, val isOpen: Boolean)

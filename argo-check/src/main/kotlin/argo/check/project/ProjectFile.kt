@@ -8,11 +8,11 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 import java.nio.file.Path
 
-/** A file that says what a project is made of: of Jason, of JaCaMo (`.jcm`) or of Gradle; or one of percepts. */
+/** A project file of Jason, of JaCaMo (`.jcm`) or of Gradle, or a file of percepts. */
 open class ProjectFile(val path: Path, val text: String) {
     val lines: Lines = Lines(text)
 
-    /** The tokens without comments, as AgentSpeak has them. */
+    /** The tokens by the rules of AgentSpeak, without comments. */
     val tokens: List<Token> by lazy { Lexer(text) {}.tokens().filter { it.kind != TokenKind.COMMENT } }
 
     fun place(span: Span): Place = Place(path, lines.position(span.start), lines.position(span.end))

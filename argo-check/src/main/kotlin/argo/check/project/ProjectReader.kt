@@ -15,13 +15,13 @@ import kotlin.io.path.name
 import kotlin.io.path.readBytes
 
 /**
- * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with all below it, and programs that
- * belong to no such folder are one together.
+ * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with everything below it. All programs
+ * outside of such folders are one more project.
  */
 class ProjectReader {
     private val leftOut = LinkedHashMap<Path, String>()
 
-    /** Returns the projects in [place], a folder, a project file or a program; each file is in one. */
+    /** Returns the projects in [place], which is a folder, a project file or a program. Each file is in one project. */
     fun projectsIn(place: Path): List<Project> {
         val start = place.toAbsolutePath().normalize()
         if (!Files.isDirectory(start)) return listOf(projectOf(start))
@@ -34,11 +34,10 @@ class ProjectReader {
             .let { all -> all.map { project -> project.copy(leftOut = leftOut.filterKeys { ownerOf(it, all) === project }) } }
     }
 
-    /** Returns the project among [projects] that tells that [file] is left out. */
     private fun ownerOf(file: Path, projects: List<Project>): Project =
         projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
-    /** Returns the project that [file] belongs to: that of the nearest folder above with a project file, or only the file's folder. */
+    /** Returns the project of [file]: the nearest folder above with a project file. Without one, it is the file's own folder. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
         val all = projectsIn(rootOf(file) ?: folder)
@@ -46,7 +45,7 @@ class ProjectReader {
             ?: read(folder, listOf(file)).copy(leftOut = leftOut)
     }
 
-    /** Returns the programs in [folder] as a project, and reads nothing else: what is below a folder may be a whole disk. */
+    /** Returns the programs directly in [folder] as a project. Reads no folder below, since that may be a whole disk. */
     fun programsIn(folder: Path): Project =
         read(folder, if (Files.isDirectory(folder)) folder.listDirectoryEntries("*.asl").filter { it.isRegularFile() } else emptyList())
 
@@ -63,7 +62,7 @@ class ProjectReader {
                 return if (found.size < MAX_FILES) FileVisitResult.CONTINUE else FileVisitResult.TERMINATE
             }
 
-            /** A link to a folder above is left out without a word: what it leads to is read there. */
+            /** A link to a folder above is skipped without a finding, since the files of that folder are read there. */
             override fun visitFileFailed(file: Path, refused: IOException): FileVisitResult {
                 if (refused !is FileSystemLoopException && !isOutput(file)) leaveOut(file, "it cannot be read: $refused")
                 return FileVisitResult.CONTINUE
@@ -99,7 +98,6 @@ class ProjectReader {
         files.filter { it.extension == "xml" || it.extension == "json" }.associateWith { textOf(it) }
             .filter { (path, text) -> FilterFile.isMeant(path, text, called) }.map { (path, text) -> FilterFile.of(path, text) }
 
-    /** Returns a program that a project file names outside of the project's folder. */
     private fun outside(mas: MasFile, agent: MasAgent, inside: List<Path>): Path? =
         (listOf("") + mas.sourcePaths).map { mas.path.parent.resolve(it).resolve(agent.source).normalize() }
             .firstOrNull { it !in inside && Files.isRegularFile(it) }
@@ -123,12 +121,14 @@ class ProjectReader {
         STRING.findAll(text).flatMap { string -> WORD.findAll(string.value).map { it.value } }.toList() +
             OPERATION.findAll(text).map { it.groupValues[1] }
 
-    /** Returns the internal actions that classes of the project are, by their names in a program; Jason's own package has none in front. */
+    /**
+     * Returns the internal actions of the project's own classes, by their names in a program: `package.name`, or `.name` for Jason's
+     * package.
+     */
     private fun javaActions(files: List<Path>): Set<String> = files.filter { it.extension == "java" || it.extension == "kt" }.map {
         "${it.parent.name.takeUnless(STDLIB::equals).orEmpty()}.${it.name.substringBeforeLast('.')}"
     }.toSet()
 
-    /** Returns what sketches, boards in Python, mappings of ROS, files of percepts and recordings say. */
     private fun robotIn(foreign: Map<Path, String>, perceptFiles: List<ProjectFile>, recordings: List<Path>): Robot {
         val boards = foreign.filterKeys { it.extension in BOARDS }.map { (path, text) -> BoardProgram(ProjectFile(path, text)) }
         val mappings = foreign.filterKeys { it.name.endsWith(".ros.yaml") }.values.map(::RosMapping)
@@ -149,7 +149,7 @@ class ProjectReader {
         private const val STDLIB = "stdlib"
         private const val NO_FILE = "it is no regular file"
 
-        /** The beginning of the name of a link to nowhere, with which Emacs locks a file. */
+        /** Emacs locks a file by a link to nowhere whose name begins like this. */
         private const val EDITORS_LOCK = ".#"
         private const val MAX_FILES = 20_000
         private const val MAX_BYTES = 2_000_000L
@@ -164,10 +164,9 @@ class ProjectReader {
         private val STRING = Regex("\"[^\"\n]*\"")
         private val OPERATION = Regex("@(?:OPERATION|INTERNAL_OPERATION|LINK)[^(]*?\\bvoid\\s+(\\w+)")
 
-        /** Returns true for the files that `describe` writes, `percepts` or `NAME.percepts`. */
         private fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
-        /** Returns the nearest folder above [file] with a project file, which is its project's; null: there is none near. */
+        /** Returns the nearest folder above [file] with a project file; null: no near folder has one. */
         fun rootOf(file: Path): Path? =
             generateSequence(file.toAbsolutePath().normalize().parent) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
 

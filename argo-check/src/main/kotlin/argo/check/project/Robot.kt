@@ -6,12 +6,12 @@ import javino.PerceptKind
 import javino.PerceptTerm
 
 /**
- * What is known of a robot; each list is empty if nothing is.
+ * The known percepts and actions of a robot; a list is empty if nothing is known.
  *
  * @property described the kinds of percepts that files describe, with their places
  * @property registered the actions that programs of boards register, with their places
  * @property unreadable the reasons why descriptions of percepts cannot be read, each with the name of its file
- * @property isComplete false if it has percepts besides these
+ * @property isComplete false if the robot may have other percepts
  */
 class Robot(
     val described: List<Described<PerceptKind>> = emptyList(),
@@ -21,24 +21,24 @@ class Robot(
     otherActions: List<BoardAction> = emptyList(),
     val isComplete: Boolean = true,
 ) {
-    /** The kinds of percepts that its boards have, also those from mappings and recordings. */
+    /** The kinds of percepts of the robot's boards, including those from mappings and recordings. */
     val percepts: List<PerceptKind> = (described.map { it.meaning } + otherPercepts).distinct()
 
-    /** The actions that its boards have registered, also those from mappings. */
+    /** The actions of the robot's boards, including those from mappings. */
     val actions: List<BoardAction> = registered.map { it.meaning } + otherActions
 }
 
-/** @property arity the number of its arguments; null: any */
+/** @property arity the number of arguments; null: any */
 data class BoardAction(val name: String, val arity: Int?) {
     override fun toString(): String = "$name/${arity ?: "*"}"
 
     companion object {
-        /** Reads `speed/1`, or `say` with any number of arguments. */
+        /** Reads `speed/1`, or `say` for any number of arguments. */
         fun of(text: String): BoardAction = BoardAction(text.substringBefore('/'), text.substringAfter('/', "").toIntOrNull())
     }
 }
 
-/** Returns the kinds of the percepts in a recording of a board: their functors and numbers of arguments; of values nothing is known. */
+/** Returns the functors and numbers of arguments of the percepts in a board's recording. The values of the percepts are left open. */
 internal fun recordedKinds(recording: String): List<PerceptKind> {
     val lines = recording.lines().drop(1).map { it.split('\t') }
     val messages = lines.filter { it.size == RECORDED_PARTS && it[1] == "in" }.map { it[2] }.distinct()
@@ -48,6 +48,6 @@ internal fun recordedKinds(recording: String): List<PerceptKind> {
     }
 }
 
-/** Milliseconds, direction and text. */
+/** The parts of a recorded line: milliseconds, direction and text. */
 private const val RECORDED_PARTS = 3
 private val NAME = Regex("~?[a-z][A-Za-z0-9_]*")

@@ -4,9 +4,8 @@ import javino.PerceptArgument
 import javino.PerceptKind
 
 /**
- * What the mapping of a robot that speaks ROS, a file `.ros.yaml`, says of its percepts and commands.
- *
- * @property isComplete false if topics have the percepts that are usual for their type, which are not known here
+ * The percepts and commands in the mapping of a ROS robot, a file `.ros.yaml`. [isComplete] is false if topics also have the usual percepts
+ * of their type, which are not known here.
  */
 internal class RosMapping(text: String) {
     val isComplete: Boolean
@@ -29,7 +28,6 @@ internal class RosMapping(text: String) {
             .map { (name, arity) -> BoardAction(name, arity) }
     }
 
-    /** Returns the functor and the number of arguments of the literal that [text] begins with. */
     private fun headOf(text: String): Pair<String, Int>? {
         val name = NAME.find(text.trim())?.value ?: return null
         val rest = text.trim().removePrefix(name)

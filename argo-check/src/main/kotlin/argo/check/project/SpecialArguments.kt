@@ -2,9 +2,9 @@ package argo.check.project
 
 import argo.check.syntax.Literal
 
-/** The arguments of Jason's internal actions that are more than data. */
+/** The arguments of Jason's internal actions that are literals with a role, not data. */
 internal object SpecialArguments {
-    /** Returns the roles of the arguments of [call], by their index from 0; the others are data. */
+    /** Returns the roles of such arguments of [call], by their index from 0. */
     fun of(call: Literal): Map<Int, Role> = when (call.functor) {
         ".send" -> contentOf(call, performative = 1)
         ".broadcast" -> contentOf(call, performative = 0)
@@ -16,7 +16,7 @@ internal object SpecialArguments {
         return mapOf(performative + 1 to role)
     }
 
-    /** What the content of a message is to its receiver. */
+    /** The role of a message's content for its receiver, by performative. */
     private val PERFORMATIVES = mapOf(
         "tell" to Role.TOLD, "untell" to Role.DELETED, "achieve" to Role.SENT_GOAL, "unachieve" to Role.SENT_GOAL, "askOne" to Role.ASKED,
         "askAll" to Role.ASKED, "signal" to Role.TOLD,

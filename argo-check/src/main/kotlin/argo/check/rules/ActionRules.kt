@@ -3,7 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 
-/** Actions of the environment that are nearly another that it has, or that the project uses. */
+/** Actions of the environment with a slip in the name: another action of the environment or of the project has nearly this name. */
 internal object ActionRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val often = scene.project.programs.values.flatMap { it.mentions[Role.ACTION] }.groupingBy { it.functor }.eachCount()
@@ -34,7 +34,7 @@ internal object ActionRules : Rule {
         }
     }
 
-    /** Operations that each workspace of CArtAgO and each organisation of Moise has. */
+    /** Operations of each workspace of CArtAgO and each organisation of Moise. */
     private val OF_ARTIFACTS = setOf(
         "makeArtifact", "lookupArtifact", "disposeArtifact", "focus", "stopFocus", "focusWhenAvailable", "joinWorkspace", "quitWorkspace",
         "createWorkspace",
@@ -43,7 +43,7 @@ internal object ActionRules : Rule {
         "setArgumentValue", "resetGoal", "goalFailed",
     )
 
-    /** Internal actions whose names environments have for actions too. */
+    /** Internal actions whose names environments give to their own actions too. */
     private val KEPT = setOf("print", "println", "send", "wait", "date", "time", "random", "count", "suspend", "resume", "perceive", "at",
         "list", "string")
 }

@@ -1,24 +1,22 @@
 package argo.check.rules
 
-/** The internal actions of ARGO, and the forms of their calls. */
+/** The names of ARGO's internal actions and of their errors. */
 internal object ArgoActions {
-    /** The names of the actions, without a dot. */
+    /** The names of the actions, without a package or a dot. */
     val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record")
 
-    /** The names that exist with a dot in front. */
+    /** The names that programs may write with only a dot in front. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
     val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record")
 
-    /** The errors that they fail with. */
     val ERRORS = setOf(
         "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port",
         "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_vocabulary",
         "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter", "bad_filter",
     )
 
-    /** The errors that Jason's plans fail with. */
     val JASON_ERRORS = setOf(
         "no_relevant", "no_applicable", "no_option", "constraint_failed", "ia_failed", "action_failed", "internal_action", "unknown",
         "wrong_arguments",
@@ -26,8 +24,8 @@ internal object ArgoActions {
     )
 
     /**
-     * Returns the action's name in a call of ARGO's actions, such as `.argo.port`, in upper or lower case; null for other actions. The
-     * action need not [exist][exists].
+     * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such
+     * action. An action of that name need not [exist][exists].
      */
     fun actionIn(called: String): String? {
         val name = called.removePrefix(".")
@@ -38,7 +36,7 @@ internal object ArgoActions {
         }
     }
 
-    /** Returns true if Jason finds an internal action under the name [called]. */
+    /** Returns true if Jason finds an internal action of ARGO under the name [called]. */
     fun exists(called: String): Boolean =
         called.removePrefix(".argo.").removePrefix(".") in DOT_NAMES || called.removePrefix("argo.") in NAMES
 }

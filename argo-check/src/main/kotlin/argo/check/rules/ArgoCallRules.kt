@@ -11,9 +11,8 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import kotlin.math.roundToLong
 
-/** Calls of ARGO's internal actions: arguments and options, also those of programs for another version of ARGO. */
+/** Calls of ARGO's internal actions: arguments and options, and the forms of other versions of ARGO. */
 internal object ArgoCallRules : Rule {
-    /** The actions whose arguments are checked here. */
     val CHECKED = setOf("port", "limit", "percepts", "act", "filter", "change_filter")
 
     override fun check(scene: Scene, report: Report) {
@@ -119,7 +118,7 @@ internal object ArgoCallRules : Rule {
     private fun portsIn(calls: List<Call>): List<Term> =
         calls.filter { it.action == "port" }.mapNotNull { it.arguments.firstOrNull() }.filter { it !is Variable }
 
-    /** Only programs for other versions write the dot, and may mean nanoseconds. */
+    /** Only programs for other versions of ARGO write the dot, and such programs may mean nanoseconds. */
     private fun slowLimit(calls: List<Call>, report: Report) {
         val slow = calls.firstOrNull { call ->
             call.action == "limit" && call.name.startsWith(".") &&
@@ -202,7 +201,7 @@ internal object ArgoCallRules : Rule {
         )
     }
 
-    /** Tells of a name that is nearly an action's error; names unlike all errors may come from the project's own `.fail`. */
+    /** Warns of a name that is nearly an action's error. A name unlike all errors may come from the project's own `.fail`. */
     private fun error(annotation: Literal, report: Report) {
         val written = (annotation.arguments.single() as? Literal)?.takeIf { it.arity == 0 }?.functor ?: return
         if (written in ArgoActions.ERRORS || written in ArgoActions.JASON_ERRORS) return
@@ -215,7 +214,6 @@ internal object ArgoCallRules : Rule {
         report.error("internal-action-arguments", call.mention.span, "${call.name} has ${call.arguments.size} arguments",
             "the plan fails there", "it takes $expected")
 
-    /** Returns the text of an atom or a string without quotes. */
     private fun nameOf(term: Term): String = when (term) {
         is Literal -> term.functor
         is StringTerm -> term.text

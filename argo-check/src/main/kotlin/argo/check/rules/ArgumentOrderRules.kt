@@ -11,7 +11,7 @@ import argo.check.syntax.StringTerm
 import argo.check.syntax.Term
 import argo.check.syntax.Variable
 
-/** Neighbouring arguments that stand the other way round wherever else the project has this literal. */
+/** Two neighbouring arguments that the rest of the project writes in the other order. */
 internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val alike = scene.project.programs.values.flatMap { it.mentions.all }.filter(::isOpen).groupBy { it.literal.indicator }
@@ -21,7 +21,7 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** Tells of a literal whose arguments Jason and ARGO do not fix. */
+    /** Returns true for a literal whose arguments neither Jason nor ARGO fixes. */
     private fun isOpen(mention: Mention) =
         mention.arity >= 2 && mention.functor !in InternalAction.ALL && mention.functor !in GoalRules.OF_JASON
 
@@ -41,7 +41,6 @@ internal object ArgumentOrderRules : Rule {
         )
     }
 
-    /** Returns the index of the first of two arguments that the [others] have the other way round; null: there are none. */
     private fun swapped(mention: Mention, others: List<List<Term>>): Int? =
         mention.literal.arguments.zipWithNext().indices.firstOrNull { index ->
             isSwapped(mention.literal.arguments[index], mention.literal.arguments[index + 1], index, others)
@@ -55,7 +54,7 @@ internal object ArgumentOrderRules : Rule {
         return misplaced.none { it < 0 } && misplaced.sum() >= ENOUGH
     }
 
-    /** How much speaks for [term] being where [there] are rather than where [here] are; negative: it is in its place. */
+    /** Returns how strongly [term] belongs among the terms [there] rather than [here]; negative: it is in its place. */
     private fun strength(term: Term, here: List<Term>, there: List<Term>): Int {
         val sign = signOf(term) ?: return 0
         val kind = kindOf(term)
@@ -70,7 +69,7 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** A term in one word; null: it says nothing. */
+    /** The kind of a term in one word; null: the term tells nothing. */
     private fun signOf(term: Term): String? = when (term) {
         is Variable -> term.name.text.trimStart('_').ifEmpty { null }
         is Literal -> term.indicator
@@ -89,7 +88,7 @@ internal object ArgumentOrderRules : Rule {
         else -> null
     }
 
-    /** So many times more often must something stand in another place for that to be its place. */
+    /** A term belongs in another place only if it stands there at least this many times as often as here. */
     private const val MANY = 5
     private const val MAX = 1_000_000
     private const val AGAINST = -10
@@ -97,6 +96,6 @@ internal object ArgumentOrderRules : Rule {
     private const val ALIKE = 1
     private const val ENOUGH = 2
 
-    /** A variable with a shorter name says little. */
+    /** A variable with a shorter name tells little. */
     private const val LONG = 3
 }

@@ -14,7 +14,7 @@ import argo.filters.matching.matcher
 import argo.filters.matching.warnings
 import argo.filters.Rule as FilterRule
 
-/** Files of filters, their reflexes, and the filters that agents change to. */
+/** Filter files, their reflexes, and the filters that agents change to. */
 internal object FilterRules : Rule {
     fun check(project: Project): List<Finding> {
         val isForOtherVersion = project.programs.isEmpty() || project.programs.values.any { program ->
@@ -63,11 +63,10 @@ internal object FilterRules : Rule {
         val own = scene.program.mentions[Role.INTERNAL].toSet()
         calls.filter { it in own }.forEach { missing(it, scene, report) }
         val used = calls.map { call -> nameIn(call)?.let { name -> scene.project.filters.find { it.isCalled(name) }?.filter } }
-        if (used.isEmpty() || null in used) return // one is not known, or none is active at times
+        if (used.isEmpty() || null in used) return // a filter is unknown, or at times no filter is active
         dropped(scene, used.filterNotNull().distinct(), report)
     }
 
-    /** Tells of a filter that an agent changes to and the project does not have. */
     private fun missing(call: Mention, scene: Scene, report: Report) {
         val name = nameIn(call) ?: return
         if (name == "none" || name == "remove" || scene.project.filters.any { it.isCalled(name) } ||
@@ -88,7 +87,7 @@ internal object FilterRules : Rule {
 
     private fun FilterFile.isCalled(written: String) = written.substringAfterLast('/').let { it == name || it == "${path.fileName}" }
 
-    /** Tells of what a plan waits for and each of the agent's [filters] drops. */
+    /** Reports literals that a plan waits for or reads, but each of the agent's [filters] drops. */
     private fun dropped(scene: Scene, filters: List<PerceptionFilter>, report: Report) {
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + Scene.OF_ARGO + setOf("true", "false")
         for (mention in scene.program.mentions[Role.EVENT] + scene.program.mentions[Role.READ]) {
@@ -101,7 +100,6 @@ internal object FilterRules : Rule {
         }
     }
 
-    /** Returns true if [filter] drops each percept that matches [literal], whatever its variables are. */
     private fun drops(filter: PerceptionFilter, literal: Literal): Boolean {
         val values = literal.arguments.map(RobotRules::valueOf)
         val percept = literal.functor + if (values.isEmpty()) "" else values.joinToString(",", "(", ")") { it ?: "0" }

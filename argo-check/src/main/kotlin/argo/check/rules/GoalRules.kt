@@ -72,10 +72,10 @@ internal object GoalRules : Rule {
         }
     }
 
-    /** Goals of the plans for tests that Jason's jar has for agents to include. */
+    /** Goals of the test plans in Jason's jar that agents may include. */
     val OF_JASON = setOf("assert_equals", "assert_true", "assert_false", "assert_contains", "force_pass", "force_failure")
 
-    /** Goals that come from elsewhere in many projects. */
+    /** Goals that many projects get from outside. */
     private val USUAL = setOf("start", "kqml_received")
 
     private fun aritiesIn(mentions: List<Mention>): Map<String, List<Int>> =

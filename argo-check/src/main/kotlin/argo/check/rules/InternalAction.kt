@@ -4,13 +4,11 @@ package argo.check.rules
 val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 
 /**
- * What is known of an internal action.
- *
- * @property kinds the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string, `e` a list or a string, `t` a
- * term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything
+ * The arguments of an internal action. [kinds] are the kinds of its first arguments: `f` a formula, `l` a list, `n` a number, `s` a string,
+ * `e` a list or a string, `t` a term in braces, `p` a performative, `v` a variable, `a` an atom, `d` no formula, `_` anything.
  */
 internal class InternalAction(val name: String, val arities: IntRange, val kinds: List<Char>, val since: String?) {
-    /** `3 to 5 arguments`, in words. */
+    /** The numbers of arguments in words, such as `3 to 5 arguments`. */
     val takes: String get() = when {
         arities.last == Int.MAX_VALUE -> "${arities.first} arguments or more"
         arities.first == arities.last -> if (arities.first == 1) "1 argument" else "${arities.first} arguments"

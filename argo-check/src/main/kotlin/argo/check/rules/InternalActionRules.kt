@@ -13,14 +13,13 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Internal actions that do not exist, or have other arguments. */
+/** Internal actions that do not exist, or that take other arguments. */
 internal object InternalActionRules : Rule {
     private val PERFORMATIVES = setOf(
         "tell", "untell", "achieve", "unachieve", "askOne", "askAll", "askHow", "tellHow", "untellHow", "signal", "untellAll", "ask",
         "tellRule",
     )
 
-    /** Functions that a formula may call like an internal action. */
     private val FUNCTIONS = setOf(
         "math.abs", "math.average", "math.max", "math.min", "math.random", "math.round", "math.sqrt", "math.std_dev", "math.sum",
         "math.acos",
@@ -53,7 +52,7 @@ internal object InternalActionRules : Rule {
         )
     }
 
-    /** An action of a library is not known here; of the project's own, the classes are. */
+    /** Checks an action with a package. The project's own classes are known here, but not those of libraries. */
     private fun foreign(call: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
         if (call.functor in scene.project.javaActions || ArgoActions.actionIn(call.functor) != null) return
         val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + FUNCTIONS +
@@ -135,7 +134,7 @@ internal object InternalActionRules : Rule {
         report.warning("receiver", receiver.span, "there is no agent ${receiver.functor}", "the message is lost", "did you mean $meant?")
     }
 
-    /** Returns false if [argument] cannot be of [kind]; terms that may become another are of each. */
+    /** Returns false if [argument] cannot be of [kind]. A term that Jason may evaluate to another term is of every kind. */
     private fun mayBe(kind: Char, argument: Term): Boolean = when (kind) {
         'l' -> !isNumber(argument) && argument !is StringTerm && !isAtom(argument) && !isStructure(argument)
         'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument)

@@ -1,12 +1,12 @@
 package argo.check.rules
 
-/** Names that a person may have meant. Make it once for many questions. */
+/** Finds the one of [names] that a person may have meant. Make one instance for many questions. */
 internal class Names(names: Collection<String>) {
     private val byLength: Map<Int, List<Name>> = names.toSet().filter { it.length > MIN_LENGTH }.map(::Name).groupBy { it.text.length }
 
     /**
-     * Returns the name that [written] probably means, other than [written]: one letter is missing, added or another, or two neighbours are
-     * swapped; in long names also two of these. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`.
+     * Returns the name that [written] is probably a slip of: one letter is missing, added or different, or two neighbours are swapped. A
+     * long name may have two such slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`.
      */
     fun near(written: String): String? {
         val name = Name(written)
@@ -15,7 +15,7 @@ internal class Names(names: Collection<String>) {
             .map { it.text }.minWithOrNull(compareBy({ distance(written, it) }, { it }))
     }
 
-    /** A name with what shows, without a closer look, that it is no slip of most others. */
+    /** A name with its set of letters, which quickly excludes most other names. */
     private class Name(val text: String) {
         private val letters = text.fold(0L) { set, letter -> set or (1L shl letter.code) }
         private val withoutDigits = text.filterNot(Char::isDigit)
@@ -25,7 +25,6 @@ internal class Names(names: Collection<String>) {
     }
 
     companion object {
-        /** Returns the one of [names] that [written] probably means. */
         fun near(written: String, names: Collection<String>): String? = Names(names).near(written)
     }
 }
@@ -36,7 +35,7 @@ private fun isNear(a: String, b: String): Boolean {
     return distance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
-/** Returns true if the names tell things of one kind apart by a part of one letter, as the X of `OldX`. */
+/** Returns true if the names differ only in a one-letter part, such as the X of `OldX`. Such names tell things of one kind apart. */
 private fun areVariants(a: String, b: String): Boolean {
     val at = a.indices.filter { it < b.length && a[it] != b[it] }.singleOrNull() ?: return false
     return a.length == b.length && isPart(a, at) && isPart(b, at)
@@ -48,8 +47,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]; a larger number than
- * [MOST_SLIPS] may be too small.
+ * Returns how many letters must be added, removed, replaced or swapped with a neighbour to turn [a] into [b]. A result above [MOST_SLIPS]
+ * may be too small.
  */
 private fun distance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length
@@ -67,14 +66,14 @@ private fun distanceWithin(a: String, b: String): Int {
             next[j + 1] = minOf(row[j] + if (a[i] == b[j]) 0 else 1, row[j + 1] + 1, next[j] + 1)
             if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j]) next[j + 1] = minOf(next[j + 1], before[j - 1] + 1)
         }
-        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // a swap makes a value of the row before one more
+        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // a swap adds one to a value of the row before
         before = row
         row = next
     }
     return row[b.length]
 }
 
-/** Two letters that are replaced by two others. */
+/** Two letters, each replaced by another. */
 private const val MOST_OTHER_LETTERS = 4
 private const val MIN_LENGTH = 2
 private const val LONG = 10

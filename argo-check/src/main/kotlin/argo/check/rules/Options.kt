@@ -11,8 +11,8 @@ import argo.check.syntax.Variable
 /**
  * An option in a list, such as `baud(9600)` or `urgent`.
  *
- * @property expected the option's value, in words; null: it has none
- * @property accepts returns true if the text, of a value that is no variable, is such a value
+ * @property expected the option's value, in words; null: the option has no value
+ * @property accepts returns true if a text, which is no variable, is a valid value
  */
 internal class KnownOption(val expected: String?, val accepts: (String) -> Boolean) {
     companion object {
@@ -25,7 +25,6 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
         private fun any(expected: String) = KnownOption(expected) { true }
 
-        /** The options of `argo.port`, and of `port` in `argo.ports`. */
         val OF_PORT: Map<String, KnownOption> = mapOf(
             "baud" to whole(1..20_000_000), "timeout" to whole(1..MAX_MS), "stale" to whole(0..MAX_MS), "boot" to whole(0..MAX_MS),
             "spacing" to whole(0..MAX_MS), "queue" to whole(1..1000), "mode" to oneOf("request", "listen"),
@@ -37,7 +36,6 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             "port" to any("a port"), "answer" to any("a term, as a variable"),
         )
 
-        /** The options of `argo.Arch` in a project file. */
         val OF_ARCH: Map<String, KnownOption> = mapOf(
             "argo_sensing" to oneOf("fresh", "every", "in_cycle"), "argo_percepts" to whole(1..Int.MAX_VALUE),
             "argo_view" to whole(0..65_535),
@@ -54,7 +52,6 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
     }
 }
 
-/** Checks options in lists. */
 internal object Options {
     fun check(list: ListTerm, known: Map<String, KnownOption>, owner: String, report: Report) {
         list.items.filterIsInstance<Literal>().forEach { option(it, known[it.functor], known.keys, owner, report) }

@@ -8,7 +8,7 @@ import argo.check.project.ProjectFile
 import argo.check.project.perceptsFile
 import argo.check.syntax.Position
 
-/** Lines in files of percepts that describe none, and files that were not read. */
+/** Lines in files of percepts that describe no percept, and files that were not read. */
 internal object PerceptFileRules {
     fun check(project: Project): List<Finding> = project.perceptFiles.flatMap(::lines) + project.leftOut.map { (file, why) ->
         Finding("left-out", Level.WARNING, Place(file, Position(1, 1), Position(1, 1)), "this is not checked: $why",

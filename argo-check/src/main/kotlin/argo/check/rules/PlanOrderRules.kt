@@ -6,7 +6,7 @@ import argo.check.syntax.Literal
 import argo.check.syntax.Plan
 import argo.check.syntax.Variable
 
-/** Plans behind one that always applies to their event. */
+/** Plans that are never used, since an earlier plan for their event always applies. */
 internal object PlanOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.any { it.hasOwnClass }) return
@@ -39,6 +39,6 @@ internal object PlanOrderRules : Rule {
         return isAnyEvent && isAnyContext && plan.goalCondition == null && !hasAnnotations(plan.label?.annotations)
     }
 
-    /** An annotation of a plan may give it another rank. */
+    /** An annotation may change a plan's rank. */
     private fun hasAnnotations(annotations: ListTerm?) = annotations?.items.orEmpty().any { (it as? Literal)?.functor != "atomic" }
 }

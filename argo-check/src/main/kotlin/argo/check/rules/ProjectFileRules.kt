@@ -10,7 +10,7 @@ import argo.check.project.Role
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** Architectures, options and programs of agents in the files of a project. */
+/** Architectures, options and programs of agents in project files. */
 internal object ProjectFileRules {
     private const val ARCHITECTURE = MasAgent.ARCHITECTURE
     private val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
@@ -37,7 +37,7 @@ internal object ProjectFileRules {
         val isNamed = tokens[at].text == "agentArchClass" || words(tokens, at - 3, "ag", "-", "arch", ":")
         val token = tokens.getOrNull(at + 1)?.takeIf { isNamed } ?: return
         val rest = tokens.getOrNull(at + 2)?.takeIf { it.span.start == token.span.end && it.text.startsWith('.') }?.text
-        val name = token.text + rest.orEmpty() // a name in upper case is a variable to Jason's programs, which ends at the dot
+        val name = token.text + rest.orEmpty() // the lexer takes a name in upper case for a variable, and ends it at the dot
         val why = "the agent does not start"
         when {
             name == ARCHITECTURE -> {}
@@ -52,7 +52,9 @@ internal object ProjectFileRules {
         }
     }
 
-    /** Warns of another version's jar: it holds classes of the same names, and the first on the class path wins. */
+    /**
+     * Warns of another version's jar. The jars of both versions have classes of the same names, and the first jar on the class path wins.
+     */
     private fun otherArgo(token: Token, report: Report) {
         if (token.kind != TokenKind.STRING && !token.text.startsWith('\'') || !OTHER_ARGO.containsMatchIn(token.text)) return
         report.error(
@@ -91,7 +93,7 @@ internal object ProjectFileRules {
         }
     }
 
-    /** A project of JaCaMo has options of agents in its own form. */
+    /** JaCaMo writes an agent's options in a form of its own. */
     private fun options(tokens: List<Token>, report: Report) = tokens.indices
         .filter { tokens.getOrNull(it + 1)?.let { next -> next.isSymbol("=") || next.isSymbol(":") } == true }
         .forEach { option(AgentOption(tokens[it], tokens.getOrNull(it + 2)), report) }

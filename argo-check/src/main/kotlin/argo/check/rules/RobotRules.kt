@@ -15,7 +15,7 @@ import argo.check.syntax.withDescendants
 import javino.PerceptArgument
 import javino.PerceptKind
 
-/** Percepts that the robot does not have, or not with these values, and commands that its boards do not know. */
+/** Percepts and values that the robot does not have, and commands that its boards do not know. */
 internal object RobotRules : Rule {
     override fun check(scene: Scene, report: Report) {
         if (scene.agents.isNotEmpty() && scene.agents.none { it.isArgo }) return
@@ -36,7 +36,7 @@ internal object RobotRules : Rule {
         if (scene.project.robot.isComplete && !hasEnvironment && scene.agents.any { it.isArgo }) unknown(scene, kinds.keys, own, report)
     }
 
-    /** Tells of a belief that no board, no plan and no message of the project brings. */
+    /** Reports a belief that no board, plan or message of the project produces. */
     private fun unknown(scene: Scene, kinds: Set<String>, own: Set<String>, report: Report) {
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.functor }.toSet()
         val names = Names(kinds + own)
@@ -73,7 +73,7 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** Tells of comparisons that a range decides: `light(_,L) & L > 100`, with L in `0..100`, is never true. */
+    /** Reports comparisons whose result a described range fixes: with L in `0..100`, `light(_,L) & L > 100` is never true. */
     private fun comparisons(component: Node, ranges: Map<String, PerceptArgument.Quantity>, report: Report) {
         if (ranges.isEmpty()) return
         component.withDescendants().filterIsInstance<Operation>().filter { it.operators.size == 1 }.forEach { comparison ->
@@ -93,7 +93,6 @@ internal object RobotRules : Rule {
         else report.warning("percept-range", comparison.span, what, WHY, "compare with a number in the range")
     }
 
-    /** Returns what the comparison always is; null: it depends. */
     private fun outcome(variable: Term, operator: String, bound: Term, ranges: Map<String, PerceptArgument.Quantity>): Boolean? {
         val range = ranges[(variable as? Variable)?.name?.text] ?: return null
         val number = valueOf(bound)?.toBigDecimalOrNull() ?: return null
@@ -136,7 +135,6 @@ internal object RobotRules : Rule {
         else -> term.functor + List(term.arity) { "_" }.joinToString(",", "(", ")")
     }
 
-    /** Returns true if a board with [action] takes the command [text]. */
     fun isFor(action: BoardAction, text: String): Boolean {
         val name = text.substringBefore('(').trim()
         val arguments = text.substringAfter('(', "").substringBeforeLast(')')
@@ -144,7 +142,7 @@ internal object RobotRules : Rule {
             (action.arity == null || action.arity == if (arguments.isBlank()) 0 else arguments.count { it == ',' } + 1)
     }
 
-    /** Returns the text of a constant as percepts have it; null: it is none. */
+    /** Returns the text of a constant as percepts have it; null: [term] is no constant. */
     fun valueOf(term: Term): String? = when (term) {
         is NumberTerm -> term.text
         is Literal -> term.functor.takeIf { term.arity == 0 && !term.isInternal }

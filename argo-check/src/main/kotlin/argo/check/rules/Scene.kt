@@ -7,7 +7,7 @@ import argo.check.project.Parts
 import argo.check.project.Project
 import argo.check.project.Role
 
-/** A program among all that is known of the project: which names there are, and in which roles. */
+/** A program in its project: the names that exist for its agents, with their roles. */
 internal class Scene(val project: Project, val program: AgentProgram) {
     private val parts: Parts = project.partsOf(program.path.toAbsolutePath().normalize())
 
@@ -22,30 +22,28 @@ internal class Scene(val project: Project, val program: AgentProgram) {
     private val unread: Set<String> = parts.programs.flatMap { it.unread }.toSet()
     private val sentByOthers: Set<String> = project.programs.values.flatMap { it.sentByOthers }.toSet()
 
-    /** Returns the mentions in [roles] by this agent, and what agents of the project send. */
+    /** Returns the mentions in [roles] by this agent, and those in messages of the project's agents. */
     fun mentions(vararg roles: Role): List<Mention> =
         roles.flatMap { byRole[it].orEmpty() + if (it in SENT) sent[it].orEmpty() else emptyList() }
 
-    /** Returns the mentions in [roles] by all agents of the project. */
     fun everyMention(vararg roles: Role): List<Mention> =
         project.programs.values.flatMap { program -> roles.flatMap { program.mentions[it] } }
 
-    /** The names of goals that the project posts more than once. */
     val postedOften: Set<String> by lazy { everyMention(Role.POSTED).groupingBy { it.functor }.eachCount().filter { it.value > 1 }.keys }
 
-    /** The beliefs that JaCaMo makes; none in other projects. */
+    /** The beliefs that JaCaMo adds; empty in other projects. */
     val namesOfJaCaMo: Set<String> = if (project.projectFiles.any { "${it.path}".endsWith(".jcm") }) OF_JACAMO else emptySet()
 
-    /** True if a project file runs this program, so that all its parts are known. */
+    /** True if a project file runs this program, so that all parts of its agents are known. */
     val isAgent: Boolean get() = agents.isNotEmpty()
 
     fun isOpen(vararg roles: Role): Boolean = roles.any(openRoles::contains)
 
-    /** True if plans may come from texts that are not there, from messages or from strings. */
+    /** True if plans may come from missing files, messages or strings. */
     val hasUnknownPlans: Boolean = parts.isOpen || parts.programs.any { it.hasPatterns } ||
         project.programs.values.any { all -> all.mentions[Role.INTERNAL].any { it.functor in PLAN_MAKERS || it.isTellHow() } }
 
-    /** True if a name may mean something that is not known here: data become formulas, other languages make beliefs. */
+    /** True if a name may have a meaning outside of the programs: data may become formulas, and other languages may add beliefs. */
     fun isKnownElsewhere(mention: Mention): Boolean =
         mention.functor in everywhere || mention.functor in unread || mention.functor in project.foreignNames || isSentByOthers(mention) ||
             mention.functor in OF_JASON || mention.functor in OF_ARGO || mention.functor in OF_JACAMO
@@ -59,13 +57,9 @@ internal class Scene(val project: Project, val program: AgentProgram) {
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
         private val PLAN_MAKERS = setOf(".add_plan", ".include", ".create_agent", ".clone")
 
-        /** The beliefs that ARGO makes, and filters do not drop. */
+        /** The beliefs that ARGO itself adds. No filter drops them. */
         val OF_ARGO = setOf("port", "stale", "reflex")
-
-        /** Events, goals and beliefs that Jason makes. */
         private val OF_JASON = setOf("kqml_received", "jag_sleeping", "jag_awaking", "jag_shutting_down", "source", "true", "false")
-
-        /** Beliefs of the organisations and workspaces of JaCaMo. */
         private val OF_JACAMO = setOf(
             "play", "responsible", "commitment", "group", "scheme", "schemes", "goalState", "goalArgument", "specification", "obligation",
             "permission", "focused", "focusing", "joined", "joinedWsp", "artifact", "workspace", "formationStatus", "destroyed",

@@ -2,7 +2,6 @@ package argo.check.rules
 
 import argo.check.syntax.SyntaxError
 
-/** Text that Jason refuses. */
 internal object SyntaxRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val program = scene.program.program
@@ -18,7 +17,7 @@ internal object SyntaxRules : Rule {
         }
     }
 
-    /** Stands for bytes that are no UTF-8. */
+    /** The decoder puts this character in place of bytes that are not UTF-8. */
     private const val REPLACEMENT = '\uFFFD'
     private const val MOST = 20
 }

@@ -10,14 +10,14 @@ import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Variables that are a list in one place of a plan and a number in an internal action of it, or the other way round. */
+/** Variables of two kinds of term in a plan. For example, an internal action needs a list, but the rest of the plan uses a number. */
 internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
         val uses = component.withDescendants().flatMap(::usesIn).toList().groupBy { it.variable }
         uses.values.forEach { same -> same.filter { it.call != null }.forEach { contradiction(it, same, report) } }
     }
 
-    /** @property call the internal action whose argument it is; null: it stands elsewhere */
+    /** @property call the internal action that has [term] as an argument; null: the term stands elsewhere */
     private class Use(val variable: String, val kind: Char, val term: Term, val call: Literal?)
 
     private fun usesIn(node: Node): List<Use> = when {
@@ -60,7 +60,6 @@ internal object VariableKindRules : Rule {
     private const val NUMBER = 'n'
     private const val STRING = 's'
 
-    /** A list or a string. */
     private const val EITHER = 'e'
     private val KINDS = setOf(LIST, NUMBER, STRING, EITHER)
     private val WORDS = mapOf(LIST to "a list", NUMBER to "a number", STRING to "a string", EITHER to "a list or a string")

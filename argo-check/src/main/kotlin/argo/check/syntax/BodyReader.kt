@@ -1,14 +1,13 @@
 package argo.check.syntax
 
-/** Reads the bodies of plans. */
 internal class BodyReader(private val cursor: Cursor, private val terms: TermReader) {
-    /** Reads statements up to the first token that begins none. */
+    /** Reads statements up to the first token that begins no statement. */
     fun body(): Body = cursor.nested({ Body(it, emptyList()) }) {
         val start = cursor.start
         body(start, emptyList())
     }
 
-    /** Reads the statements behind [first], which begin at [start]. */
+    /** Reads the statements behind [first], the statements from offset [start] on. */
     fun body(start: Int, first: List<Statement>): Body {
         val statements = ArrayList(first)
         while (isStatementHere()) {
@@ -111,7 +110,7 @@ internal class BodyReader(private val cursor: Cursor, private val terms: TermRea
         Group(cursor.since(start), body)
     }
 
-    /** Returns true if the brackets that begin here hold statements rather than a formula. */
+    /** Returns true if the brackets that begin here hold statements, not a formula. */
     private fun isBodyInBrackets(): Boolean {
         var depth = 0
         var ahead = 0

@@ -1,9 +1,9 @@
 package argo.check.syntax
 
-/** A part of a program that ends with a full stop, or a directive. */
+/** A part of a program: it ends with a full stop, or is a directive. */
 sealed interface Component : Node
 
-/** @property components what stands between `{ begin … }` and `{ end }`; null for another directive, as `{ include("a.asl") }` */
+/** @property components the components between `{ begin … }` and `{ end }`; null for other directives, such as `{ include("a.asl") }` */
 class Directive(override val span: Span, val call: Literal?, val components: List<Component>?) : Component {
     override val children: List<Node> get() = listOfNotNull(call) + components.orEmpty()
 }
@@ -36,17 +36,16 @@ class Plan(
     override val children: List<Node> get() = listOfNotNull(label, trigger, context, goalCondition, body) + plans
 }
 
-/** Text that is left out after an error: neither its tokens nor their meaning is known. */
+/** Text that the reader skipped after an error. The tokens and the meaning of skipped text are not known. */
 class Unread(override val span: Span) : Component {
     override val children: List<Node> get() = emptyList()
 }
 
-/** The name and the annotations of a plan, `@p1[atomic]`. The name of a plan in braces may be a variable. */
+/** The name and the annotations of a plan, `@p1[atomic]`. A plan in braces may have a variable as its name. */
 class Label(override val span: Span, val name: Name?, val annotations: ListTerm?) : Node {
     override val children: List<Node> get() = listOfNotNull(name, annotations)
 }
 
-/** The kinds of events. */
 enum class EventKind(val symbol: String) { BELIEF(""), ACHIEVE("!"), TEST("?") }
 
 /** @property operator `+`, `-` or `^` */
@@ -54,15 +53,14 @@ class Trigger(override val span: Span, val operator: String, val kind: EventKind
     override val children: List<Node> get() = listOf(term)
 }
 
-/** The statements of a plan's body. */
 class Body(override val span: Span, val statements: List<Statement>) : Node {
     override val children: List<Node> get() = statements
 }
 
-/** A step of a body. */
+/** A step of a plan's body. */
 sealed interface Statement : Node
 
-/** What a statement does with its term. */
+/** The way in which a statement uses its term. */
 enum class BodyOperator(val symbol: String) {
     /** An action, an internal action, a comparison, or a term that stands for a body. */
     DO(""),
@@ -70,10 +68,9 @@ enum class BodyOperator(val symbol: String) {
     DELETE_APART("--"),
     ;
 
-    /** True if a belief is added. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
-    /** True if a belief is deleted, and none put into its place. */
+    /** True if the statement deletes a belief and adds none in its place. */
     val deletes: Boolean get() = this == DELETE || this == DELETE_APART
 }
 

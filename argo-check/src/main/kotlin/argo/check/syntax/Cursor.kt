@@ -1,19 +1,13 @@
 package argo.check.syntax
 
-/**
- * Walks over tokens. After an [error][fail] it pretends to be at the end, so that each reader returns what it has, until [restart].
- *
- * @param tokens without comments
- */
+/** Walks over tokens. After an [error][fail] it acts as if at the end until [restart], so that each reader returns its part. */
 internal class Cursor(private val tokens: List<Token>, private val lines: Lines, private val report: (SyntaxError) -> Unit) {
     private val end = Token(TokenKind.UNKNOWN, "", lines.end)
     private var depth = 0
 
-    /** The index of the next token. */
     var at: Int = 0
         private set
 
-    /** True after an error. */
     var isLost: Boolean = false
         private set
 
@@ -23,7 +17,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     fun peek(ahead: Int): Token = if (isLost) end else tokens.getOrNull(at + ahead) ?: end
 
-    /** Where the next token begins; after an error, where that is. */
+    /** The offset at which the next token begins; after an error, the offset of the token with the error. */
     val start: Int get() = (tokens.getOrNull(at) ?: end).span.start
 
     /** Returns the span from [start], where a token begins, to the end of the last token taken. */
@@ -33,15 +27,13 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     fun isAt(symbol: String): Boolean = current.isSymbol(symbol)
 
-    /** Takes the next token if it is [symbol]. */
     fun take(symbol: String): Boolean = isAt(symbol).also { if (it) at++ }
 
-    /** Takes [symbol], or reports that it is missing; [what] describes it. */
+    /** Takes [symbol], or reports that it is missing. [what] describes the symbol in the message. */
     fun expect(symbol: String, what: String = symbol) {
         if (!take(symbol)) expected(what)
     }
 
-    /** Reports that [what] should be here. */
     fun expected(what: String) {
         val found = tokens.getOrNull(at)
         when {
@@ -59,7 +51,7 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
 
     private fun lastToken() = tokens.lastOrNull()?.span ?: end.span
 
-    /** Returns [read]'s result, unless this nests too deep for a reader that calls itself. */
+    /** Returns [read]'s result, or [tooDeep]'s if readers are nested too deep for the stack. */
     inline fun <T> nested(tooDeep: (Span) -> T, read: () -> T): T {
         if (depth >= MAX_DEPTH) {
             fail("this is nested more than $MAX_DEPTH deep", current.span)
@@ -70,8 +62,8 @@ internal class Cursor(private val tokens: List<Token>, private val lines: Lines,
     }
 
     /**
-     * Goes on behind an error with what looks like the beginning of a component: behind a full stop, or a line that begins like one. Looks
-     * for such a line from the token [from] on, which is before the error; each text is so read twice at most.
+     * Moves behind an error to the probable beginning of a component: behind a full stop, or at a line that begins like one. Looks for such
+     * a line from token [from] on, which is before the error. So the reader reads each token twice at most.
      */
     fun restart(from: Int) {
         isLost = false

@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Reads the tokens of [text] as Jason's parser does: the longest one that matches. Reports to [report] what Jason refuses. Each character
- * but a blank is in one token.
+ * Reads the tokens of [text] as Jason's parser does, always the longest possible one. Tells [report] what Jason refuses. Each character
+ * except blanks is in one token.
  */
 internal class Lexer(private val text: String, private val report: (SyntaxError) -> Unit) {
     private var at = 0
@@ -67,7 +67,7 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         return TokenKind.ATOM
     }
 
-    /** A dot and digits are a name to Jason if that is longer than the number, as `.5a` and `.5.5` are. */
+    /** Jason reads a dot and digits as a name if the name is longer than the number, as in `.5a` and `.5.5`. */
     private fun isNumberHere(): Boolean {
         if (peek() in DIGITS) return true
         if (peek() != '.' || peek(1) !in DIGITS) return false
@@ -135,13 +135,13 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         const val ESCAPED = "ntbrf\\'\"01234567"
         val KEYWORDS = setOf("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while")
 
-        /** A symbol stands before those that it begins with. */
+        /** A symbol stands before those with which it begins. */
         val SYMBOLS = listOf(
             "|&|", "|||", "\\==", "=..", "<-", "<:", "<=", ":-", "::", ">=", "==", "**", "!!", "<", ">", "=", ":", "*", "/", "+", "-", "!",
             "?", "^", "~", "@", "&", "|", "{", "}", "[", "]", "(", ")", ",", ";", ".",
         )
 
-        /** Letters beyond ASCII are read as parts of a name, so that one error tells of them. */
+        /** Letters beyond ASCII count as parts of a name, so that a name causes only one error. */
         fun isNamePart(character: Char): Boolean = character == '_' || character in DIGITS || character.isLetter()
     }
 }

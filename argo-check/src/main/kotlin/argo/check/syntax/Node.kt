@@ -9,16 +9,12 @@ sealed interface Node {
 /** A term or a formula. */
 sealed interface Term : Node
 
-/** Stands where a term is missing; there is an error at this place. */
+/** Stands for a missing term. The program has an error at this place. */
 class Missing(override val span: Span) : Term {
     override val children: List<Node> get() = emptyList()
 }
 
-/**
- * A name with its place.
- *
- * @property text without the quotes of a name in quotes
- */
+/** A name with its place. [text] has no quotes. */
 class Name(override val span: Span, val text: String) : Node {
     override val children: List<Node> get() = emptyList()
 
@@ -53,13 +49,13 @@ class Literal(
 
     val arity: Int get() = arguments.size
 
-    /** `dist/2` */
+    /** Functor and number of arguments, `dist/2`. */
     val indicator: String get() = "$functor/$arity"
 
     override fun toString(): String = indicator
 }
 
-/** A variable; one whose name begins with `_` is bound for nothing. */
+/** A variable. A name that begins with `_` marks a value that the program does not use. */
 class Variable(
     override val span: Span,
     override val namespace: Term?,
@@ -93,7 +89,7 @@ class ListTerm(override val span: Span, val items: List<Term>, val tail: Term?) 
     override val children: List<Node> get() = items + listOfNotNull(tail)
 }
 
-/** Operands between [operators] of one rank, as `A + B - C` or `a & b`; there is one operand more. */
+/** Operands between [operators] of one rank, such as `A + B - C` or `a & b`. The operands are one more than the operators. */
 class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands
@@ -107,12 +103,11 @@ class Prefixed(val operator: Token, val operand: Term) : Term {
     override val children: List<Node> get() = listOf(operand)
 }
 
-/** A term or a formula in round brackets. */
 class Bracketed(override val span: Span, val term: Term) : Term {
     override val children: List<Node> get() = listOf(term)
 }
 
-/** A term in braces. Its [content] is a [Body], a [Plan], a [Trigger] or a [Belief] that is a rule. */
+/** A term in braces. The [content] in the braces is a [Body], a [Plan], a [Trigger], or a rule as a [Belief]. */
 class Block(override val span: Span, val content: Node) : Term {
     override val children: List<Node> get() = listOf(content)
 }

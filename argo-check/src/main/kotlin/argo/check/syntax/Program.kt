@@ -1,10 +1,10 @@
 package argo.check.syntax
 
 /**
- * A text in AgentSpeak, as far as it can be read: after an error the next component is read.
+ * A text in AgentSpeak. After an error the reader continues with the next component.
  *
- * @property tokens all tokens with the comments; only blanks are between them
- * @property errors the reasons why Jason refuses the text, in the order of the text; empty if it does not
+ * @property tokens all tokens, with the comments; only blanks are between them
+ * @property errors the reasons why Jason refuses the text, in the order of the text; empty: Jason accepts it
  */
 class Program internal constructor(
     val text: String,
@@ -13,13 +13,13 @@ class Program internal constructor(
     val components: List<Component>,
     val errors: List<SyntaxError>,
 ) {
-    /** Returns the nodes that a cursor at [offset] touches, the outermost first; empty if it touches none. */
+    /** Returns the nodes at a cursor at [offset], the outermost first; empty: there are none. */
     fun nodesAt(offset: Int): List<Node> =
         generateSequence(components.lastOrNull { it.span.touches(offset) } as Node?) { node ->
             node.children.lastOrNull { it.span.touches(offset) }
         }.toList()
 
-    /** Returns the token that contains [offset], or ends there; null: there are blanks. */
+    /** Returns the token that contains [offset] or ends there; null: only blanks are there. */
     fun tokenAt(offset: Int): Token? {
         val next = tokens.binarySearchBy(offset) { it.span.start }.let { if (it >= 0) it else -it - 2 }
         return listOfNotNull(tokens.getOrNull(next), tokens.getOrNull(next - 1)).firstOrNull { it.span.touches(offset) }
@@ -40,8 +40,8 @@ fun Node.withDescendants(): Sequence<Node> = sequence {
 }
 
 /**
- * Reads [text] in the AgentSpeak of Jason 3.2 and 3.3. Takes time proportional to the text's length. Reads each text that Jason's parser
- * accepts without an error, and every other one as far as possible.
+ * Reads [text] as a program of Jason 3.2 or 3.3, in time proportional to its length. Reports no error in a text that Jason's parser
+ * accepts. Reads any other text as far as possible.
  */
 fun programOf(text: String): Program {
     val errors = ArrayList<SyntaxError>()

@@ -1,6 +1,5 @@
 package argo.check.syntax
 
-/** Reads the components of a program. */
 internal class ProgramReader(private val cursor: Cursor) {
     private val terms = TermReader(cursor, ::block)
     private val bodies = BodyReader(cursor, terms)
@@ -136,7 +135,7 @@ internal class ProgramReader(private val cursor: Cursor) {
         }
     }
 
-    /** Reads the statements behind one that looks like an event, as `{ +a; b }`. */
+    /** Reads the statements behind a statement that looks like an event, as in `{ +a; b }`. */
     private fun statements(first: Trigger): Body {
         val operator = if (first.operator == "+") BodyOperator.ADD else BodyOperator.DELETE
         val statements = listOf(Formula(first.span, operator, first.term))
@@ -165,7 +164,7 @@ internal class ProgramReader(private val cursor: Cursor) {
         val PLAN_BEGINNINGS = EVENTS + setOf("@", "}")
         val EVENT_PARTS = setOf("!", "?", "~", "::", "true", "false", "begin", "end")
 
-        /** `{`, `end` and `}`. */
+        /** The tokens `{`, `end` and `}`. */
         const val END_TOKENS = 3
     }
 }

@@ -12,18 +12,18 @@ data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun toString(): String = "$line:$column"
 }
 
-/** The part of a text from offset [start], up to offset [end], which it does not contain; both in UTF-16 units from 0. */
+/** The part of a text from offset [start] up to, but without, offset [end]. Offsets count UTF-16 units from 0. */
 data class Span(val start: Int, val end: Int) {
     val length: Int get() = end - start
 
-    /** Returns true if a cursor at [offset] is within this or at one of its ends. */
+    /** Returns true if a cursor at [offset] is within this span or at one of its ends. */
     fun touches(offset: Int): Boolean = offset in start..end
 
-    /** Returns the shortest span that contains this and [other]. */
+    /** Returns the shortest span that contains this span and [other]. */
     operator fun plus(other: Span): Span = Span(minOf(start, other.start), maxOf(end, other.end))
 }
 
-/** The lines of [text], which end with `\n`, `\r\n` or `\r`. */
+/** The lines of [text]; each ends with `\n`, `\r\n` or `\r`. */
 class Lines(private val text: String) {
     private val starts: List<Int> = buildList {
         add(0)
@@ -32,20 +32,19 @@ class Lines(private val text: String) {
         }
     }
 
-    /** The end of the text. */
     internal val end: Span get() = Span(text.length, text.length)
 
     /** The number of lines; an empty text has one. */
     val count: Int get() = starts.size
 
-    /** Returns the position of [offset]; an offset beyond the text stands for its end. */
+    /** Returns the position of [offset]; an offset behind the text stands for the end of the text. */
     fun position(offset: Int): Position {
         val at = offset.coerceIn(0, text.length)
         val line = starts.binarySearch(at).let { if (it >= 0) it else -it - 2 }
         return Position(line + 1, at - starts[line] + 1)
     }
 
-    /** Returns the offset of [position]; a position beyond its line or the text stands for the end of that. */
+    /** Returns the offset of [position]. A position behind its line or the text stands for the end of that line or text. */
     fun offset(position: Position): Int {
         if (position.line < 1) return 0
         if (position.line > count) return text.length
@@ -53,7 +52,7 @@ class Lines(private val text: String) {
         return (starts[position.line - 1] + position.column - 1).coerceIn(starts[position.line - 1], end)
     }
 
-    /** Returns the text of a [line], counted from 1, without its end; empty for a line that there is not. */
+    /** Returns the text of [line], counted from 1, without its line end; empty if there is no such line. */
     fun text(line: Int): String {
         val start = starts.getOrNull(line - 1) ?: return ""
         return text.substring(start, starts.getOrNull(line) ?: text.length).trimEnd('\n', '\r')

@@ -1,6 +1,6 @@
 package argo.check.syntax
 
-/** The kinds of tokens. Jason skips comments; it refuses a text with an unknown one. */
+/** The kinds of tokens. Jason skips comments, and refuses a text with an unknown token. */
 enum class TokenKind { ATOM, VARIABLE, NUMBER, STRING, KEYWORD, SYMBOL, COMMENT, UNKNOWN }
 
 /**

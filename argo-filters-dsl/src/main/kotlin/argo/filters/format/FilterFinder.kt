@@ -8,19 +8,18 @@ import argo.filters.nameProblem
 import java.nio.file.Path
 
 /**
- * Finds filters by name: first among those of the [FilterProvider]s on the class path of [classLoader], then in the files of each of
- * [projectDirectories] and of `filters/` under it, and last in `filters/` on the class path.
+ * Finds filters by name. The finder searches the [FilterProvider]s on the class path of [classLoader] first. Next come the files in each of
+ * [projectDirectories] and in its folder `filters/`. The folder `filters/` on the class path is last. Safe for use by several threads at
+ * once.
  *
- * Safe for use by several threads at once.
- *
- * Files are XML (`.xml`) or JSON (`.json`). A name may lack this ending; then an XML file is preferred. A name may hold folders
- * (`night/dark`). A name that leads out of those places is refused: no absolute paths, no `..`, no backslashes, no links to files outside.
+ * Files are XML (`.xml`) or JSON (`.json`). A name may lack this ending; an XML file is then preferred. A name may contain folders
+ * (`night/dark`). A name that leads out of the searched places is refused: absolute paths, `..`, backslashes, and links to files outside.
  */
 class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     private val places: List<FilterPlace> =
         listOf(ProvidedFilters(classLoader)) + projectDirectories.flatMap(::placesOf) + FilterResources(classLoader, FOLDER)
 
-    /** As the other form, with a single project directory. */
+    /** Searches in a single project directory. */
     constructor(projectDirectory: Path, classLoader: ClassLoader) : this(listOf(projectDirectory), classLoader)
 
     private fun placesOf(project: Path) = listOf(
@@ -29,10 +28,10 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     )
 
     /**
-     * Returns the filter called [name], read anew at each call.
+     * Returns the filter called [name]. Reads it anew at each call.
      *
-     * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the places of the search
-     * and the filters there are
+     * @throws FilterNotFoundException if there is no such filter, or several providers offer it; the message lists the searched places and
+     *   the existing filters
      * @throws FilterException if its text is refused
      * @throws java.io.IOException if its file cannot be read
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
@@ -43,7 +42,7 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
     }
 
     /**
-     * Returns the names of all filters, sorted. Places that cannot be listed add none, and a file in the list may prove to be no filter.
+     * Returns the names of all filters, sorted. A place that cannot be listed adds none. A listed file may turn out to be no filter.
      *
      * @throws java.util.ServiceConfigurationError if a provider or one of its filters cannot be made
      */

@@ -12,17 +12,15 @@ internal enum class FilterFormat(
     XML(XmlFilters.EXTENSION, "<PerceptionFilter", XmlFilters::read),
     JSON(JsonFilters.EXTENSION, "\"rules\"", JsonFilters::read);
 
-    /** Returns true if a file with this text could be a filter. */
+    /** Returns true if a file with this text may be a filter. */
     fun isLikely(text: String): Boolean = mark in text
 
     companion object {
-        /** Returns the format of a file with this name, or null if no filter file has such a name. */
+        /** Returns the format of a file with this name; null if no filter file has such a name. */
         fun of(fileName: String): FilterFormat? = entries.find { fileName.endsWith(it.extension) }
 
-        /** A filter's name without the extension of a format. */
         fun bareName(name: String): String = of(name)?.let { name.removeSuffix(it.extension) } ?: name
 
-        /** The files that a filter called [name] may be in. */
         fun candidates(name: String): List<Pair<String, FilterFormat>> =
             of(name)?.let { listOf(name to it) } ?: entries.map { name + it.extension to it }
     }

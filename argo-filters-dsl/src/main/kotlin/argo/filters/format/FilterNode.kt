@@ -1,6 +1,6 @@
 package argo.filters.format
 
-/** A value in a filter's document, with its position and its text for messages. A document in XML gets the shape of one in JSON. */
+/** A value in a filter's document, with its position and its text for messages. An XML document takes the same form as a JSON document. */
 internal sealed class FilterNode(val position: Position, val words: String) {
     class Object(position: Position, val members: List<Member>) : FilterNode(position, "an object")
 
@@ -13,9 +13,8 @@ internal sealed class FilterNode(val position: Position, val words: String) {
     class Scalar(position: Position, val content: String, val isText: Boolean, val isBare: Boolean) :
         FilterNode(position, if (isText) "'$content'" else content)
 
-    /** Stands for a missing or wrong value that has been reported already. */
+    /** Replaces a missing or wrong value that has already been reported. */
     class Refused(position: Position) : FilterNode(position, "")
 
-    /** @property words the member with its value, for messages */
     class Member(val name: String, val position: Position, val value: FilterNode, val words: String = "\"$name\" is ${value.words}")
 }

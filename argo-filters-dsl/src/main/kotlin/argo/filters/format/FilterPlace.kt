@@ -18,18 +18,17 @@ import kotlin.io.path.readText
 import kotlin.io.path.toPath
 import kotlin.io.path.visitFileTree
 
-/** A place where filters may be. `toString` is its name in messages. */
+/** A place with filters. `toString` is its name in messages. */
 internal interface FilterPlace {
-    /** The filter called [name], or null. The caller has checked that [name] does not lead out of the place. */
+    /** Returns the filter called [name]; null if there is none. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
 
-    /** Returns the names of the place's filters, for messages; none if the place cannot be listed. */
+    /** Returns the names of the place's filters, for messages; empty if the place cannot be listed. */
     fun names(): List<String>
 }
 
-/** The filters that services offer. */
 internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPlace {
-    /** Loads the providers anew at each call, since several agents may not use one loader at the same time. */
+    /** Loads the providers anew at each call, since a loader serves only one thread at a time. */
     private fun providers(): List<FilterProvider> = usable { ServiceLoader.load(FilterProvider::class.java, classLoader).toList() }
 
     override fun find(name: String): PerceptionFilter? {
@@ -47,11 +46,11 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 
     private fun filtersOf(provider: FilterProvider) = usable("${provider.javaClass.name} cannot make its filters") { provider.filters }
 
-    /** Returns the result of [load]. The message of a failure has all its causes, up to the refusal of a filter. */
+    /** Returns the result of [load]. The message of a failure contains all its causes, up to the refusal of a filter. */
     private fun <T> usable(words: String? = null, load: () -> T): T = try {
         load()
     } catch (broken: Throwable) {
-        // a class that fails in its static values throws a linkage error
+        // a class throws a linkage error if its static initializer fails
         if (broken !is ServiceConfigurationError && broken !is LinkageError && broken !is RuntimeException) throw broken
         val causes = generateSequence(broken) { it.cause }.toList()
         val known = listOfNotNull(words) + causes.mapNotNull { it.message }.distinct()
@@ -62,9 +61,8 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
 }
 
 /**
- * A directory with filter files. Files that are links are followed as long as they stay inside [boundary].
- *
- * @param foreignFiles whether the directory is likely to hold files that are no filters, which [names] then leaves out
+ * A directory with filter files. Links to files are followed only within [boundary]. [foreignFiles] tells whether the directory is likely
+ * to contain files that are no filters; [names] then leaves those out.
  */
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 
@@ -82,7 +80,7 @@ internal class FilterDirectory(private val directory: Path, private val boundary
     override fun names(): List<String> =
         filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
 
-    /** Returns true if a file looks like a filter. A file that cannot be read counts as one, since it may be. */
+    /** Returns true if a file looks like a filter. An unreadable file counts as a filter, since it may be one. */
     private fun isFilter(fileName: String): Boolean = try {
         FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
     } catch (_: IOException) {
@@ -92,7 +90,6 @@ internal class FilterDirectory(private val directory: Path, private val boundary
     override fun toString(): String = directory.toString()
 }
 
-/** A folder on the class path. */
 internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->
@@ -102,7 +99,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
 
     override fun names(): List<String> = classLoader.getResources(folder).asSequence().flatMap(::names).map(FilterFormat::bareName).toList()
 
-    /** Opens only regular files, since a read of a pipe may never end. */
+    /** Accepts only regular files, since reading a pipe may never end. */
     private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
@@ -122,16 +119,15 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
         }
     }
 
-    /** Opens [url] without the cache for URLs of jars, which would keep the jar open. */
+    /** Opens [url] without the URL cache, which would keep the jar open. */
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"
 }
 
-/** The depth to which folders of filters are listed. */
 private const val DEPTH = 8
 
-/** The filter files under [directory], relative to it; none if it is no directory. */
+/** Returns the filter files under [directory], relative to it; none if [directory] is no directory. */
 private fun filesUnder(directory: Path, depth: Int): List<String> = buildList {
     directory.visitFileTree(depth) {
         onVisitFile { file, _ ->

@@ -28,10 +28,9 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
     return checkNotNull(filter) { "a document without problems is a filter" }
 }
 
-/** Makes a filter called [name] from a document's tree. Wrong parts are left out and reported to [problems]. */
+/** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
 
-    /** The filter; null only if [node] is not an object, which is reported. */
     fun filter(node: FilterNode): PerceptionFilter? {
         val members = members(node, "a filter", RULES, CRITICAL, KEEP, ON_SWITCH) ?: return null
         if (RULES !in members) report(node.position, "the filter has no \"$RULES\"; expected an array of rules, which may be empty")
@@ -63,7 +62,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return rule?.let { CriticalRule(it, reflex) }
     }
 
-    /** The rule without its rate. Deadbands of its arguments go to [deadbands]; if that is null, they are refused. */
+    /** Returns the rule without its rate. Deadbands of its arguments go to [deadbands]; if that is null, they are refused. */
     private fun rule(node: FilterNode, members: Map<String, Member>, deadbands: MutableMap<Int?, Deadband>?): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, deadbands) }
@@ -77,7 +76,6 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    /** The condition of [node]; null if [node] has only a deadband, or the condition is refused. */
     private fun condition(node: FilterNode, deadbands: MutableMap<Int?, Deadband>?): Condition? {
         val members = members(node, "a condition", ARGUMENT, ANNOTATION, OPERATOR, VALUE, LIMITS, DEADBAND) ?: return null
         if ((ARGUMENT in members) == (ANNOTATION in members)) {
@@ -139,7 +137,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return operator
     }
 
-    /** Returns [value] as Jason writes it: a number as it is, a text as a term, an array as a list of values. */
+    /** Returns [value] in Jason's syntax: a number or a text as it is, an array as a list of values. */
     private fun written(value: FilterNode, operator: String): String = when {
         value is Scalar && (value.isText || NUMBER.matches(value.content)) -> value.content
         value is FilterNode.Array && operator == TestFormat.IN -> value.items.joinToString(",", "[", "]") { written(it, "") }
@@ -172,7 +170,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return emptyList()
     }
 
-    /** The members of [node] by name; null if it is no object. Members that are not [known] or come twice are reported. */
+    /** Returns the members of [node] by name; null if [node] is no object. Reports members that are not [known] or come twice. */
     private fun members(node: FilterNode, what: String, vararg known: String): Map<String, Member>? {
         if (node !is FilterNode.Object) {
             report(node.position, "${node.words} where $what is expected, an object with ${known.joinToString(" or ")}")

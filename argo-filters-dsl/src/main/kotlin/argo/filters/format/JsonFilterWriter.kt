@@ -14,7 +14,7 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter
 import com.fasterxml.jackson.core.util.Separators
 import java.io.StringWriter
 
-/** Writes filters in the canonical form of the JSON format: as maps of members, without those that are null. */
+/** Writes filters in the canonical form of the JSON format, as maps of their non-null members. */
 internal class JsonFilterWriter {
     private val text = StringWriter()
     private val json: JsonGenerator = JsonFactory().createGenerator(text).setPrettyPrinter(printer())

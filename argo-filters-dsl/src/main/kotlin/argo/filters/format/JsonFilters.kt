@@ -12,18 +12,18 @@ object JsonFilters {
      * Reads a filter.
      *
      * @param input the JSON document in UTF-8, with or without a byte-order mark. Not closed.
-     * @param source the file or other place it comes from, for messages
+     * @param source the document's file or other source, for messages
      * @param name the filter's name; usually the last part of [source] without `.json`
-     * @throws FilterException with all problems of the text, if there are any
+     * @throws FilterException with all problems of the text
      * @throws java.io.IOException if [input] cannot be read
      */
     fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         read(decodeStrictly(input.readBytes(), Charsets.UTF_8, source), source, name)
 
-    /** Reads a filter from text that has been decoded. Parameters and errors are those of the other form. */
+    /** Reads a filter from decoded text. Parameters and errors are those of the other form. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { JsonTreeReader(input.removePrefix("\uFEFF"), source).read() }
 
-    /** The filter as a JSON document with LF line ends, which [read] reads back to an equal filter. */
+    /** Returns the filter as a JSON document with LF line ends. [read] turns it back into an equal filter. */
     fun write(filter: PerceptionFilter): String = JsonFilterWriter().write(filter)
 }

@@ -8,20 +8,19 @@ import argo.filters.Rule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Writes filters as Kotlin source. Only a Kotlin compiler can read such a filter back. */
+/** Writes filters as Kotlin source. ARGO cannot read such a filter back; that takes a Kotlin compiler. */
 object KotlinFilters {
     /**
-     * The filter as a Kotlin file with LF line ends: a property whose value is an equal filter of the same name.
+     * Returns a Kotlin file with LF line ends. The only property in the file is an equal filter of the same name.
      *
-     * The property has the filter's name, in backquotes where Kotlin asks for them; characters that the name of a Java method or file
-     * cannot hold become `_`.
+     * The property has the filter's name, in backquotes if Kotlin requires them. The name has `_` for characters that no Java method or
+     * file name can contain.
      *
-     * @throws IllegalArgumentException if no agent can ask for a filter of that name
+     * @throws IllegalArgumentException if agents cannot call a filter by its name
      */
     fun write(filter: PerceptionFilter): String = KotlinFilterWriter(filter).write()
 }
 
-/** Writes one filter in the words of the DSL. */
 internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     private val text = StringBuilder()
 
@@ -100,7 +99,6 @@ internal class KotlinFilterWriter(private val filter: PerceptionFilter) {
     }
 }
 
-/** [text] as a string literal of Kotlin. */
 internal fun kotlinString(text: String): String = text.toCharArray().joinToString("", "\"", "\"") { character ->
     when (character) {
         '"', '\\', '$' -> "\\$character"

@@ -3,7 +3,7 @@ package argo.filters.format
 import argo.filters.FilterException
 import argo.filters.Problem
 
-/** Collects the problems of the document called [source], so that all are reported at once. */
+/** Collects all problems of the document called [source] before they are reported. */
 internal class Problems(private val source: String) {
     private val found = ArrayList<Problem>()
 
@@ -15,7 +15,10 @@ internal class Problems(private val source: String) {
         found += problem
     }
 
-    /** Returns the result of [read]; null if it throws an [IllegalArgumentException], whose message is reported with the [expectation]. */
+    /**
+     * Returns the result of [read]. If [read] throws an [IllegalArgumentException], reports its message with the [expectation] and returns
+     * null.
+     */
     fun <T> reporting(at: Position, expectation: String = "", read: () -> T): T? = try {
         read()
     } catch (e: IllegalArgumentException) {
@@ -23,7 +26,7 @@ internal class Problems(private val source: String) {
         null
     }
 
-    /** @throws FilterException with all problems, in the order of the text, if there are any */
+    /** @throws FilterException if there are problems; it lists all in the order of the text */
     fun throwIfAny() {
         if (found.isNotEmpty()) throw FilterException(found.distinct().sortedBy { Position(it.line, it.column) })
     }

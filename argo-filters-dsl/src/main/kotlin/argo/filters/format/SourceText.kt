@@ -7,12 +7,12 @@ import java.nio.CharBuffer
 import java.nio.charset.Charset
 import java.nio.charset.CodingErrorAction
 
-/** A position in a text: line and column, both counted from 1, the column in characters. */
+/** A position in a text. Line and column count from 1, the column in characters. */
 internal data class Position(val line: Int, val column: Int) : Comparable<Position> {
     override fun compareTo(other: Position): Int = compareValuesBy(this, other, Position::line, Position::column)
 }
 
-/** A text with the positions at which its lines begin. Lines end with LF, CR or both. */
+/** A text with the positions of its lines. Lines end with LF, CR or both. */
 internal class SourceText(val text: String) {
     private val lineStarts: IntArray = intArrayOf(0) +
         text.indices.filter { text[it] == '\n' || text[it] == '\r' && text.getOrNull(it + 1) != '\n' }.map { it + 1 }
@@ -20,7 +20,6 @@ internal class SourceText(val text: String) {
     val end: Position
         get() = position(text.length)
 
-    /** Returns the index of the character at [line] and [column], at most the length of the text. */
     fun offset(line: Int, column: Int): Int = (lineStarts[minOf(line, lineStarts.size) - 1] + column - 1).coerceIn(0, text.length)
 
     fun position(offset: Int): Position {
@@ -31,7 +30,7 @@ internal class SourceText(val text: String) {
 }
 
 /**
- * The text that [bytes] hold in [charset], without a byte-order mark.
+ * Decodes [bytes] from [charset], and removes a byte-order mark.
  *
  * @throws FilterException if there is a byte that is not in the charset, with its position in [source]
  */

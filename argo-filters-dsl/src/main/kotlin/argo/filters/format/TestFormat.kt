@@ -4,12 +4,12 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.TermTest
 
-/** Reads and names the tests of filter files: an operator and a value, both as text. */
+/** Reads and writes the tests in filter files: an operator and a value, both as text. */
 internal object TestFormat {
     const val MATCHES = "MATCHES"
     const val IN = "IN"
 
-    /** Names that earlier files use: equal, bigger, bigger or equal, smaller, smaller or equal. */
+    /** The names in earlier files: equal, bigger, bigger or equal, smaller, smaller or equal. */
     private val ALIASES = mapOf(
         "E" to Operator.EQ, "B" to Operator.GT, "BE" to Operator.GE, "S" to Operator.LT, "SE" to Operator.LE,
     )
@@ -22,13 +22,13 @@ internal object TestFormat {
     val NAMES: String = OPERATORS.joinToString(", ") +
         ALIASES.entries.joinToString(", ", " (or ", ")") { (alias, operator) -> "$alias for $operator" }
 
-    /** Returns the canonical name of the operator that [written] names, in upper or lower case or by an alias; null: there is none. */
+    /** Returns the canonical name of the operator [written], which may be in lower case or an alias; null: there is no such operator. */
     fun operator(written: String): String? = CANONICAL[written.trim()]
 
     /**
      * Returns the test of a canonical [operator] with the value [written].
      *
-     * @throws IllegalArgumentException if the value does not suit the operator; the message has the expectation
+     * @throws IllegalArgumentException if the value does not suit the operator; the message tells which values do
      */
     fun test(operator: String, written: String): TermTest = when (operator) {
         MATCHES -> TermTest.Matches(written)
@@ -55,7 +55,7 @@ internal object TestFormat {
         throw IllegalArgumentException(e.message + hint, e)
     }
 
-    /** Reads the values of a Jason list, which may lack its brackets. */
+    /** Reads the values of a Jason list with or without its brackets. */
     private fun values(written: String): Set<GroundTerm> {
         val list = GroundTerm.ofOrNull(written) as? GroundTerm.Sequence ?: GroundTerm.ofOrNull("[$written]") as? GroundTerm.Sequence
         requireNotNull(list) { "'$written' is not a list of values; expected [front,back] or front,back" }

@@ -3,13 +3,9 @@ package argo.filters.format
 import argo.filters.format.FilterNode.Member
 import argo.filters.format.FilterNode.Scalar
 
-/**
- * Brings an XML document into the shape that [FilterReader] reads. Elements and attributes without a place in that shape are reported to
- * [problems].
- */
+/** Converts an XML document into the tree for [FilterReader]. Reports superfluous elements and attributes to [problems]. */
 internal class XmlFilterTree(private val tree: XmlTree, private val problems: Problems) {
 
-    /** The filter; null only if a problem is reported. */
     fun filter(): FilterNode? {
         tree.problem?.let(problems::report)
         val root = tree.root ?: return null
@@ -73,7 +69,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** Reads a limit; a limit without an operator has that of the element [around] it. */
+    /** Reads a limit. Without an operator of its own it has the operator of the element [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -101,13 +97,12 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF.getValue(name), element.position, FilterNode.Refused(element.position))
     }
 
-    /** Reports [problem], unless the document breaks off in [element], since that is the cause then. */
+    /** Reports [problem], unless the document breaks off in [element], which is then the cause. */
     private fun missing(element: XmlElement, problem: String): FilterNode {
         if (element.isClosed || tree.problem == null) report(element.position, problem)
         return FilterNode.Refused(element.position)
     }
 
-    /** The attributes of [element] by name; attributes that are not [known] are reported. */
     private fun attributes(element: XmlElement, vararg known: String): Map<String, Member> {
         val members = LinkedHashMap<String, Member>()
         for (attribute in element.attributes) {
@@ -124,7 +119,6 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return Member(MEMBER_OF[name] ?: name, attribute.position, Scalar(attribute.position, text, isText = true, isBare = true), words)
     }
 
-    /** The children of [element] that are [known]; others are reported. */
     private fun children(element: XmlElement, vararg known: String): List<XmlElement> {
         val (expected, unknown) = element.children.partition { it.name in known }
         val elements = words(known.map { "<$it>" }.toTypedArray(), "only text")
@@ -148,10 +142,10 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         const val ID = "id"
         const val NAME = "name"
 
-        /** The members that attributes of other names become. */
+        /** The names of members for attributes of other names. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
-        /** Files of earlier versions have the second spelling; see [XmlTree] for their other spellings. */
+        /** Files of earlier versions contain the second spelling. [XmlTree] knows their other spellings. */
         val ANNOTATION = arrayOf("annotation", "anotation")
     }
 }

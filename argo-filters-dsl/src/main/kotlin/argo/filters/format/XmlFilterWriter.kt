@@ -7,7 +7,7 @@ import argo.filters.PerceptionFilter
 import argo.filters.Rule
 import argo.filters.TermTest
 
-/** Writes filters in the canonical form of the XML format: with every operator, and the parts of a rule in the order of the model. */
+/** Writes filters in the canonical XML form: with every operator, and the parts of a rule in the order of the model. */
 internal class XmlFilterWriter {
     private val text = StringBuilder("<?xml version=\"1.0\"?>\n")
     private var depth = 0
@@ -71,7 +71,7 @@ internal class XmlFilterWriter {
         text.append("  ".repeat(depth)).append(line).append('\n')
     }
 
-    /** [text] with references for markup and for the [unsafe] characters, which a parser would not give back as they are. */
+    /** Returns [text] with references for markup, and for [unsafe] characters that a parser would change. */
     private fun escaped(text: String, unsafe: String): String {
         val foreign = text.codePoints().filter { !isXml(it) }.findFirst()
         require(foreign.isEmpty) { "XML cannot hold the character U+%04X, which stands in %s".format(foreign.asInt, text) }

@@ -14,11 +14,11 @@ object XmlFilters {
     /**
      * Reads a filter.
      *
-     * @param input the XML document, in the encoding that its declaration or its byte-order mark (of UTF-8 or UTF-16) names, or else in
-     * UTF-8. Not closed.
-     * @param source the file or other place it comes from, for messages
+     * @param input the XML document. The document's declaration or byte-order mark (UTF-8 or UTF-16) names the encoding; otherwise the
+     *   encoding is UTF-8. Not closed.
+     * @param source the document's file or other source, for messages
      * @param name the filter's name; usually the last part of [source] without `.xml`
-     * @throws FilterException with all problems of the text, if there are any
+     * @throws FilterException with all problems of the text
      * @throws java.io.IOException if [input] cannot be read
      */
     fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter {
@@ -26,18 +26,18 @@ object XmlFilters {
         return read(decodeStrictly(bytes, encodingOf(bytes, source), source), source, name)
     }
 
-    /** Reads a filter from text that has been decoded. Parameters and errors are those of the other form. */
+    /** Reads a filter from decoded text. Parameters and errors are those of the other form. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { XmlFilterTree(XmlTree(input.removePrefix("\uFEFF"), source), it).filter() }
 
     /**
-     * The filter as an XML document with LF line ends, which [read] reads back to an equal filter.
+     * Returns the filter as an XML document with LF line ends. [read] turns it back into an equal filter.
      *
-     * @throws IllegalArgumentException if a functor or a string of the filter holds a character that XML has no way to write
+     * @throws IllegalArgumentException if a functor or a string of the filter contains a character that XML cannot express
      */
     fun write(filter: PerceptionFilter): String = XmlFilterWriter().write(filter)
 
-    /** Finds a document's encoding from its first bytes. Bytes that are not in this encoding are reported with their positions later. */
+    /** Finds a document's encoding from its first bytes. [read] reports bytes that are not in this encoding. */
     private fun encodingOf(bytes: ByteArray, source: String): Charset {
         val tagEnd = bytes.indexOf('>'.code.toByte()) + 1
         val isWide = tagEnd < bytes.size && bytes[tagEnd] == 0.toByte()
@@ -53,6 +53,5 @@ object XmlFilters {
     }
 }
 
-/** The name of a filter whose text comes from [source]. */
 internal fun nameOf(source: String, extension: String): String =
     source.substringAfterLast('/').substringAfterLast('\\').removeSuffix(extension)

@@ -9,54 +9,52 @@ import javax.xml.stream.XMLStreamReader
 
 internal class XmlAttribute(val name: String, val value: String, val position: Position)
 
-/** Text between two tags; [position] is the place of the text's first character that is not white space. */
+/** Text between two tags. [position] is that of its first character that is not white space. */
 internal class XmlText(val text: String, val position: Position)
 
-/** An element as it stands in the document; names are kept as written, prefix included. */
+/** An element of the document. Names are as written, with their prefix. */
 internal class XmlElement(val name: String, val position: Position, attributes: List<XmlAttribute>) {
     val attributes = ArrayList(attributes)
     val children = ArrayList<XmlElement>()
     val texts = ArrayList<XmlText>()
 
-    /** True if its end tag has been read. */
     var isClosed = false
 
-    /** The text directly in the element, without blanks around it. */
     val text: String
         get() = texts.joinToString("", transform = XmlText::text).trim()
 
-    /** The beginning of that text, or of the element if it has no text. */
+    /** The position of [text]; that of the element if it has no text. */
     val textPosition: Position
         get() = texts.firstOrNull { it.text.isNotBlank() }?.position ?: position
 }
 
-/** Makes a factory for each document, since factories are not safe for several threads at once. */
+/** Makes a factory for one document, since factories are not safe for several threads at once. */
 internal fun xmlInputFactory(): XMLInputFactory = XMLInputFactory.newDefaultFactory().apply {
     setProperty(XMLInputFactory.SUPPORT_DTD, false)
     setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false)
     setProperty(XMLInputFactory.IS_NAMESPACE_AWARE, false)
     setProperty(XMLInputFactory.IS_COALESCING, true)
-    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // else the parser would print problems besides throwing them
+    xmlReporter = javax.xml.stream.XMLReporter { _, _, _, _ -> } // otherwise the parser prints the problems that it throws
 }
 
 /**
  * Reads an XML document into elements with their positions.
  *
- * The JDK's parser reports where a tag ends; its beginning is searched from there in [document]. A document type declaration is refused
- * before anything that it declares could be used, so no entity is ever expanded or fetched.
+ * The JDK's parser reports only the end of a tag, so this class searches for the tag's beginning in [document]. This class also refuses a
+ * document type declaration at once, so no entity is ever expanded or fetched.
  */
 internal class XmlTree(private val document: String, private val source: String) {
     private val positions = SourceText(document)
     private val open = ArrayDeque<XmlElement>()
 
-    /** The character after the last tag, comment or processing instruction. */
+    /** The position behind the last tag, comment or processing instruction. */
     private var markupEnd = 0
 
-    /** The root element, as far as it could be read; null if there was none. */
+    /** The root element as far as it could be read; null if there is none. */
     var root: XmlElement? = null
         private set
 
-    /** The problem that ended reading early; null if there was none. */
+    /** The problem that ended the reading early; null if there was none. */
     val problem: Problem? = try {
         read(xmlInputFactory().createXMLStreamReader(StringReader(document)))
     } catch (e: XMLStreamException) {
@@ -79,14 +77,14 @@ internal class XmlTree(private val document: String, private val source: String)
         return null
     }
 
-    /** Returns where the tag ends. The parser counts one character too few in a line that begins after a bare carriage return. */
+    /** Returns the end of the tag. The parser counts one character too few in a line that begins after a bare carriage return. */
     private fun endOf(reader: XMLStreamReader): Int {
         if (reader.location.lineNumber < 1) return document.length
         return document.indexOf('>', positions.offset(reader.location.lineNumber, reader.location.columnNumber) - 1) + 1
     }
 
     private fun start(reader: XMLStreamReader) {
-        val start = document.lastIndexOf('<', markupEnd - 1) // no attribute holds this character
+        val start = document.lastIndexOf('<', markupEnd - 1) // no attribute contains this character
         val tag = document.substring(start, markupEnd)
         val offsets = ATTRIBUTE.findAll(tag).associate { it.groupValues[1] to start + it.groups[1]!!.range.first }
         val attributes = (0 until reader.attributeCount).map {

@@ -16,12 +16,12 @@ import jason.asSyntax.StringTermImpl
 import jason.asSyntax.Term
 
 /**
- * Reads one literal of the shapes that boards send. Returns null for text that needs more of Jason's grammar: namespaces, variables,
- * operators, comments, reserved words.
+ * Reads one literal of a form that boards send. Returns null for text that needs Jason's full grammar: namespaces, variables, operators,
+ * comments, reserved words.
  */
 internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length) {
 
-    /** Returns exactly the literal that Jason's parser reads, or null if the text is left to that parser. */
+    /** Returns the same literal as Jason's parser; null if the text is left to that parser. */
     fun parse(): Literal? = literal()?.takeIf { blanks() == end }
 
     private fun literal(depth: Int = 0): Literal? {
@@ -36,7 +36,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return literal
     }
 
-    /** A word that can only be an atom, or an atom in quotes. Names of internal actions and functions have a dot. */
+    /** Reads a word that can only be an atom, or an atom in quotes. A dot marks the name of an internal action or function. */
     private fun functor(): String? {
         val start = at
         if (start >= end) return null
@@ -87,7 +87,7 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
         return double()?.let { NumberTermImpl(it).apply { srcInfo = SOURCE } }
     }
 
-    /** Stops at line breaks and comments, which are left to Jason's parser, since terms remember their line. */
+    /** Stops at line breaks and comments, which are left to Jason's parser, since terms contain their line number. */
     override fun blanks(): Int {
         while (at < end && (text[at] == ' ' || text[at] == '\t')) at++
         return at
@@ -96,11 +96,11 @@ internal class FastLiteralParser(text: String) : TermCursor(text, 0, text.length
     private companion object {
         const val MAX_DEPTH = 64
 
-        /** Characters that show, behind a word, that the word begins a name or a structure. */
+        /** Characters behind a word that make it the beginning of a name or a structure. */
         val BEHIND_NAMES = setOf('.', ':', '(', '[')
         val ATOMS_OF_JASON = setOf("default", "this_ns")
 
-        /** The source position that Jason's parser records for terms of a one-line text. */
+        /** The source position of terms that Jason's parser reads from a text of one line. */
         val SOURCE: SourceInfo = ASSyntax.parseLiteral("a").srcInfo
     }
 }

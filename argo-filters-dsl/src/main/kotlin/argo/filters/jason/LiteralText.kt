@@ -18,13 +18,13 @@ import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 
-/** Makes a session over percepts that are Jason literals, as they come from a Jason environment; without a filter at first. */
+/** Makes a session for percepts that are Jason literals, as a Jason environment delivers them. The session begins without a filter. */
 fun literalSession(): FilterSession<Literal> = FilterSession(::perceptText)
 
 /**
- * Returns the text of [percept] as a board would send it, for filters to decide over. Never throws.
+ * Returns the text of [percept] as a board would send it, for filters. Never throws.
  *
- * Unlike `toString`, it escapes quotes, line breaks and such in strings. Terms nested deeper than filters look are written as a variable.
+ * Unlike `toString`, it escapes quotes and line breaks in strings. A term nested too deep for filters becomes a variable.
  */
 fun perceptText(percept: Literal): String = text(percept, 0)
 

@@ -9,13 +9,13 @@ import argo.filters.matching.perceptsOf
 import jason.asSyntax.Literal
 
 /**
- * Turns a board's messages into percepts: splits a message, filters the texts, reads the kept ones, and limits how many of them the agent
- * believes.
+ * Turns a board's messages into percepts. The session splits a message, filters the texts, reads the kept texts, and limits how many
+ * percepts the agent believes.
  *
- * The caller gives the time, in milliseconds of any clock that never goes back. Not safe for use by several threads at once.
+ * The caller passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  *
- * @param read returns the literals in a percept's text; none if it refuses the text
- * @param limit selects the percepts that the agent is to believe from the kept ones (first argument) and the critical ones (second)
+ * @param read returns the literals in a percept's text; empty if it refuses the text
+ * @param limit returns the percepts that the agent is to believe, given the kept ones (first argument) and the critical ones (second)
  */
 class MessageSession(
     private val read: (String) -> List<Literal>,
@@ -23,23 +23,23 @@ class MessageSession(
 ) {
     private val session = FilterSession.ofTexts()
 
-    /** The active filter, or null: everything is kept. */
+    /** The active filter; null: everything is kept. */
     val filter: PerceptionFilter?
         get() = session.filter
 
-    /** Makes [filter] the active one from the next perception on, as [FilterSession.switchTo]; null: none. */
+    /** Makes [filter] the active one from the next perception on, like [FilterSession.switchTo]; null: none. */
     fun switchTo(filter: PerceptionFilter?): Unit = session.switchTo(filter)
 
-    /** Returns the part of [message] that the agent perceives at [nowMs]. */
+    /** Returns what the agent perceives of [message] at [nowMs]. */
     fun perceive(message: String, nowMs: Long): MessagePerception = perceive(perceptsOf(message), nowMs)
 
-    /** Returns the part that the agent perceives of a message that has been split into the texts of its percepts. */
+    /** Returns what the agent perceives of a message that has been split into the [texts] of its percepts. */
     fun perceive(texts: List<String>, nowMs: Long): MessagePerception = literals(session.perceive(texts, nowMs))
 
     /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */
     fun due(nowMs: Long): MessagePerception? = session.due(nowMs)?.let(::literals)
 
-    /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs], without doing it. */
+    /** Explains why the filter would keep, drop or hold back the percept [text] at [nowMs]. Changes nothing. */
     fun explain(text: String, nowMs: Long): Explanation = session.explain(text, nowMs)
 
     private fun literals(texts: FilteredPercepts<String>): MessagePerception {
@@ -55,11 +55,11 @@ class MessageSession(
 /**
  * The percepts of one message that reach an agent.
  *
- * @property texts the same percepts as texts: those received, those that the filter kept, and when the next held-back one is due
+ * @property texts the percepts as texts, with the time at which the next held-back one is due
  * @property percepts the literals that the agent is to believe: kept, readable, and within the limit
  * @property seen the literals of the message's own percepts that the filter let through
  * @property critical the percepts that meet critical rules, once for each such rule
- * @property unreadable the kept texts of which no part could be read
+ * @property unreadable the kept texts without any readable part
  */
 class MessagePerception internal constructor(
     val texts: FilteredPercepts<String>,

@@ -4,19 +4,19 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.parser.TokenMgrError
 
-/** A percept's text is not a literal; the message says what Jason's parser found. */
+/** The text of a percept is no literal. The message contains the finding of Jason's parser. */
 class PerceptSyntaxException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /**
- * Reads percepts into Jason's literals with the result of Jason's own parser. Literals of the forms that boards send (functors, atoms,
- * numbers, strings, nested structures, lists, annotations, negation) are read faster; other text is left to Jason's parser. In strings it
- * also knows `\uXXXX`, for characters that Jason's syntax cannot write. Any thread may use it.
+ * Reads percepts into the same literals as Jason's own parser. Forms that boards send are read faster: functors, atoms, numbers, strings,
+ * nested structures, lists, annotations, negation. Jason's parser reads all other text. `\uXXXX` in a string stands for a character that
+ * Jason's syntax cannot express. Any thread may use it.
  */
 object PerceptReader {
     private const val SHOWN = 80
 
     /**
-     * Reads the literal whose text is [percept]; returns a new one at each call.
+     * Reads the literal in the text [percept]. Returns a new literal at each call.
      *
      * @throws PerceptSyntaxException if [percept] is no literal, or is nested too deep for Jason's parser
      */
@@ -26,7 +26,7 @@ object PerceptReader {
     private fun parseWithJason(percept: String): Literal = try {
         ASSyntax.parseLiteral(percept)
     } catch (e: Exception) {
-        throw refusal(percept, e) // a ParseException, or a RuntimeException (for expressions that are no formulas, and for large numbers)
+        throw refusal(percept, e) // ParseException; RuntimeException for expressions that are no formulas, and for large numbers
     } catch (e: TokenMgrError) {
         throw refusal(percept, e)
     } catch (e: StackOverflowError) {

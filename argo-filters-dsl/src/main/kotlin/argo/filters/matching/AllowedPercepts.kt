@@ -5,32 +5,30 @@ import argo.filters.GroundTerm
 import argo.filters.Operator
 import argo.filters.TermTest
 
-/** The percepts that meet all [conditions]. */
 internal class AllowedPercepts(private val conditions: List<Condition>) {
     private val arguments =
         conditions.filterIsInstance<Condition.Argument>().groupBy({ it.index }, { it.test }).mapValues { AllowedTerms(it.value) }
     private val annotations = conditions.filterIsInstance<Condition.Annotation>().map { it.name to AllowedTerms(it.tests) }
 
-    /** Returns, in words, conditions on one term of which no term meets all; null if there are none, or none are found. */
+    /** Returns, in words, conditions on one term that no term can meet together; null if none are found. */
     fun contradiction(): String? {
         val argument = arguments.entries.find { it.value.isEmpty() }
         if (argument != null) return conditions.filter { (it as? Condition.Argument)?.index == argument.key }.joinToString(" and ")
         return conditions.filterIsInstance<Condition.Annotation>().find { AllowedTerms(it.tests).isEmpty() }?.toString()
     }
 
-    /** Returns true if each of these percepts is known to meet [condition]. */
+    /** Returns true if every percept of this set is known to meet [condition]. */
     fun imply(condition: Condition): Boolean = when (condition) {
         is Condition.Argument -> arguments[condition.index]?.imply(condition.test) == true
         is Condition.Annotation -> annotations.any { (name, terms) -> name == condition.name && condition.tests.all(terms::imply) }
     }
 }
 
-/** The terms that meet all [tests]. */
 private class AllowedTerms(private val tests: List<TermTest>) {
     private val range =
         tests.filterIsInstance<TermTest.Compare>().filter { it.operator.ordering }.map(::NumberRange).reduceOrNull(NumberRange::and)
 
-    /** The list of these terms if the tests allow only a few values; else null. */
+    /** All these terms if the tests allow only a few values; null otherwise. */
     private val values: Set<GroundTerm>? =
         (tests.mapNotNull(::valuesOf) + listOfNotNull(range?.single()?.let(::setOf))).reduceOrNull { one, other -> one intersect other }
             ?.filter { value -> tests.all { CompiledTest(it).isMetBy(value) } }?.toSet()
@@ -52,7 +50,7 @@ private class AllowedTerms(private val tests: List<TermTest>) {
     }
 }
 
-/** Numbers between two limits. An open limit (see [isFromOpen]) is not in the range itself. */
+/** Numbers between two limits. An open limit (see [isFromOpen]) is outside of the range. */
 private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to: Double, val isToOpen: Boolean) {
     /** The numbers that meet [test], whose operator is an ordering. */
     constructor(test: TermTest.Compare) : this(test.operator, (test.value as GroundTerm.Number).value)
@@ -71,7 +69,6 @@ private data class NumberRange(val from: Double, val isFromOpen: Boolean, val to
 
     fun isEmpty(): Boolean = from > to || from == to && (isFromOpen || isToOpen)
 
-    /** The only number in the range; null: there are none or several. */
     fun single(): GroundTerm? = if (from == to && !isEmpty()) GroundTerm.Number(from) else null
 
     fun holds(number: Double): Boolean = (number > from || number == from && !isFromOpen) && (number < to || number == to && !isToOpen)

@@ -13,11 +13,7 @@ import argo.filters.Rule
 import argo.filters.Syntax
 import argo.filters.TermTest
 
-/**
- * A rule in the form in which it is applied.
- *
- * @property critical the critical rule that it belongs to; null: it belongs to none
- */
+/** A rule in a form that is fast to apply. [critical] is the critical rule with this rule; null: the rule is an ordinary one. */
 internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) {
     private val predicate = rule.predicate
     private val isPlain = !predicate.negated && predicate.namespace == Predicate.DEFAULT_NAMESPACE
@@ -25,14 +21,17 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     private val compiled = rule.conditions.map(::CompiledCondition).toTypedArray()
     val rate: Rate? = rule.rate
 
-    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]; null: neither namespace nor negation. */
+    /** Returns true if the rule is for percepts of its functor with this [tail] and [head]. Null as [head]: no namespace, no negation. */
     fun isFor(tail: Long, head: HeadScanner?): Boolean {
         if (arity != ANY && TermBounds.arity(tail) != arity) return false
         if (head == null) return isPlain
         return head.negated == predicate.negated && head.namespace == predicate.namespace
     }
 
-    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. */
+    /**
+     * Returns true if the percept in [text] meets all conditions. The percept's functor ends at [functorEnd], and [tail] describes the
+     * rest.
+     */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail) }
 
@@ -45,7 +44,7 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null) 
     }
 }
 
-/** A condition in the form in which it is applied: on an argument, or on annotations. */
+/** A condition on an argument or on annotations, in a form that is fast to apply. */
 private class CompiledCondition(condition: Condition) {
     private val argument = (condition as? Condition.Argument)?.index ?: -1
     private val annotation = (condition as? Condition.Annotation)?.name
@@ -54,7 +53,6 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets it. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
@@ -78,7 +76,7 @@ private class CompiledCondition(condition: Condition) {
             tests.all { it.isMetBy(annotation.arguments.firstOrNull()) }
 }
 
-/** A test of a term in its text. Plain atoms and plain numbers are compared in place; other terms are read into a [GroundTerm] first. */
+/** A test of a term in its text. Plain atoms and numbers are compared in place. Other terms are first read into a [GroundTerm]. */
 internal class CompiledTest(private val test: TermTest) {
     private val operator = (test as? TermTest.Compare)?.operator ?: Operator.EQ
     private val values: Set<GroundTerm> = when (test) {
@@ -103,14 +101,14 @@ internal class CompiledTest(private val test: TermTest) {
         return decides(numbers.any { it == number }, number)
     }
 
-    /** Returns true if [value] meets the test; null stands for a term that is not ground and plain. */
+    /** Returns true if [value] meets the test. Null stands for a term that is no value, such as a variable. */
     fun isMetBy(value: GroundTerm?): Boolean = when {
         value == null -> false
         test is TermTest.Matches -> test.matches(value.toString())
         else -> decides(value in values, (value as? GroundTerm.Number)?.value ?: Double.NaN)
     }
 
-    /** Returns true if a term meets the test. [isEqual]: it equals one of the test's values; [number]: the term's number, else NaN. */
+    /** Returns true if a term meets the test. [isEqual]: the term equals one of the test's values. [number]: the term's number, or NaN. */
     private fun decides(isEqual: Boolean, number: Double): Boolean = when (operator) {
         Operator.EQ -> isEqual
         Operator.NE -> !isEqual
@@ -120,7 +118,7 @@ internal class CompiledTest(private val test: TermTest) {
         Operator.LE -> number <= numbers[0]
     }
 
-    /** Returns the word of [value] if it is an atom without quotes, negation, namespace, arguments and annotations; else null. */
+    /** Returns the name of [value] if it is an atom without quotes, negation, namespace and annotations; null otherwise. */
     private fun plainAtom(value: GroundTerm): String? =
         (value as? GroundTerm.Structure)?.predicate?.functor?.takeIf { value == GroundTerm.Structure(Predicate(it)) && it[0] != '\'' }
 }

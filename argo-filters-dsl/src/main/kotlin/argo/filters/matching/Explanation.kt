@@ -11,19 +11,16 @@ import argo.filters.TermTest
 /**
  * The reason for which a filter keeps, drops or holds back a percept.
  *
- * @property percept the percept's text
- * @property outcome the fate of the percept
- * @property rule the rule that decided; null if the percept matches no rule
+ * @property rule the rule that decided; null if no rule applies to the percept
  * @property reason the reason in words, as in `it matches rule 3: distance where argument 0 is not front`
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
-    /** The fate of a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),
 
-        /** The percept waits for a while; meanwhile the agent perceives the percept of its kind that was let through last. */
+        /** The percept waits for a while. Until then the agent perceives the last percept of its kind that was let through. */
         HELD_BACK("is held back"),
     }
 
@@ -71,7 +68,6 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             }
         }
 
-        /** Says in words what [percept] has at the place that [condition] is about. */
         private fun found(percept: PerceptText, condition: Condition): String {
             if (condition is Condition.Annotation) return unmet(condition)
             val (index, test) = condition as Condition.Argument

@@ -4,11 +4,10 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.OnSwitch
 
 /**
- * One agent's filters over time: remembers which percepts were let through, held back and frozen.
+ * Applies one agent's filters over time: remembers which percepts were let through, held back and frozen.
  *
- * [P] is the form in which percepts come: [FilterSession.ofTexts] takes them as they came off the line,
- * `argo.filters.jason.literalSession()` takes Jason literals. The caller gives the time, in milliseconds of any clock that never goes back.
- * Not safe for use by several threads at once.
+ * [P] is the form of the percepts: texts for [FilterSession.ofTexts], Jason literals for `argo.filters.jason.literalSession()`. The caller
+ * passes the time in milliseconds of a clock that never goes back. Not safe for use by several threads at once.
  */
 class FilterSession<P : Any> internal constructor(private val textOf: (P) -> String) {
     private var matcher: PerceptMatcher? = null
@@ -16,16 +15,16 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private var last = FilteredPercepts<P>(emptyList(), emptyList(), emptyList(), emptyList(), null)
     private var frozen: Map<String, P> = emptyMap()
 
-    /** The active filter, or null: everything is kept. */
+    /** The active filter; null: everything is kept. */
     val filter: PerceptionFilter?
         get() = matcher?.filter
 
     /**
      * Makes [filter] the active one from the next perception on; null: no filter.
      *
-     * A freezing filter keeps those percepts of the last perception that it hides: they are delivered with every perception until another
-     * change. One of them ends earlier when a percept that differs from it only in numbers is let through. Percepts that rates held back
-     * are forgotten.
+     * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains them until the next change of
+     * filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The session forgets the
+     * percepts that rates hold back.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -35,22 +34,22 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         last = FilteredPercepts(last.received, last.kept, last.seen, last.critical, null)
     }
 
-    /** Returns the agent's perception at [nowMs], if [percepts] are its whole picture of the world. Text that is not a percept is kept. */
+    /** Returns the agent's perception at [nowMs]. The [percepts] replace all earlier ones. Text that is no percept is kept. */
     fun perceive(percepts: List<P>, nowMs: Long): FilteredPercepts<P> {
         last = perceive(java.util.List.copyOf(percepts), matcher, nowMs)
         return last
     }
 
     /**
-     * Returns the agent's perception at [nowMs] if no newer percepts have come and held-back ones are due; null if none is due. It is the
-     * last perception, with each due percept in place of the one that was let through before it.
+     * Returns the agent's perception at [nowMs] if no newer percepts have come but held-back ones are due; null if none is due. The result
+     * is the last perception with each due percept in the place of its predecessor.
      */
     fun due(nowMs: Long): FilteredPercepts<P>? {
         val due = last.nextDueMs ?: return null
         return if (nowMs < due) null else perceive(last.received, nowMs)
     }
 
-    /** Explains why the filter would keep, drop or hold back [percept] at [nowMs], without doing it. */
+    /** Explains why the filter would keep, drop or hold back [percept] at [nowMs]. Changes nothing. */
     fun explain(percept: P, nowMs: Long): Explanation {
         val text = textOf(percept)
         val matcher = matcher ?: return Explanation.noFilter(text)
@@ -76,7 +75,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return percepts.distinct().flatMap { percept -> matcher.criticalRules(textOf(percept)).map { CriticalPercept(it, percept) } }
     }
 
-    /** Returns the percept that the agent perceives for [percept], or null; adds the rules that hold it back to [holds]. */
+    /**
+     * Returns the percept that the agent perceives for [percept]; null: none. Adds the hold that keeps [percept] back, if any, to [holds].
+     */
     private fun decide(matcher: PerceptMatcher, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val found = PerceptText.of(textOf(percept)) ?: return percept
         val met = matcher.rulesMetBy(found)
@@ -103,7 +104,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     private fun key(percept: P): String? = PerceptText.of(textOf(percept))?.key(RateMemory.ANY_NUMBER)
 
     companion object {
-        /** Makes a session over percepts as they came off the line, without a filter at first. */
+        /** Makes a session for percepts in the text of the line. The session begins without a filter. */
         fun ofTexts(): FilterSession<String> = FilterSession { it }
     }
 }

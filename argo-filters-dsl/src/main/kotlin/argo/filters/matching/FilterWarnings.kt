@@ -7,9 +7,9 @@ import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rule
 
 /**
- * Finds parts of the filter that have no effect and returns one sentence for each: rules that no percept can match, rules and conditions
- * that other ones make superfluous, deadbands on missing arguments, and the lack of any rule. Rules are counted from 1. Each sentence is
- * true for all percepts; but some parts without effect are not found.
+ * Finds parts of the filter without effect and returns a sentence for each. Such parts are rules that no percept can match, superfluous
+ * rules and conditions, and deadbands on missing arguments. A filter without rules has no effect either. Rules count from 1. Each sentence
+ * is true for all percepts, but some parts without effect are not found.
  */
 fun PerceptionFilter.warnings(): List<String> {
     val ordinary = rules.mapIndexed { number, rule -> ReviewedRule("rule ${number + 1}", rule) }
@@ -23,7 +23,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on [rules]. The rules in [first] decide before them. */
+/** Returns the warnings on [rules]. The rules in [first] decide before [rules]. */
 private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = first.find { it.covers(rule) } ?: rules.withIndex().find { (at, other) ->
@@ -32,7 +32,6 @@ private fun reviewed(rules: List<ReviewedRule>, first: List<ReviewedRule>): List
     if (other != null) listOf(rule.superfluousBeside(other)) else rule.superfluousConditions() + rule.missingArguments()
 }
 
-/** A rule of a filter called [name], with the percepts that its conditions allow. */
 private class ReviewedRule(private val name: String, private val rule: Rule, private val critical: CriticalRule? = null) {
     private val allowed = AllowedPercepts(rule.conditions)
 
@@ -44,16 +43,16 @@ private class ReviewedRule(private val name: String, private val rule: Rule, pri
         return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
     }
 
-    /** Returns true if each percept that matches [other] matches this rule. */
+    /** Returns true if every percept that matches [other] matches this rule. */
     fun covers(other: ReviewedRule): Boolean =
         rule.predicate == other.rule.predicate && (rule.arity == null || rule.arity == other.rule.arity) &&
             rule.conditions.all(other.allowed::imply)
 
-    /** Returns true if [other], of the same list, changes nothing beside this rule. */
+    /** Returns true if [other], a rule of the same list, has no effect beside this rule. */
     fun makesSuperfluous(other: ReviewedRule): Boolean {
         val doesAtLeastAsMuch = when {
             critical != null -> other.critical?.reflex.let { it == null || it == critical.reflex }
-            // each rule remembers the percepts that it let through, so only a rule that matches exactly the same percepts can replace it
+            // a rule with a rate remembers percepts, so only a rule for exactly the same percepts can replace it
             else -> rule.rate == null || rule.rate == other.rule.rate && other.covers(this)
         }
         return doesAtLeastAsMuch && covers(other)

@@ -4,15 +4,14 @@ import argo.filters.CriticalRule
 import java.util.Collections
 
 /**
- * The percepts of one picture of the world that reach an agent. The lists cannot be changed.
+ * The percepts of one perception that reach an agent. The lists are immutable.
  *
- * @property received the percepts of the picture, as they came
- * @property kept the percepts that the agent perceives: in the order of [received], each percept that passed and, in place of each that is
- * held back, the one of its kind that was let through last; then the frozen percepts
- * @property seen the percepts of [kept] that came and passed: without the replacements of held-back percepts and the frozen ones
+ * @property received the percepts as they came
+ * @property kept the percepts that the agent perceives, in the order of [received], with the frozen ones at the end. In place of a
+ *   held-back percept it has the last percept of that kind that was let through.
+ * @property seen the percepts of [kept] that came and passed: no replacements of held-back percepts, no frozen ones
  * @property critical the percepts of [received] that meet critical rules, once for each such rule
- * @property nextDueMs when the next percept that is held back is to be delivered, in milliseconds of the caller's clock; null: no percept
- * is held back
+ * @property nextDueMs the time of the caller's clock, in ms, at which the next held-back percept is due; null: no percept is held back
  */
 class FilteredPercepts<P> internal constructor(
     val received: List<P>,
@@ -26,10 +25,5 @@ class FilteredPercepts<P> internal constructor(
     val critical: List<CriticalPercept<P>> = Collections.unmodifiableList(critical)
 }
 
-/**
- * A percept that meets a critical rule.
- *
- * @property rule the rule
- * @property percept the percept as it came
- */
+/** A percept that meets a critical rule. */
 data class CriticalPercept<P>(val rule: CriticalRule, val percept: P)

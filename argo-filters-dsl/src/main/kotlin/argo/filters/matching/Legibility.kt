@@ -5,8 +5,8 @@ import argo.filters.Syntax
 import com.google.re2j.Pattern
 
 /**
- * Explains why an agent leaves out a percept with this text, and says what to write instead; null if the text is a literal without
- * variables. Never throws. Percepts with sums, such as `at(2+1)`, count as unreadable here though an agent believes them.
+ * Explains why an agent leaves out a percept with this text, and how to correct it; null if the text is a literal without variables. Never
+ * throws. A percept with a sum, such as `at(2+1)`, counts as unreadable here, but an agent believes it.
  */
 fun whyUnreadable(percept: String): String? {
     val text = percept.trim()
@@ -30,11 +30,11 @@ fun whyUnreadable(percept: String): String? {
     }
 }
 
-/** Returns true if [percept] has a comment of AgentSpeak in it, outside of quotes. */
+/** Returns true if [percept] contains an AgentSpeak comment outside of quotes. */
 fun hasComment(percept: String): Boolean =
     ("//" in percept || "/*" in percept) && withoutQuoted(percept).let { "//" in it || "/*" in it }
 
-/** A pattern of RE2, since Java's own engine uses up the stack on a long text in quotes. */
+/** A pattern of RE2. Java's own engine overflows the stack on a long text in quotes. */
 private val QUOTED = Pattern.compile("\"(?:[^\"\\\\]|\\\\.)*\"|'[^']*'")
 
 private fun withoutQuoted(text: String): String = QUOTED.matcher(text).replaceAll("0")
@@ -49,5 +49,5 @@ private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 
 private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
 
-/** Returns the text with a name that is no variable's, or advice in words if that name does not make the text readable. */
+/** Returns the text under a name that is no variable's, or advice in words if that does not make the text readable. */
 private fun readableName(text: String): String = GroundTerm.inLowerCase(text) ?: "a name that begins with one of a to z"

@@ -6,13 +6,13 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 
 /**
- * Decides over percepts by a filter's rules.
+ * Decides over percepts by a filter's rules. Immutable; any thread may use it.
  *
- * Immutable; any thread may use it. Rules with a [rate][argo.filters.Rate] depend on time and on earlier percepts, which a [FilterSession]
- * records; a matcher treats each percept as the first of its kind, which no rate holds back.
+ * Rules with a [rate][argo.filters.Rate] depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats each
+ * percept as the first of its kind, which no rate holds back.
  */
 class PerceptMatcher internal constructor(
-    /** The filter from which the matcher was compiled. */
+    /** The filter of this matcher. */
     val filter: PerceptionFilter,
 ) {
     private val index = RuleIndex(filter.rules.map { CompiledRule(it) })
@@ -20,10 +20,10 @@ class PerceptMatcher internal constructor(
     private val drops = filter.mode == Mode.DROP
 
     /**
-     * Returns true if the filter drops the percept in [percept] from [start] to [end], as it came off the line: `dist(f,123)`.
+     * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
      *
-     * Text that is not a percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing
-     * if the percept has no namespace and all conditions are on arguments that are plain atoms or numbers.
+     * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
+     * a percept without a namespace if all conditions are on arguments that are plain atoms or numbers.
      */
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean =
@@ -32,7 +32,7 @@ class PerceptMatcher internal constructor(
                 (criticalIndex == null || !isMet(criticalIndex, false, percept, functor, functorEnd, end, tail, head))
         }
 
-    /** Returns true if the percept meets a rule of [index]; with [timeless], only rules without a rate count. */
+    /** Returns true if the percept meets a rule of [index]. If [timeless], only rules without a rate count. */
     private fun isMet(
         index: RuleIndex, timeless: Boolean, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?,
     ): Boolean {
@@ -43,10 +43,10 @@ class PerceptMatcher internal constructor(
         return false
     }
 
-    /** Returns the critical rules that the percept with the text [percept] meets, in the order of the filter. Never throws. */
+    /** Returns the critical rules that the text [percept] meets, in the order of the filter. Never throws. */
     fun criticalRules(percept: String): List<CriticalRule> = PerceptText.of(percept)?.let(::criticalRules).orEmpty()
 
-    /** Explains why the filter keeps or drops the percept with the text [percept]. */
+    /** Explains why the filter keeps or drops the text [percept]. */
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.of(this, it) } ?: Explanation.noPercept(percept, filter)
 

@@ -1,10 +1,10 @@
 package argo.filters.matching
 
 /**
- * Splits one Javino message into its percepts, in their order: the pieces between each `;` outside strings, quoted atoms and brackets,
- * trimmed, without empty ones.
+ * Splits one Javino message into its percepts, in their order. A `;` outside of strings, quoted atoms and brackets separates percepts.
+ * Percepts are trimmed, and empty ones left out.
  *
- * A percept whose brackets or quotes do not match ends at the next `;` of any kind, so that only this percept is lost, not those after it.
+ * A percept with unmatched brackets or quotes ends at its next `;` of any kind, so that the percepts behind it are not lost.
  */
 fun perceptsOf(message: String): List<String> {
     val percepts = ArrayList<String>()
@@ -17,13 +17,12 @@ fun perceptsOf(message: String): List<String> {
     return percepts
 }
 
-/** Splits [percept] at every `;`, also in strings and brackets: the second reading of a percept that Jason cannot read. */
+/** Splits [percept] at every `;`, even in strings and brackets: the second attempt for a percept that Jason cannot read. */
 fun piecesOf(percept: String): List<String> = percept.split(';').map { it.trim() }.filter { it.isNotEmpty() }
 
-/** Returns true if each bracket and each quote in [text] is closed. */
 internal fun isBalanced(text: String): Boolean = balancedEnd(text, 0) != null
 
-/** Returns the end of the percept that begins at [start], or null if its brackets or quotes do not match. */
+/** Returns the end of the percept that begins at [start]; null if its brackets or quotes do not match. */
 private fun balancedEnd(text: String, start: Int): Int? {
     val open = ArrayDeque<Char>()
     var i = start
@@ -41,9 +40,7 @@ private fun balancedEnd(text: String, start: Int): Int? {
 
 private val OPENING = mapOf(')' to '(', ']' to '[', '}' to '{')
 
-/**
- * Returns the index of the quote that closes the one at [opening], or null if there is none. Strings have escapes, quoted atoms have none.
- */
+/** Returns the index of the quote that closes the one at [opening]; null if there is none. Strings have escapes, quoted atoms have none. */
 private fun endOfQuoted(text: String, opening: Int): Int? {
     val quote = text[opening]
     var i = opening + 1

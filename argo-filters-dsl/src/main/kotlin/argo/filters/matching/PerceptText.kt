@@ -7,12 +7,10 @@ import argo.filters.Predicate
 import argo.filters.Syntax
 
 /**
- * The text of a percept, cut into the parts that rules look at.
+ * The text of a percept, divided into the parts that rules test.
  *
- * @param functor the place where the functor starts
- * @param functorEnd the character after the functor
  * @param tail arity and annotations, see [TermBounds.tail]
- * @param head the functor's namespace and negation; null: it has neither
+ * @param head the functor's namespace and negation; null: neither
  */
 internal class PerceptText private constructor(
     private val text: String,
@@ -30,21 +28,20 @@ internal class PerceptText private constructor(
 
     fun predicate(): Predicate = head?.predicate() ?: Predicate(text.substring(functor, functorEnd))
 
-    /** The rules of [index] that are for percepts of this name and arity, whatever their conditions. */
+    /** Returns the rules of [index] for percepts of this name and arity, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], one of the rules that are for it. */
+    /** Returns true if the percept meets the conditions of [rule], which is one of [rulesIn]. */
     fun meets(rule: CompiledRule): Boolean = rule.areMet(text, functorEnd, end, tail)
 
-    /** The first condition of [rule] that the percept does not meet. */
     fun failing(rule: CompiledRule): Condition = rule.failing(text, functorEnd, end, tail)
 
     /** Returns the number at argument [index]; null if the argument is missing or no number. */
     fun number(index: Int): Double? = if (index < arity) (GroundTerm.ofOrNull(part(index)) as? GroundTerm.Number)?.value else null
 
     /**
-     * Returns the percept without annotations, with [number] in place of each argument that is a number: rates tell kinds of percepts apart
-     * by this text.
+     * Returns the percept without annotations, with [number] in place of each numeric argument. Rates distinguish kinds of percepts by this
+     * text.
      */
     fun key(number: String): String = (0 until arity).joinToString(",", "${predicate()}(", ")") {
         when (val value = GroundTerm.ofOrNull(part(it))) {
@@ -54,17 +51,15 @@ internal class PerceptText private constructor(
         }
     }
 
-    /** The text of the argument at [index]; null if there is none. */
     fun argument(index: Int): String? = if (index < arity) part(index).trim() else null
 
     private fun part(index: Int): String =
         TermBounds.argument(text, functorEnd, end, index).let { text.substring(it, TermBounds.partEnd(text, it, end, ')')) }
 
-    /** The percept's text. */
     override fun toString(): String = text.trim()
 
     companion object {
-        /** Reads the percept in [text]; null if [text] is none. */
+        /** Reads the percept in [text]; null if [text] is no percept. */
         fun of(text: String): PerceptText? = scan(text, 0, text.length, null) { functor, functorEnd, tail, head ->
             PerceptText(text, functor, functorEnd, tail, head)
         }

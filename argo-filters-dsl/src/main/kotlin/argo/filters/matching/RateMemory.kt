@@ -4,28 +4,27 @@ import argo.filters.PerceptionFilter
 import argo.filters.PerceptionFilter.Mode
 import argo.filters.Rate
 
-/** A [percept] that was let through at [atMs]; [numbers] are its numeric arguments. */
+/** A [percept] that was let through at [atMs], with its numeric arguments. */
 internal class LetThrough<P>(val percept: P, val atMs: Long, val numbers: Map<Int, Double>) {
-    /** The time since which newer percepts have been held back; null: none has been. */
+    /** The time at which the first newer percept was held back; null: none has been. */
     var heldSinceMs: Long? = null
 }
 
-/** A percept is held back by [rule] until [dueMs], and [last] is perceived in its place. */
+/** The [rule] holds a percept back until [dueMs]; until then the agent perceives [last] in its place. */
 internal class Hold<P>(val rule: CompiledRule, val dueMs: Long, val last: LetThrough<P>)
 
 /**
- * The memory of a filter's rates: for each rule and each kind of percept, the percept that was let through last. Percepts that differ only
- * in numbers are of one kind.
+ * The memory of a filter's rates: the percept last let through, for each rule and each kind of percept. Percepts that differ only in
+ * numbers are of one kind.
  *
- * It is bounded: if a board sends percepts of more kinds than [CAPACITY], it forgets those that came longest ago, which are then let
- * through anew. It does not remember percepts longer than [MAX_LENGTH] characters, which are therefore never held back.
+ * The memory is bounded. Above [CAPACITY] kinds it forgets the kind that came longest ago, so the next percept of that kind is let through.
+ * Percepts longer than [MAX_LENGTH] characters are not remembered, and so never held back.
  */
 internal class RateMemory<P>(filter: PerceptionFilter?) {
     private data class Key(val rule: CompiledRule, val percept: String)
 
     private val mode = filter?.mode
 
-    /** True if no rule has a rate. */
     val isEmpty: Boolean = filter == null || filter.rules.none { it.rate != null }
 
     private val memory = object : LinkedHashMap<Key, LetThrough<P>>(INITIAL_CAPACITY, LOAD_FACTOR, true) {
@@ -33,7 +32,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
     }
 
     /**
-     * Returns how the rules that [percept] [met] hold it back at [nowMs], the decisive rule first; empty if the percept is let through or
+     * Returns the holds of the rules that [percept] [met] at [nowMs], the decisive one first; empty if the percept is let through or
      * dropped for good.
      */
     fun holds(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long): List<Hold<P>> {
@@ -46,7 +45,6 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         }
     }
 
-    /** Remembers that [percept], which [met] the rules, is let through at [nowMs]. */
     fun letThrough(met: List<CompiledRule>, text: PerceptText, percept: P, nowMs: Long) {
         for (rule in met) {
             if (rule.rate == null || isLong(text)) continue
@@ -64,7 +62,7 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         return if (nowMs < dueMs) Hold(rule, dueMs, last) else null
     }
 
-    /** Returns the time [ms] after [startMs], at most the last time that the clock can show. */
+    /** Returns the time [ms] after [startMs], limited to [Long.MAX_VALUE]. */
     private fun after(startMs: Long, ms: Long) = if (startMs > Long.MAX_VALUE - ms) Long.MAX_VALUE else startMs + ms
 
     private fun isLong(text: PerceptText) = text.length > MAX_LENGTH
@@ -74,14 +72,14 @@ internal class RateMemory<P>(filter: PerceptionFilter?) {
         arguments.any { hasMoved(last.numbers[it], text.number(it), deadband.width) }
     }
 
-    /** Returns true if a number has moved; an argument that is no number counts as one that has. */
+    /** Returns true if a number has moved. An argument that is no number counts as moved. */
     private fun hasMoved(last: Double?, now: Double?, width: Double) = last == null || now == null || Math.abs(now - last) >= width
 
     private fun numbers(text: PerceptText): Map<Int, Double> =
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** Stands for any number in a key. No term is written like this. */
+        /** Replaces every number in a key. No term has this text. */
         const val ANY_NUMBER = "#"
 
         private const val CAPACITY = 4_096

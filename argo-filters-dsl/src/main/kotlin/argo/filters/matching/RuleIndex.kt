@@ -2,7 +2,7 @@ package argo.filters.matching
 
 import argo.filters.Syntax
 
-/** Finds rules by the functor of a percept, in its text and without allocating: a hash table with open addressing. */
+/** Finds rules by the functor in a percept's text, without allocation: a hash table with open addressing. */
 internal class RuleIndex(rules: List<CompiledRule>) {
     private val functors: Array<String?>
     private val rulesOf: Array<Array<CompiledRule>>
@@ -24,7 +24,7 @@ internal class RuleIndex(rules: List<CompiledRule>) {
         }
     }
 
-    /** Returns the rules on the functor in [text] from [start] to [end], in the order of the filter. */
+    /** Returns the rules for the functor in [text] from [start] to [end], in the order of the filter. */
     fun find(text: CharSequence, start: Int, end: Int): Array<CompiledRule> {
         var hash = 0
         for (i in start until end) hash = 31 * hash + text[i].code

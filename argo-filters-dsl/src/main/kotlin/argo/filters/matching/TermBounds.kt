@@ -3,9 +3,8 @@ package argo.filters.matching
 import argo.filters.Syntax
 
 /**
- * Finds where the terms of a percept begin and end in its text. No function here builds a term, allocates or throws, whatever the text.
- *
- * Quotes, brackets and comments are respected. Text nested deeper than [MAX_DEPTH] is no percept.
+ * Finds the bounds of terms in a percept's text, with respect to quotes, brackets and comments. Text nested deeper than [MAX_DEPTH] is no
+ * percept. No function here builds a term, allocates or throws, whatever the text.
  */
 internal object TermBounds {
     const val NONE = -1
@@ -14,9 +13,7 @@ internal object TermBounds {
     const val NO_TAIL = -1L
     private const val MAX_DEPTH = 256
 
-    /**
-     * Returns the end of the functor at [start] if that is a word, is not reserved, and has arguments or nothing behind it; else [NONE].
-     */
+    /** Returns the end of the functor at [start] if it is an unreserved word with arguments or nothing behind it; [NONE] otherwise. */
     fun plainFunctorEnd(text: CharSequence, start: Int, end: Int): Int {
         if (start >= end || text[start] !in 'a'..'z') return NONE
         val wordEnd = Syntax.wordEnd(text, start, end)
@@ -24,7 +21,7 @@ internal object TermBounds {
         return if (isPlain) wordEnd else NONE
     }
 
-    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. A truth value may have nothing behind it. */
+    /** Returns [tail] for the functor from [start] to [functorEnd], which may be [NONE]. Nothing may stand behind a truth value. */
     fun tailOf(text: CharSequence, start: Int, functorEnd: Int, end: Int): Long {
         if (functorEnd < 0) return NO_TAIL
         val tail = tail(text, functorEnd, end)
@@ -32,8 +29,8 @@ internal object TermBounds {
     }
 
     /**
-     * Returns the arity and the start of the annotations behind a functor that ends at [functorEnd], packed for [arity] and [annotations],
-     * or [NO_TAIL] if the text up to [end] is no percept.
+     * Returns the arity and the start of the annotations behind a functor that ends at [functorEnd]. [arity] and [annotations] unpack the
+     * result. Returns [NO_TAIL] if the text up to [end] is no percept.
      */
     fun tail(text: CharSequence, functorEnd: Int, end: Int): Long {
         var arity = 0
@@ -56,14 +53,14 @@ internal object TermBounds {
     /** Returns the index of the bracket that opens the annotations; the end of the text if there are none. */
     fun annotations(tail: Long): Int = tail.toInt()
 
-    /** Returns the start, after blanks, of the argument at [index], which must exist, behind a functor that ends at [functorEnd]. */
+    /** Returns the start of the argument at [index] behind a functor that ends at [functorEnd], without blanks. The argument must exist. */
     fun argument(text: CharSequence, functorEnd: Int, end: Int, index: Int): Int {
         var start = Syntax.skipBlanks(text, Syntax.skipBlanks(text, functorEnd, end) + 1, end)
         repeat(index) { start = Syntax.skipBlanks(text, partEnd(text, start, end, ')') + 1, end) }
         return start
     }
 
-    /** Returns the index of the comma or [close] that ends the part at [start], or [NONE] if there is none or the part is empty. */
+    /** Returns the index of the comma or [close] that ends the part at [start]; [NONE] if there is none or the part is empty. */
     fun partEnd(text: CharSequence, start: Int, end: Int, close: Char): Int {
         var i = start
         while (i in 0 until end) {
@@ -84,7 +81,7 @@ internal object TermBounds {
         return Syntax.skipBlanks(text, i + 1, end)
     }
 
-    /** Returns the position after the character, string, comment or bracketed group at [i], or [NONE]. */
+    /** Returns the position behind the character, string, comment or bracketed group at [i], or [NONE]. */
     private fun next(text: CharSequence, i: Int, end: Int, depth: Int): Int = when (text[i]) {
         '(' -> groupEnd(text, i + 1, end, ')', depth + 1)
         '[' -> groupEnd(text, i + 1, end, ']', depth + 1)

@@ -1,17 +1,17 @@
 package argo.lsp.agents
 
-/** The documentation of ARGO's internal actions and of their errors: the pages of the documentation, which this module holds. */
+/** The documentation of ARGO's internal actions and errors, from the pages of docs/ that this module contains. */
 internal object ActionManual {
-    /** The pages of actions in Markdown, by their names, as `argo.act`. */
+    /** The pages of actions in Markdown, by names such as `argo.act`. */
     val actions: Map<String, String> = page("internal-actions.md").split(Regex("(?m)^## ")).drop(1)
         .associate { section -> section.lineSequence().first() to withoutLinks(section.substringAfter('\n').trim()) }
 
-    /** The options of actions, by the action's name without dots: each with its meaning, or as it is written. */
+    /** The options of actions, by the action's name without dots. Each option has its meaning, or its form if the page gives no meaning. */
     val options: Map<String, Map<String, String>> = actions.mapKeys { it.key.removePrefix("argo.") }
         .mapValues { (_, text) -> optionsIn(text) }
         .let { it + ("ports" to it.getValue("port")) }
 
-    /** The causes of errors, by their atoms; of an atom that has several, all of them. */
+    /** All causes of each error, by the error's atom. */
     val errors: Map<String, String> = page("errors.md").lines().mapNotNull(ROW::matchEntire)
         .groupBy({ it.groupValues[1] }) { "${it.groupValues[2]}: ${it.groupValues[3]}" }
         .mapValues { (_, causes) -> withoutLinks(causes.joinToString("\n\n")) }
@@ -26,13 +26,13 @@ internal object ActionManual {
             .mapValues { (_, meanings) -> meanings.distinct().joinToString("\n\n") }
     }
 
-    /** Links lead to pages beside the page, and nowhere in an editor. */
+    /** Removes links, which lead nowhere in an editor. */
     private fun withoutLinks(text: String) = text.replace(LINK, "$1")
 }
 
 private val ROW = Regex("""\| `([a-z_]+)` \| (.+?) \| (.+) \|""")
 private val LINK = Regex("""\[([^\]]+)]\([^)]+\)""")
 
-/** The words "list of" and what they announce: up to a semicolon, or the items below. */
+/** The words "list of" and the list: up to a semicolon, or the items below. */
 private val LIST = Regex("""\blist\s+of\s((?:\s*`[a-z]+(?:\([^`]*\))?`(?:,|\s+or)?)+|(?:- (?:.+\n?)+))""")
 private val OPTION = Regex("""`(([a-z]+)(?:\([^`]*\))?)`(?:: ((?:.+\n?)(?: .+\n?)*))?""")

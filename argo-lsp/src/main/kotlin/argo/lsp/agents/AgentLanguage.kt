@@ -13,7 +13,6 @@ import org.eclipse.lsp4j.Location
 import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextEdit
 
-/** The programs of agents. */
 internal class AgentLanguage(
     private val find: (Text) -> List<Diagnostic>,
     private val projectOf: (Text) -> Project,

@@ -2,5 +2,5 @@ package argo.lsp.agents
 
 import argo.check.syntax.Span
 
-/** Blanks that stand in the place of others. */
+/** The blanks [text] in place of the blanks at [span]. */
 internal class Blanks(val span: Span, val text: String)

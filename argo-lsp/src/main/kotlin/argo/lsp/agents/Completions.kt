@@ -17,7 +17,7 @@ import org.eclipse.lsp4j.MarkupKind
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.jsonrpc.messages.Either
 
-/** The words that may stand at a cursor in the program of an agent. */
+/** The words that may stand at a cursor in an agent's program. */
 internal class Completions(private val project: Project, private val source: Source, offset: Int, private val words: Words) {
     private val typing = Typing(source.program, offset)
     private val call = typing.calls.firstOrNull()
@@ -38,7 +38,7 @@ internal class Completions(private val project: Project, private val source: Sou
         }.distinctBy { it.label }
     }
 
-    /** The words for the argument of an action, or of `error(…)`; null: any may stand there. */
+    /** The words for the argument of an action, or of `error(…)`; null: any word may stand there. */
     private fun inCall(): List<CompletionItem>? = when {
         call == null -> null
         call.name == "error" && call.argument == 0 ->
@@ -71,7 +71,7 @@ internal class Completions(private val project: Project, private val source: Sou
             item(symbol.functor, kind, "", arguments = place.literal.arguments.size, insert = call(place))
         }
 
-    /** The call of a symbol with the arguments of one place, to be replaced. */
+    /** Returns a call of a symbol. The arguments of one of its [places][place] are placeholders in it. */
     private fun call(place: Occurrence): String {
         val arguments = place.literal.arguments.mapIndexed { at, argument -> "\${${at + 1}:${snippetText(textOf(argument.span, place))}}" }
         return place.symbol.functor + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
@@ -111,7 +111,7 @@ internal class Completions(private val project: Project, private val source: Sou
             return kind.functor() + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")
         }
 
-        /** A variable named after its unit, as `Cm`. */
+        /** Returns a variable with the name of its unit, such as `Cm`. */
         fun variableOf(unit: String) = unit.filter(Char::isLetter).replaceFirstChar(Char::uppercase).ifEmpty { "Value" }
     }
 }

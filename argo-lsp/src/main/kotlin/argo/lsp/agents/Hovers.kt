@@ -11,7 +11,7 @@ import org.eclipse.lsp4j.MarkupContent
 import org.eclipse.lsp4j.MarkupKind
 import kotlin.io.path.name
 
-/** What an editor shows of the word under the cursor. [lastValues] returns the newest percepts of a running agent that match a functor. */
+/** The explanation of the word under the cursor. [lastValues] returns a running agent's newest percepts with a functor and arity. */
 internal class Hovers(
     private val project: Project,
     private val source: Source,
@@ -64,7 +64,6 @@ internal class Hovers(
             "${occurrence.symbol.subject.word}: ${counted(definitions.size, what)}, ${counted(uses, "use")} in this agent"
     }
 
-    /** The comment in the lines directly above the component of a definition. */
     private fun commentAbove(source: Source, definition: Occurrence): String? {
         if (definition !in source.occurrences) return null
         val begin = source.program.components.find { it.span.touches(definition.literal.span.start) }?.span?.start ?: return null

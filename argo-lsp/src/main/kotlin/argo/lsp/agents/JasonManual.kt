@@ -9,17 +9,16 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 
 /**
- * The documentation of Jason's internal actions: their names, and what their classes say, if there is a Jason.
- *
- * @param classPath one with Jason; null: there is none
+ * The names and documentation of Jason's internal actions. The documentation comes from Jason's classes. [classPath] is a class path with
+ * Jason; null: there is no documentation.
  */
 internal class JasonManual(classPath: String?) {
     private val loader = classPath?.let { URLClassLoader(urlsOf(it), ClassLoader.getPlatformClassLoader()) }
 
-    /** The pages of actions in Markdown, by their names, as `.print`. */
+    /** The pages of actions in Markdown, by names such as `.print`. */
     val actions: Map<String, String> = INTERNAL_ACTION_NAMES.filter { it.startsWith(".") }.associateWith { page(it).orEmpty() }
 
-    /** Returns what the class of the action says in its annotation; classes of other versions may have none. */
+    /** Returns the annotation of the action's class as a page. Classes of other versions may have no annotation. */
     private fun page(action: String): String? {
         val type = try {
             loader?.loadClass("jason.stdlib$action")

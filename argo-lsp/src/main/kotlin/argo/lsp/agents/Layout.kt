@@ -11,9 +11,8 @@ import argo.check.syntax.Unread
 import argo.check.syntax.programOf
 
 /**
- * Returns the blanks of [program] that the layout changes: blanks at the ends of lines, the indentation, and blanks beside brackets, commas
- * and operators. Lines stay lines, and more blanks than one are taken for an alignment, which stays. Components with an error stay as they
- * are.
+ * Returns the blanks of [program] that the layout changes: at the ends of lines, in front of lines, and beside brackets, commas and
+ * operators. Lines stay lines. Several blanks stay too, since they may align a column. Components with an error stay as they are.
  */
 internal fun layoutOf(program: Program): List<Blanks> {
     val changes = Layout(program).changes()
@@ -26,16 +25,16 @@ private class Layout(private val program: Program) {
     private val text = program.text
     private val tokens = program.tokens
 
-    /** The depths of nesting of the components, by the offsets of their beginnings. */
+    /** The nesting depth of each component, by the offset of its beginning. */
     private val beginnings = HashMap<Int, Int>()
     private val unreadable = ArrayList<Span>()
 
-    /** The lines of the brackets that are open, counted from 0 through the program. */
+    /** The line of each open bracket, counted from 0 through the program. */
     private val open = ArrayList<Int>()
     private var line = 0
     private var nesting = 0
 
-    /** True behind a `<-` that begins a line: the statements stand below each other. */
+    /** True behind a `<-` that begins a line. The statements then stand below each other. */
     private var isBelowArrow = false
 
     init {
@@ -67,7 +66,7 @@ private class Layout(private val program: Program) {
         return changes.filter { text.substring(it.span.start, it.span.end) != it.text }
     }
 
-    /** The lines between two tokens, without blanks at their ends, and the indentation of the [second][at]. */
+    /** Returns the line breaks between two tokens, without blanks before them, and the indentation of the [second][at] token. */
     private fun lineBreak(written: String, at: Int): String {
         val breaks = BREAK.findAll(written).joinToString("") { it.value }
         val token = tokens[at]

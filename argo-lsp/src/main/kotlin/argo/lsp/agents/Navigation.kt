@@ -16,11 +16,11 @@ import java.nio.file.Path
 import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 
-/** Leads from a place in an agent's program to others. */
+/** Finds the definitions and uses of the word at a place in an agent's program. */
 internal class Navigation(private val project: Project, private val source: Source, private val words: Words) {
     private val family = project.family(source)
 
-    /** Returns the places that give a meaning to the word at [offset]. */
+    /** Returns the places that define the word at [offset]. */
     fun definitions(offset: Int): List<Location> {
         val literals = source.program.nodesAt(offset).filterIsInstance<Literal>()
         val literal = literals.lastOrNull { it.name.span.touches(offset) } ?: return file(offset)
@@ -33,7 +33,7 @@ internal class Navigation(private val project: Project, private val source: Sour
         return occurrenceAt(offset)?.let(::definitionsOf).orEmpty()
     }
 
-    /** Returns all places of the belief or goal at [offset], with its definitions if [withDefinitions]. */
+    /** Returns all places of the belief or goal at [offset]; includes its definitions if [withDefinitions]. */
     fun references(offset: Int, withDefinitions: Boolean): List<Location> {
         val symbol = occurrenceAt(offset)?.symbol ?: return emptyList()
         return places { it.symbol == symbol && (withDefinitions || !it.isDefinition) }
@@ -54,7 +54,7 @@ internal class Navigation(private val project: Project, private val source: Sour
         each.occurrences.filter(isMeant).map { location(each.text, it.literal.span) }
     }
 
-    /** The filter of a name, or the file of an include, in quotes. */
+    /** Returns the file of the filter or include at [offset]. */
     private fun file(offset: Int): List<Location> {
         val nodes = source.program.nodesAt(offset)
         val name = nodes.filterIsInstance<StringTerm>().lastOrNull()?.text ?: return emptyList()

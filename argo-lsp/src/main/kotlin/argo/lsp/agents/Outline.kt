@@ -13,7 +13,7 @@ import argo.lsp.text.Text
 import org.eclipse.lsp4j.DocumentSymbol
 import org.eclipse.lsp4j.SymbolKind
 
-/** Returns the beliefs, goals, plans and directives of [program], the program in [text]. */
+/** Returns the beliefs, goals, plans and directives of [program], which is the program in [text]. */
 internal fun outlineOf(program: Program, text: Text): List<DocumentSymbol> = program.components.mapNotNull { outline(it, text) }
 
 private fun outline(component: Component, text: Text): DocumentSymbol? = when (component) {
@@ -32,7 +32,7 @@ private fun plan(plan: Plan, text: Text): DocumentSymbol? {
         ?.apply { detail = plan.context?.let { text.content.substring(it.span.start, it.span.end) } }
 }
 
-/** Returns null where [shown] is empty, in an unfinished program; the protocol has no symbols without a name. */
+/** Returns null if [shown] is empty, as in an unfinished program. The protocol requires a name. */
 private fun symbol(
     text: Text,
     component: Component,

@@ -8,12 +8,12 @@ import argo.lsp.project.Source
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.WorkspaceEdit
 
-/** Renames beliefs and goals in all programs that are one with [source]. */
+/** Renames beliefs and goals in all programs that belong to the same agents as [source]. */
 internal class Renaming(private val project: Project, private val source: Source) {
     /**
      * Returns the belief or goal at [offset]; null: there is none.
      *
-     * @throws RefusedException if another place than the agent's programs gives it its name
+     * @throws RefusedException if the name also comes from outside of the agent's programs
      */
     fun renamedAt(offset: Int): Occurrence? {
         val occurrence = source.occurrences.find { it.name.touches(offset) } ?: return null
@@ -30,7 +30,6 @@ internal class Renaming(private val project: Project, private val source: Source
         return occurrence
     }
 
-    /** Renames [occurrence] to [name]. */
     fun rename(occurrence: Occurrence, name: String): Renamed {
         if (!ATOM.matches(name)) {
             val kind = occurrence.symbol.subject.word
@@ -43,7 +42,7 @@ internal class Renaming(private val project: Project, private val source: Source
         return Renamed(WorkspaceEdit(edits), "messages of other agents still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
     }
 
-    /** Returns the messages in other agents' programs that name what [occurrence] does, and that a renaming leaves as they are. */
+    /** Returns the messages in other agents' programs that contain the name of [occurrence]. A renaming does not change them. */
     private fun leftBehind(occurrence: Occurrence): List<String> {
         val family = project.family(source)
         return project.sources.filter { it !in family }.flatMap { each ->

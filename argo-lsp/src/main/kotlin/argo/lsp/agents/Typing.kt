@@ -5,41 +5,38 @@ import argo.check.syntax.Span
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** A call that is open around a place, with the place's argument, counted from 0. */
+/** An open call around a place. [argument] is the argument at that place, counted from 0. */
 internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
 
-/** The parts of a program in which different words are expected. */
+/** The parts of a program. In each, other words are expected. */
 internal enum class Region {
-    /** No component has begun. */
+    /** Between components. */
     TOP,
 
-    /** A trigger. */
     HEAD,
 
-    /** A context, or the condition of a rule. */
     CONTEXT,
 
-    /** A body. */
     BODY,
 }
 
-/** The place of a cursor in [program], which may be unfinished there. */
+/** The place of a cursor in [program], which may be incomplete there. */
 internal class Typing(private val program: Program, private val offset: Int) {
     private val touched = program.tokens.lastOrNull { it.span.start < offset && it.span.end >= offset }
 
-    /** True in a comment or a string. */
+    /** True if the cursor is in a comment or a string. */
     val isAside: Boolean = touched?.let { it.kind == TokenKind.COMMENT || it.kind == TokenKind.STRING } == true
 
-    /** The word at the cursor, from its first dot on, up to the cursor; empty: there is none. */
+    /** The word up to the cursor with the dots in it, such as `argo.ac`; empty: there is none. */
     val word: Span = Span(beginningOfWord(), offset)
 
     val text: String get() = program.text.substring(word.start, word.end)
 
-    /** The tokens of the component in front of the word. */
+    /** The tokens before the word in its component. */
     private val before: List<Token> = program.tokens.filter { it.span.end <= word.start && it.kind != TokenKind.COMMENT }
         .let { tokens -> tokens.subList(tokens.indexOfLast { it.isSymbol(".") } + 1, tokens.size) }
 
-    /** The symbols directly in front of the word, such as `+!`; a blank behind them does not matter. */
+    /** The symbols directly before the word, such as `+!`, with or without a blank behind them. */
     val prefix: String = before.takeLastWhile { it.kind == TokenKind.SYMBOL && it.text in PREFIXES }.joinToString("") { it.text }
 
     val region: Region = when {
@@ -56,7 +53,7 @@ internal class Typing(private val program: Program, private val offset: Int) {
         val text = program.text
         var begin = offset
         while (begin > 0 && (text[begin - 1].isLetterOrDigit() || text[begin - 1] in "_.")) begin--
-        // the full stop of the line before, or the dot of an action: that has no word in front of it, or one that is no number
+        // a number is no word
         return if (text.substring(begin, offset).firstOrNull()?.isDigit() == true) offset else begin
     }
 

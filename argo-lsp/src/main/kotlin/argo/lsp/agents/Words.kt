@@ -1,12 +1,11 @@
 package argo.lsp.agents
 
 /**
- * The words that Jason and ARGO give meanings to, with the meanings in Markdown.
+ * The words with a meaning to Jason and ARGO; the meanings are in Markdown.
  *
- * @property actions the internal actions
  * @property errors the errors that a plan may match
  * @property options the options of internal actions, by the action's name without dots
- * @property hasSnippets whether the editor replaces `${1:X}` in what it inserts
+ * @property hasSnippets whether the editor treats `${1:X}` in inserted text as a placeholder
  */
 internal class Words(
     val actions: Map<String, String>,
@@ -14,7 +13,7 @@ internal class Words(
     val options: Map<String, Map<String, String>>,
     val hasSnippets: Boolean,
 ) {
-    /** Returns the name of ARGO's action that a program calls [called]; null: it is none of ARGO's. */
+    /** Returns the name of the ARGO action that a program calls as [called]; null: [called] is no action of ARGO. */
     fun actionIn(called: String): String? = called.removePrefix(".").removePrefix("argo.")
         .takeIf { (called.startsWith(".") || called.startsWith("argo.")) && "argo.$it" in actions }
 }

@@ -11,7 +11,7 @@ import argo.lsp.text.Text
 import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.DiagnosticSeverity
 
-/** Returns what [read] refuses in [text], or the parts of the filter that have no effect. */
+/** Returns the reasons for which [read] refuses [text], or the parts of the filter that have no effect. */
 internal fun problemsOf(text: Text, read: (String, String) -> PerceptionFilter): List<Diagnostic> = try {
     val firstLine = Span(0, text.content.substringBefore('\n').length)
     read(text.content, text.uri).warnings().map { diagnostic(text, firstLine, it, DiagnosticSeverity.Warning) }
@@ -22,7 +22,7 @@ internal fun problemsOf(text: Text, read: (String, String) -> PerceptionFilter):
 private fun diagnostic(text: Text, span: Span, message: String, severity: DiagnosticSeverity) =
     Diagnostic(text.range(span), message, severity, "argo")
 
-/** A problem has only the place where it begins: it is shown up to the end of the word or the tag there. */
+/** Returns the span from a problem's place, which is one character, to the end of the word or tag there. */
 private fun spanOf(problem: Problem, content: String): Span {
     val begin = Lines(content).offset(Position(problem.line, problem.column))
     val end = (begin + 1..content.length).find { it == content.length || content[it] in ENDS } ?: begin

@@ -10,11 +10,7 @@ import org.eclipse.lsp4j.MarkupKind
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.jsonrpc.messages.Either
 
-/**
- * The words of a project's boards that filters use.
- *
- * @property percepts the functors of percepts, with their meanings in Markdown
- */
+/** The words of a project's boards for filters: functors of [percepts], with their meanings in Markdown, and names of [actions]. */
 internal class FilterWords(val percepts: Map<String, String>, val actions: List<String>)
 
 internal fun completion(word: String, kind: CompletionItemKind, meaning: String, text: Text, span: Span) = CompletionItem(word).apply {
@@ -25,6 +21,6 @@ internal fun completion(word: String, kind: CompletionItemKind, meaning: String,
 
 internal fun hoverOf(named: Named) = Hover(MarkupContent(MarkupKind.MARKDOWN, "`${named.name}`\n\n${named.documentation}"))
 
-/** Returns the end of the word around or in front of [offset]. */
+/** Returns the end of the word that contains [offset] or ends there. */
 internal fun endOfWord(content: String, offset: Int): Int =
     (offset until content.length).find { !content[it].isLetterOrDigit() && content[it] !in "_-" } ?: content.length

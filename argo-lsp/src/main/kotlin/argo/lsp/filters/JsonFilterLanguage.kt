@@ -9,7 +9,7 @@ import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
-/** Filters in JSON. Other JSON has none of this. */
+/** Filters in JSON. Gives no help in other JSON files. */
 internal class JsonFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> =
         if (isFilter(text)) problemsOf(text, JsonFilters::read) else emptyList()

@@ -3,23 +3,22 @@ package argo.lsp.filters
 import com.google.gson.JsonObject
 import com.google.gson.JsonParser
 
-/** The schema of filters in JSON. */
 internal object JsonFilterSchema {
     private val schema: JsonObject =
         checkNotNull(javaClass.getResourceAsStream("/argo/filters/format/filter.schema.json")) { "there is no filter.schema.json" }
             .use { JsonParser.parseReader(it.reader()).asJsonObject }
 
-    /** Returns the members that an object at [path] may have. */
+    /** Returns the members that the object at [path] may have. */
     fun members(path: List<String>): List<Named> =
         at(path)?.getAsJsonObject("properties")?.entrySet().orEmpty().map { (name, kind) -> named(name, kind.asJsonObject) }
 
-    /** Returns the member at [path]; null if there is no such member. */
+    /** Returns the member at [path]; null: there is none. */
     fun member(path: List<String>): Named? {
         val name = path.lastOrNull()?.takeIf { it != JsonPlace.ITEM } ?: return null
         return at(path.dropLast(1))?.getAsJsonObject("properties")?.getAsJsonObject(name)?.let { named(name, it) }
     }
 
-    /** Returns the values that may stand at [path], as JSON; none if there are too many to list. */
+    /** Returns the values that may stand at [path], as JSON; empty if there are too many to list. */
     fun values(path: List<String>): List<String> {
         val kind = at(path) ?: return emptyList()
         val listed = kind.getAsJsonArray("enum") ?: kind.getAsJsonArray("anyOf")?.first()?.asJsonObject?.getAsJsonArray("enum")

@@ -1,26 +1,24 @@
 package argo.lsp.filters
 
 /**
- * A place in a JSON document that may be unfinished.
+ * A place in a JSON document, which may be incomplete there.
  *
  * @property path the members around the place, the outermost first; `[]` for an item of an array
- * @property isName whether the name of a member stands there, or may; else it is a value
+ * @property isName true if the place is for the name of a member, false if it is for a value
  * @property isQuoted whether the place is between quotes
- * @property begin the offset of the beginning of the word there, behind its quote
+ * @property begin the offset of the first character of the word there, behind its quote
  */
 internal data class JsonPlace(val path: List<String>, val isName: Boolean, val isQuoted: Boolean, val begin: Int) {
     companion object {
-        /** The step of a path into an item of an array. */
+        /** The step into an item of an array. */
         const val ITEM = "[]"
 
-        /** Returns the place at [offset] of [document]. */
         fun at(document: String, offset: Int): JsonPlace = JsonScan(document, offset).place()
     }
 }
 
-/** Reads a document from its beginning to a place. */
 private class JsonScan(private val document: String, private val end: Int) {
-    /** An object or an array that is open; [name] is that of the member whose value is read or comes next. */
+    /** An open object or array. [name] is the member whose value is being read or comes next. */
     private class Level(val isObject: Boolean) {
         var name: String? = null
         var isInValue = false

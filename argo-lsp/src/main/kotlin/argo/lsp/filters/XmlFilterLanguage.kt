@@ -9,7 +9,7 @@ import org.eclipse.lsp4j.CompletionItemKind
 import org.eclipse.lsp4j.Diagnostic
 import org.eclipse.lsp4j.Hover
 
-/** Filters in XML. Other XML has none of this. */
+/** Filters in XML. Gives no help in other XML files. */
 internal class XmlFilterLanguage(private val isFilter: (Text) -> Boolean, private val words: (Text) -> FilterWords) : Language {
     override fun diagnostics(text: Text): List<Diagnostic> = if (isFilter(text)) problemsOf(text, XmlFilters::read) else emptyList()
 

@@ -4,25 +4,24 @@ import org.w3c.dom.Element
 import org.w3c.dom.Node
 import javax.xml.parsers.DocumentBuilderFactory
 
-/** An attribute, with the values that it may have; none if there are too many to list. */
+/** An attribute and its possible values; [values] is empty if there are too many to list. */
 internal class XmlAttributeKind(val named: Named, val values: List<String>)
 
-/** An element, with what it may have. */
+/** An element with its possible attributes and elements. */
 internal class XmlElementKind(val named: Named, val attributes: List<XmlAttributeKind>, elements: () -> List<XmlElementKind>) {
     val elements: List<XmlElementKind> by lazy(elements)
 }
 
-/** The schema of filters in XML. */
 internal object XmlFilterSchema {
     private val schema: Element = checkNotNull(javaClass.getResourceAsStream("/argo/filters/format/filter.xsd")) { "filter.xsd is missing" }
         .use { DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(it).documentElement }
     private val root = schema.children("element").map(::element)
 
-    /** Returns the elements that may stand in the innermost of [open]; none if one of these has no place in the other. */
+    /** Returns the elements that may stand in the innermost of [open]; empty if an element of [open] may not stand in its predecessor. */
     fun elementsIn(open: List<String>): List<XmlElementKind> =
         open.fold(root) { known, name -> known.find { it.named.name == name }?.elements.orEmpty() }
 
-    /** Returns the element [name] in the innermost of [open]. */
+    /** Returns the element [name] if it may stand in the innermost of [open]; null: it may not. */
     fun element(open: List<String>, name: String): XmlElementKind? = elementsIn(open).find { it.named.name == name }
 
     private fun element(node: Element): XmlElementKind {
@@ -48,7 +47,9 @@ internal object XmlFilterSchema {
         }
     }
 
-    /** The values of a simple type; of a union those of its first part, the others being spellings of these. */
+    /**
+     * Returns the values of a simple type. For a union these are the values of its first part; the other parts only spell them differently.
+     */
     private fun values(type: String): List<String> {
         val simple = global("simpleType", type) ?: return emptyList()
         val union = simple.children("union").firstOrNull()

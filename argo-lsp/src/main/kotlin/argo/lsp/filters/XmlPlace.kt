@@ -1,38 +1,33 @@
 package argo.lsp.filters
 
 /**
- * A place in an XML document that may be unfinished.
+ * A place in an XML document, which may be incomplete there.
  *
- * @property open the names of the elements around the place, the root first; of a place in a tag without that tag's own
- * @property part what stands there
- * @property begin the offset of the beginning of the word there
+ * @property open the names of the elements around the place, the root first; a tag at the place does not count
+ * @property begin the offset of the first character of the word there
  */
 internal data class XmlPlace(val open: List<String>, val part: Part, val begin: Int) {
-    /** What stands at a place. */
+    /** The kind of text at a place. */
     sealed interface Part {
         /** Text between tags. */
         data object Content : Part
 
-        /** The name of a tag; [isEnd] if it is an end tag. */
+        /** The name of a tag; of an end tag if [isEnd]. */
         data class Name(val isEnd: Boolean) : Part
 
-        /** The name of an attribute of [element]. */
         data class Attribute(val element: String) : Part
 
-        /** The value of [attribute] of [element]. */
         data class Value(val element: String, val attribute: String) : Part
 
-        /** A comment, a processing instruction, or a blank of a tag where nothing may be written. */
+        /** A comment, a processing instruction, or a blank in a tag where no word may stand. */
         data object Nothing : Part
     }
 
     companion object {
-        /** Returns the place at [offset] of [document]. */
         fun at(document: String, offset: Int): XmlPlace = XmlScan(document, offset).place()
     }
 }
 
-/** Reads a document from its beginning to a place. */
 private class XmlScan(private val document: String, private val end: Int) {
     private val open = ArrayList<String>()
     private var at = 0
@@ -56,7 +51,7 @@ private class XmlScan(private val document: String, private val end: Int) {
         return true
     }
 
-    /** Reads a tag; returns the place if it is within. */
+    /** Reads a tag; returns the place if the tag contains it. */
     private fun tag(): XmlPlace? {
         at++
         val isEnd = document.getOrNull(at) == '/'
@@ -70,7 +65,7 @@ private class XmlScan(private val document: String, private val end: Int) {
         return null
     }
 
-    /** Leaves the element [name], and all that were opened in it and not closed. */
+    /** Closes the element [name] and the open elements in it. */
     private fun close(name: String) {
         val found = open.lastIndexOf(name)
         if (found >= 0) open.subList(found, open.size).clear()

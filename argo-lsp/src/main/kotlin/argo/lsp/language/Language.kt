@@ -10,46 +10,44 @@ import org.eclipse.lsp4j.Range
 import org.eclipse.lsp4j.TextEdit
 import org.eclipse.lsp4j.WorkspaceEdit
 
-/** What the server can tell of one kind of file. Only the server's worker thread calls it. */
+/** The server's help for one kind of file. Only the server's worker thread calls it. */
 internal interface Language {
-    /** Returns what is wrong with [text]. */
     fun diagnostics(text: Text): List<Diagnostic>
 
-    /** Returns what may be written at [offset] of [text]. */
+    /** Returns the words that may be inserted at [offset] of [text]. */
     fun completions(text: Text, offset: Int): List<CompletionItem> = emptyList()
 
-    /** Returns the documentation of what stands at [offset] of [text]; null: there is none. */
+    /** Returns the documentation of the word at [offset] of [text]; null: there is none. */
     fun hover(text: Text, offset: Int): Hover? = null
 
-    /** Returns the places that give a meaning to what stands at [offset] of [text]. */
+    /** Returns the places that define the word at [offset] of [text]. */
     fun definitions(text: Text, offset: Int): List<Location> = emptyList()
 
-    /** Returns all places of what stands at [offset] of [text], with its definitions if [withDefinitions]. */
+    /** Returns all places of the name at [offset] of [text]; includes its definitions if [withDefinitions]. */
     fun references(text: Text, offset: Int, withDefinitions: Boolean): List<Location> = emptyList()
 
     /**
-     * Returns the name at [offset] of [text] that can be changed; null: there is none.
+     * Returns the place of the name at [offset] of [text] if it can be changed; null: there is no name.
      *
-     * @throws RefusedException with the reason, if there is a name that cannot
+     * @throws RefusedException with the reason, if the name cannot be changed
      */
     fun renamed(text: Text, offset: Int): Range? = null
 
     /**
-     * Returns the changes that give [name] to what stands at [offset] of [text], and a note to the person; null: it has no name.
+     * Returns the changes that rename the word at [offset] of [text] to [name], with a note to the user. Null: the word is no name.
      *
-     * @throws RefusedException with the reason, if that cannot be
+     * @throws RefusedException with the reason, if the name cannot be changed
      */
     fun rename(text: Text, offset: Int, name: String): Renamed? = null
 
-    /** Returns the parts of [text]. */
     fun symbols(text: Text): List<DocumentSymbol> = emptyList()
 
-    /** Returns the blanks of [text] that its layout changes. */
+    /** Returns the changes that lay [text] out. */
     fun layout(text: Text): List<TextEdit> = emptyList()
 }
 
-/** @property note what the renaming leaves as it is; null: nothing */
+/** @property note the places that the renaming does not change; null: none */
 internal class Renamed(val edit: WorkspaceEdit, val note: String?)
 
-/** The editor asks for something that cannot be; [message] gives a person the reason. */
+/** The editor requests something impossible; [message] tells the user why. */
 internal class RefusedException(message: String) : Exception(message)

@@ -15,11 +15,14 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Asks the live view of an agent that runs on this computer for what the agent perceives and believes now. */
+/** Asks the live view of an agent on this computer for the agent's present percepts and beliefs. */
 internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_MS)) {
     private val client by lazy { HttpClient.newBuilder().connectTimeout(limit).build() }
 
-    /** Returns the newest percepts of [functor] with [arity] arguments, else the beliefs; none if [agent] has no view at [port]. */
+    /**
+     * Returns the newest percepts of [functor] with [arity] arguments; without such percepts, the beliefs. Empty if [agent] has no view at
+     * [port].
+     */
     fun of(port: Int, agent: String, functor: String, arity: Int): List<String> {
         val state = state(port, agent) ?: return emptyList()
         fun texts(part: String, list: String) = state.getAsJsonObject(part)?.getAsJsonArray(list)?.map { it.asJsonObject }.orEmpty()
@@ -34,7 +37,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
         return term.functor() == functor && term.arguments().size == arity
     }
 
-    /** The first state that the page of the agent would show; the view makes one for each new page at once. */
+    /** Returns the first state that the view would send to the agent's page. The view sends one to each new page at once. */
     private fun state(port: Int, agent: String): JsonObject? {
         val path = URLEncoder.encode(agent, Charsets.UTF_8).replace("+", "%20")
         val request = HttpRequest.newBuilder(URI("http://127.0.0.1:$port/$path/events")).timeout(limit).build()
@@ -46,7 +49,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
         return get(answer)?.let { JsonParser.parseString(it.removePrefix(DATA)).asJsonObject }
     }
 
-    /** An agent that does not run, or another program at its port, gives no value. */
+    /** Returns null if no agent runs, or if another program is at its port. */
     private fun get(answer: CompletableFuture<String?>): String? = try {
         answer.get(limit.toMillis(), TimeUnit.MILLISECONDS)
     } catch (refused: ExecutionException) {
@@ -57,7 +60,7 @@ internal class LiveValues(private val limit: Duration = Duration.ofMillis(LIMIT_
     }
 
     private companion object {
-        /** A hover waits no longer. */
+        /** The longest wait of a hover for values. */
         const val LIMIT_MS = 300L
         const val DATA = "data:"
         const val OK = 200

@@ -12,25 +12,23 @@ import java.util.Optional
 import kotlin.io.path.extension
 
 /**
- * Finds and reads the projects of open texts. What an editor has open goes before the file. Only the server's worker uses it.
- *
- * @param tell gets what is left out of a project, in words, once
+ * Finds and reads the projects of open texts. A text in the editor replaces its file. Only the server's worker uses it. [tell] gets once,
+ * in words, the files that are left out of a project.
  */
 internal class Projects(private val texts: OpenTexts, private val tell: (String) -> Unit) {
-    /** The projects, by their folders, or by folders without a project file. */
+    /** The projects, by their folders. A file without a project file near it has its own folder as its project's. */
     private val read = HashMap<Path, argo.check.project.Project>()
     private val told = HashSet<String>()
 
-    /** The folders of projects, by the folders of files in them. */
+    /** The project folders, by the folders of files in them. */
     private val roots = HashMap<Path, Optional<Path>>()
 
-    /** Files have changed on the disk, or are read from there again: the projects are read anew. */
+    /** Forgets all projects, so that they are read again. Call this after files have changed on the disk, or a text was closed. */
     fun forget() {
         read.clear()
         roots.clear()
     }
 
-    /** Returns the project that [text] belongs to. */
     fun of(text: Text): Project {
         val file = fileOf(text.uri) ?: Path.of("nowhere", text.uri.substringAfterLast('/')).toAbsolutePath()
         val folder = rootOf(file) ?: file.parent
@@ -41,7 +39,7 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         return Project(current, open)
     }
 
-    /** Returns this project with what the editor has in the file [path], if it has another text there. */
+    /** Returns this project with the editor's text of the file [path], if that text is different. */
     private fun argo.check.project.Project.with(path: Path, text: Text): argo.check.project.Project = when (path.extension) {
         "asl" -> if (programs[path]?.program?.text == text.content) this else with(path, text.content)
         "mas2j" -> if (projectFiles.any { it.path == path && it.text == text.content }) this
@@ -55,12 +53,12 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
         return found
     }
 
-    /** Returns the folder of the project file next above [file]; null: there is none near. */
+    /** Returns the folder of the nearest project file above [file]; null: none is near. */
     private fun rootOf(file: Path): Path? =
         roots.getOrPut(file.parent) { Optional.ofNullable(ProjectReader.rootOf(file)) }.orElse(null)
 }
 
-/** Returns the file of [uri], an absolute path; null: it is no file here. */
+/** Returns the absolute path of the file of [uri]; null: [uri] names no file on this computer. */
 internal fun fileOf(uri: String): Path? = try {
     URI(uri).takeIf { it.scheme == "file" }?.let { Path.of(it).toAbsolutePath().normalize() }
 } catch (_: IllegalArgumentException) {

@@ -5,7 +5,6 @@ import argo.check.syntax.Program
 import argo.lsp.text.Text
 import java.nio.file.Path
 
-/** An agent's program in a file. */
 internal class Source(val agent: AgentProgram, val text: Text) {
     val file: Path get() = agent.path
     val program: Program get() = agent.program

@@ -5,10 +5,10 @@ import argo.check.project.Role
 import argo.check.syntax.Literal
 import argo.check.syntax.Span
 
-/** The kinds of names that a program gives a meaning to. */
+/** The kinds of names that a program defines. */
 internal enum class Subject(val word: String) { BELIEF("belief"), GOAL("goal") }
 
-/** A kind of beliefs or goals, by functor and number of arguments. */
+/** A belief or a goal, by functor and number of arguments. */
 internal data class Symbol(val subject: Subject, val functor: String, val arity: Int) {
     override fun toString(): String = "${if (subject == Subject.GOAL) "!" else ""}$functor/$arity"
 }
@@ -17,7 +17,7 @@ internal data class Symbol(val subject: Subject, val functor: String, val arity:
 internal class Occurrence(val symbol: Symbol, private val role: Role, val literal: Literal) {
     val name: Span get() = literal.name.span
 
-    /** True for a plan for the goal, and for a belief, a rule, a step or a plan that makes the belief. */
+    /** True for a plan for the goal, and for a belief, rule, step or plan that adds the belief. */
     val isDefinition: Boolean get() = role in DEFINING
 
     /** True if the place is in a message to another agent. */
@@ -35,7 +35,7 @@ internal class Occurrence(val symbol: Symbol, private val role: Role, val litera
         private val DEFINING = setOf(Role.HANDLED, Role.BELIEVED, Role.TEST_HANDLED)
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
-        /** Returns the place that [mention] is; null: it is none of a belief or a goal. */
+        /** Returns the place of [mention]; null: it is neither a belief nor a goal. */
         fun of(mention: Mention): Occurrence? {
             val subject = if (mention.role in OF_GOALS) Subject.GOAL else Subject.BELIEF.takeIf { mention.role in OF_BELIEFS }
             return subject?.let { Occurrence(Symbol(it, mention.functor, mention.arity), mention.role, mention.literal) }

@@ -51,7 +51,7 @@ internal class ProjectFileLanguage(
         return Hover(MarkupContent(MarkupKind.MARKDOWN, "`${token.text}`\n\n${OPTIONS[token.text]}"), text.range(token.span))
     }
 
-    /** An agent's name leads to its program. */
+    /** Leads from an agent's name to its program. */
     override fun definitions(text: Text, offset: Int): List<Location> {
         val file = read(text)
         val agent = file.agents.find { it.name.span.touches(offset) } ?: return emptyList()

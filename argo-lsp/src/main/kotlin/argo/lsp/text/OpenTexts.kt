@@ -11,7 +11,7 @@ internal class OpenTexts {
         texts[text.uri] = text
     }
 
-    /** Makes [changes] to the text of [uri]; none if the editor has not opened it. */
+    /** Applies [changes] to the text of [uri]; does nothing if the editor has not opened it. */
     @Synchronized
     fun change(uri: String, version: Int, changes: List<TextDocumentContentChangeEvent>) {
         texts[uri]?.let { texts[uri] = it.changed(version, changes) }
@@ -28,7 +28,7 @@ internal class OpenTexts {
     @Synchronized
     fun all(): List<Text> = texts.values.toList()
 
-    /** Calls [say] if [text] is what the editor has now. No text changes meanwhile, so nothing is said about one that is gone. */
+    /** Calls [say] if [text] is the editor's present text. No text changes during the call, so [say] never reports on a replaced text. */
     @Synchronized
     fun ifCurrent(text: Text, say: () -> Unit) {
         if (texts[text.uri] === text) say()

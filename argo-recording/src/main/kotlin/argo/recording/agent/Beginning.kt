@@ -9,13 +9,13 @@ import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
 
-/** Returns the beliefs and events of the agent of [ts], whose program Jason has just read. */
+/** Returns the beliefs and events of the agent of [ts] just after Jason has read its program. */
 internal fun beginningOf(ts: TransitionSystem) =
     Beginning(ts.ag.bb.filterNot { it.isRule }.map(::literalText), ts.c.events.map { triggerText(it.trigger) })
 
 /**
- * Gives the agent of [ts], whose program Jason has just read again, these recorded beliefs and events. They differ from the program's if
- * the program draws a number or reads a clock.
+ * Gives the recorded beliefs and events to the agent of [ts], whose program Jason has just read again. The recorded ones differ from the
+ * program's if the program draws a number or reads a clock.
  */
 internal fun Beginning.restoreIn(ts: TransitionSystem) {
     val now = beginningOf(ts)
@@ -31,7 +31,7 @@ private fun Beginning.believe(ts: TransitionSystem, now: List<String>) {
     (all + beliefs.drop(place).map(::literalOf)).forEach { ts.ag.bb.add(1, it) }
 }
 
-/** Returns the belief that was recorded at [place], where the program, with the beliefs [now], has [belief]; null: none was. */
+/** Returns the belief recorded at [place], where the program, with the beliefs [now], has [belief]; null: no belief was recorded there. */
 private fun Beginning.believed(place: Int, now: List<String>, belief: Literal): Literal? = when (val text = beliefs.getOrNull(place)) {
     null -> null
     now[place] -> belief
@@ -53,5 +53,5 @@ private fun Beginning.intend(ts: TransitionSystem, now: List<String>) {
 
 private fun Literal.placedAs(other: Literal) = also { it.srcInfo = other.srcInfo }
 
-/** Returns the beliefs in [base] as Jason writes them, without rules and beliefs that Jason itself hides. */
+/** Returns the beliefs in [base] in Jason's notation, without rules and without beliefs that Jason hides. */
 internal fun shownBeliefs(base: BeliefBase): List<String> = base.filterNot { it.isRule || it.isHidden }.map { "$it" }

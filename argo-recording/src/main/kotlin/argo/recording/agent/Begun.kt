@@ -12,7 +12,7 @@ import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 import jason.asSyntax.Structure
 
-/** The operations that an agent has begun outside of its thread and that have not ended yet. Belongs to the agent's thread. */
+/** The operations that an agent has begun outside of its thread and that have not ended. Belongs to the agent's thread. */
 internal class Begun {
     private val open = HashMap<Int, (End) -> Unit>()
 
@@ -21,20 +21,19 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations; the operations in [open] have not ended yet. */
+    /** Continues after [last] begun operations. The operations in [open] have not ended. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)
     }
 
-    /** Adds an operation, whose end [complete] carries out. Returns its number. */
+    /** Adds an operation with the function that [completes][complete] it. Returns the operation's number. */
     fun begin(complete: (End) -> Unit): Int = (++last).also { open[it] = complete }
 
     /** Carries [end] out; returns false if no open operation has its number. */
     fun carryOut(end: End): Boolean = open.remove(end.number)?.let { it(end) } != null
 }
 
-/** Sets the result of [action] to its [end] in the environment. */
 internal fun complete(action: ActionExec, end: End) {
     action.result = end.failure == null
     end.failure?.let { action.setFailureReason(if (it.error.isEmpty()) null else ASSyntax.parseLiteral(it.error), it.message) }
@@ -49,13 +48,13 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
     override val cause = failure.message
 }
 
-/** An action whose outcome goes to [ended], and not into Jason's queue. */
+/** An action whose outcome goes to [ended] instead of Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this when an outcome arrives, and ignores an outcome without an intention. */
+    /** Jason calls this for an outcome, and ignores the outcome if there is no intention. */
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** Returns, by their places, the texts of those arguments of [call] that have variables, as [un] binds these. */
+/** Returns the texts of the arguments of [call] that have variables, with the values of [un], by their places. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
     if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }

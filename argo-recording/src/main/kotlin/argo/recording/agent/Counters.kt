@@ -6,12 +6,12 @@ import jason.asSyntax.Plan
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Jason's counters, which all agents of a program share: the numbers of variables, intentions, messages, suspended calls, `.at` and plans
- * without a name. A replay restores them, since names contain these numbers, and the order of Jason's maps follows from names.
+ * Jason's counters for all agents of a program: the numbers of variables, intentions, messages, suspended calls, `.at` and plans without a
+ * name. A replay restores them, since names contain these numbers, and the order of Jason's maps depends on names.
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
-        .filter { it.isThere } // if a version of Jason lacks one, only numbers differ
+        .filter { it.isThere } // a version of Jason without one of them only gives other numbers
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
     private val ofCalls = known.indexOf(Insides.callCounter)
@@ -19,8 +19,8 @@ internal object Counters {
     private val ofMessages = known.indexOf(Insides.messageCounter)
 
     /**
-     * Returns the counters before this agent's own draws in a cycle that began with the counters at [start]: other agents may have drawn
-     * meanwhile.
+     * Returns the counters before this agent's own draws in a cycle that began with the counters at [start]. Other agents may have drawn in
+     * between.
      *
      * @param intention the number of its first new intention; null: it has none
      * @param message the name of the first message that it sent; null: it sent none
@@ -37,7 +37,6 @@ internal object Counters {
 
     fun lastIntention(start: List<Int>): Int = start[ofIntentions]
 
-    /** Returns the counter before the draw of [message]. A question that waits for its answer draws two numbers. */
     private fun numberBefore(message: String): Int? = when {
         message.startsWith(Message.msgIdSyncAskPrefix) -> message.removePrefix(Message.msgIdSyncAskPrefix).toIntOrNull()?.minus(2)
         else -> message.removePrefix(Message.msgIdPrefix).toIntOrNull()?.minus(1)
@@ -48,17 +47,16 @@ internal object Counters {
     /** Returns true if the counters stand at [values], which [read] returned. */
     fun isAt(values: List<Int>): Boolean = values.size == all.size && all.indices.all { all[it].get() == values[it] }
 
-    /** Returns the lowest number by which Jason has named a plan among [plans]; null: it has named none. */
+    /** Returns the lowest number in Jason's names of [plans]; null: Jason has named none of them. */
     fun firstLabel(plans: List<Plan>): Int? =
         plans.mapNotNull { LABEL.matchEntire(it.label?.functor.orEmpty())?.groupValues?.get(1)?.toInt() }.minOrNull()
 
-    /** Makes Jason give the next plan that it names the number [label]. */
     fun nameFrom(label: Int) {
         all.getOrNull(ofLabels)?.set(label - 1)
     }
 
     /**
-     * Sets the counters to [values], which [read] returned in another program; older recordings of Jason 3.3.0 lack the counter of calls.
+     * Sets the counters to [values], which [read] returned in another program. Older recordings of Jason 3.3.0 lack the counter of calls.
      */
     fun write(values: List<Int>) {
         val written = if (values.size == all.size) all else all.filterIndexed { place, _ -> place != ofCalls }

@@ -28,14 +28,13 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     private var mail = ArrayList<Mail>()
     private val prints = PrintWatch(ts)
 
-    /** The step that the agent carries out in the present cycle; null: none yet. */
     var step: StepNote? = null
         private set
 
     /** Returns the number of [intention]; null: the agent has carried out no step of it. */
     fun numberOf(intention: Intention): Int? = numbers[intention]
 
-    /** Continues after [intentions] counted intentions; the remaining ones have these [numbers]. */
+    /** Continues after [intentions] counted intentions. The remaining ones have these [numbers]. */
     fun restore(intentions: Int, numbers: Map<Intention, Int>) {
         this.intentions = intentions
         this.numbers.putAll(numbers)
@@ -65,7 +64,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
-    /** True if lines that plans printed may be missing, as Java is ending. */
+    /** True if lines of plans may be missing, as Java is ending. */
     val missesPrints: Boolean get() = prints.isClosed
 
     fun close() = prints.close()
@@ -82,18 +81,17 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 
     private companion object {
-        /** The largest number of cached places: a program may make plans while it runs. */
+        /** The most cached places, since a program may make plans at run time. */
         const val MAX_CACHED = 10_000
     }
 }
 
-/** Returns the place of [plan] in its program. */
 internal fun placeIn(plan: Plan): Place {
     val source: SourceInfo? = plan.trigger.literal.srcInfo ?: plan.srcInfo
     return Place(plan.label?.functor, source?.srcFile?.let(::fileName), source?.srcLine)
 }
 
-/** Returns the name of the file at [path], which Jason writes as a URL or as the system does: `file:robot.asl` if it is relative. */
+/** Returns the name of the file at [path]. Jason writes [path] as a URL or in the system's form; a relative one is `file:robot.asl`. */
 internal fun fileName(path: String) = path.removePrefix("file:").substringAfterLast('/').substringAfterLast('\\')
 
 internal fun mailOf(message: Message, failure: String? = null) = Mail(
@@ -101,7 +99,7 @@ internal fun mailOf(message: Message, failure: String? = null) = Mail(
     contentText(message.propCont), message.msgId, message.inReplyTo, failure,
 )
 
-/** The course of a cycle, whose texts are not made yet. Immutable. */
+/** The course of a cycle without its texts. Immutable. */
 internal class CourseNote(
     private val event: (() -> String)?,
     private val plan: Place?,
@@ -111,34 +109,28 @@ internal class CourseNote(
     private val printed: List<String>,
     private val beliefs: Int,
 ) {
-    /** The name of the first message that the agent sent; null: it sent none. */
     val firstMessage: String? get() = mail.firstOrNull()?.id
 
     val hasHappened: Boolean get() = event != null || step != null
 
-    /** Makes the texts, on any thread. */
     fun course() = Course(event?.invoke(), plan, step?.step(), action?.invoke(), mail, printed, beliefs)
 }
 
-/** A [Step] whose text need not be made yet; a null [body] means that the plan had ended. */
+/** A [Step] without its text. A null [body] means that the plan had ended. */
 internal class StepNote(private val intention: Int, private val depth: Int, private val plan: Place, body: PlanBody?) {
     private val line: Int? = body?.srcInfo?.srcLine
     private val text = body?.run { laterText(listOf(bodyTerm)) { "$bodyType$bodyTerm" } }
 
-    /** Makes the texts, on any thread. */
     fun step() = Step(intention, depth, plan, line, text?.invoke())
 }
 
-/**
- * Returns the text of the trigger of this event as it is now: the literal of a belief is the belief itself, which may get other
- * annotations.
- */
+/** Returns the present text of this event's trigger. The literal of a belief is the belief itself, and its annotations may change later. */
 internal fun Event.triggerNow(): () -> String {
     val now = trigger.run { Trigger(operator, type, literal.copy()) }
     return laterText(listOf(now.literal)) { "$now" }
 }
 
-/** Returns the text of this action as it is now: the environment, which gets the action, may change it. */
+/** Returns the present text of this action. The environment gets the action and may change it. */
 internal fun ActionExec.termNow(): () -> String {
     val now = actionTerm.copy()
     return laterText(listOf(now)) { "$now" }

@@ -2,7 +2,7 @@ package argo.recording.agent
 
 import jason.asSemantics.ArithFunction
 
-/** The relation of an internal action or function of Jason's to the world outside of its agent. */
+/** The relation between Jason's code, an internal action or a function, and the world outside of its agent. */
 internal enum class Nature {
     /** No relation: the result follows from the agent, and nothing else changes. A replay carries the action out again. */
     PURE,
@@ -16,13 +16,13 @@ internal enum class Nature {
     /** The result comes from a clock, chance, the disk or the infrastructure. A replay takes the recorded result. */
     INPUT,
 
-    /** The action changes files, agents or the infrastructure. A replay takes the recorded result, and does not carry the action out. */
+    /** The action changes files, agents or the infrastructure. A replay takes the recorded result without carrying the action out. */
     EFFECT,
 }
 
 /**
- * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse an unlisted one
- * by its name.
+ * The [Nature] of each internal action and function of Jason 3.2.1 and 3.3.0, by its class. Recordings and replays refuse unlisted code by
+ * its name.
  */
 internal object JasonCode {
     private const val ACTIONS = "jason.stdlib."
@@ -47,7 +47,7 @@ internal object JasonCode {
             act age can change_filter explain filter limit percepts port ports record skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
             argo.record argo.skew
-        """, // the lines from the second on are other names of ARGO's own actions
+        """, // from the second line on: other names of ARGO's own actions
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",
     ).flatMap { (nature, names) -> wordsOf(names).map { "$ACTIONS$it" to nature } }.toMap()
@@ -68,10 +68,10 @@ internal object JasonCode {
 
     fun nameOf(type: String): String = if (type.startsWith(ACTIONS)) ".${type.removePrefix(ACTIONS)}" else type
 
-    /** Returns true if [type], a class, is Jason's or ARGO's, and no code of a project. */
+    /** Returns true if the class [type] belongs to Jason or ARGO, not to a project. */
     fun isOwn(type: Class<*>): Boolean = type.packageName.let { it == "argo" || it.startsWith("jason.") }
 
-    /** Returns true if [code], an action or a function, is Jason's and not in the table. */
+    /** Returns true if [code], an action or a function, belongs to Jason but is not in the table. */
     fun isUnknown(code: Any): Boolean = code.javaClass.run { packageName.startsWith("jason.") && natureOf(name) == null }
 
     fun nameOf(code: Any): String = if (code is ArithFunction) code.name else nameOf(code.javaClass.name)

@@ -10,15 +10,12 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/**
- * Owns the timers that an agent begins and the work that other threads leave for it, and carries them out in the agent's cycles: a recorder
- * or a replay.
- */
+/** Owns an agent's timers, and the work that other threads leave for it. Carries both out in the agent's cycles. A recorder or a replay. */
 internal interface Keeper {
-    /** Begins a timer of the agent that does [work] [delayNs] from now; [schedule] makes the scheduler call its argument then. */
+    /** Begins the agent's timer, which does [work] [delayNs] from now. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
 
-    /** Takes [work] that another thread, or code of the project, leaves for the beginning of the agent's next cycle. Any thread. */
+    /** Takes [work] that another thread or the project's code leaves for the beginning of the agent's next cycle. Any thread may call. */
     fun left(work: RunnableSerializable)
 
     companion object {
@@ -37,7 +34,7 @@ internal interface Keeper {
             if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
-        /** Does [work] with [keeper] as the [current] one, for an agent whose cycle has not begun yet. */
+        /** Does [work] with [keeper] as the [current] one, before the agent's cycle has begun. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
             current = keeper
             try {
@@ -49,9 +46,7 @@ internal interface Keeper {
     }
 }
 
-/**
- * The work that waits for the beginning of an agent's next cycle. Work that other threads or classes of the project leave goes to [keeper].
- */
+/** The queue of work for the beginning of an agent's next cycle. Work of other threads or of the project's classes goes to [keeper]. */
 internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<RunnableSerializable>() {
     override fun offer(task: RunnableSerializable): Boolean {
         val isOwn = task.javaClass.name.startsWith("argo.") || Keeper.current === keeper && JasonCode.isOwn(task.javaClass)
@@ -60,11 +55,10 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
         return true
     }
 
-    /** Leaves the recorder out if the project's program serializes its agent. */
     private fun writeReplace(): Any = ConcurrentLinkedQueue(this)
 
     companion object {
-        /** Replaces the queue of [ts], and keeps the work that waits there. */
+        /** Replaces the queue of [ts], and keeps its waiting work. */
         fun insertInto(ts: TransitionSystem, keeper: Keeper) {
             val waiting = Insides.tasks[ts].toList()
             Insides.tasks[ts] = KeptTasks(keeper).also { tasks -> waiting.forEach(tasks::add) }
@@ -72,14 +66,17 @@ internal class KeptTasks(private val keeper: Keeper) : ConcurrentLinkedQueue<Run
     }
 }
 
-/** Replaces Jason's scheduler: passes the timers that an agent begins in its cycle to its [Keeper], and all others to Jason's scheduler. */
+/**
+ * Replaces Jason's scheduler. Passes the timers that an agent begins in its cycle to the agent's [Keeper], and all others to Jason's
+ * scheduler.
+ */
 internal class KeptTimers private constructor(below: ScheduledExecutorService) : SchedulerLayer(below) {
     override fun <V : Any?> later(work: Callable<V>, delay: Long, unit: TimeUnit): ScheduledFuture<V> {
         val keeper = Keeper.current ?: return below.schedule(work, delay, unit)
         return keeper.timer(work, unit.toNanos(delay)) { below.schedule(it, delay, unit) }
     }
 
-    override fun execute(command: Runnable) = below.execute(command) // work without a delay is no timer
+    override fun execute(command: Runnable) = below.execute(command) // without a delay it is no timer
 
     companion object {
         fun install() = install(KeptTimers::class.java, Place.AGENT, ::KeptTimers)

@@ -8,15 +8,15 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Handles the files that an agent includes, at the beginning or as it runs: a recorder or a replay. */
+/** Handles the files that an agent includes, at its beginning or at run time. A recorder or a replay. */
 internal fun interface Includes {
-    /** Returns the content that [directive] includes into [outer], or null for none; [live] makes Jason look for the file and read it. */
+    /** Returns the content that [directive] includes into [outer]; null: none. [live] makes Jason find and read the file. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?
 }
 
 /**
- * Replaces Jason's directive `include`, which the action `.include` calls too. It asks [current] if the calling thread has one, otherwise
- * Jason's own directive.
+ * Replaces Jason's directive `include`, which the action `.include` calls too. Asks the calling thread's [current] handler; without one,
+ * Jason's own directive does the work.
  */
 internal class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
@@ -58,11 +58,11 @@ internal class KeptInclude private constructor(private val below: Include) : Inc
         val sourcePath: SourcePath get() = (DirectiveProcessor.getDirective(NAME) as Include).sourcePaths
 
         /**
-         * Returns the name in a recording of the file that [outer] is read from: `.` for the running agent [ag], empty while its program or
-         * a block is being read, otherwise the address of the included file.
+         * Returns the name, in a recording, of the file from which [outer] is read. The name is empty for the agent's program and its
+         * blocks, `.` for the running agent [ag], and otherwise the address of the included file.
          */
         fun placeOf(outer: Agent, ag: Agent?): String = when {
-            outer.aslSrc == null -> "" // the program, or a block of it, is being read
+            outer.aslSrc == null -> ""
             outer === ag -> RUNNING
             else -> outer.aslSrc
         }

@@ -14,7 +14,6 @@ import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
 
-/** The events, intentions, waits and plans of an agent at the end of a cycle. */
 internal class Mind(
     val events: ArrayList<Event>,
     val atomicEvent: Event?,
@@ -24,15 +23,15 @@ internal class Mind(
     val pending: LinkedHashMap<String, Intention>,
     val pendingEvents: LinkedHashMap<String, Event>,
     val goalConditions: Int,
-    /** The event that was chosen last; a cycle without a choice keeps it. */
+    /** The event that was chosen last. A cycle without a choice keeps it. */
     val event: Event?,
     val plan: Plan?,
     val intention: Intention?,
     val waits: ArrayList<Wait>,
-    /** The intentions that have a number; [numbers] has these numbers in the same order. */
+    /** The intentions with a number, in the order of their [numbers]. */
     val numbered: ArrayList<Intention>,
     val numbers: ArrayList<Int>,
-    /** The agent's plans; null: the plans of its program. */
+    /** The agent's plans; null: those of its program. */
     val plans: ArrayList<Plan>?,
 ) : Serializable {
     private companion object {
@@ -41,10 +40,10 @@ internal class Mind(
 }
 
 /**
- * A `.wait` of Jason's.
+ * A `.wait` of Jason.
  *
- * @property timer the number of its timer; null: no timer is under way
- * @property isListening whether the `.wait` still waits: its timer runs on when it has ended
+ * @property timer the number of its timer; null: no timer is running
+ * @property isListening whether the `.wait` still waits; its timer may run on after the `.wait` has ended
  */
 internal class Wait(
     val timer: Int?,
@@ -63,7 +62,6 @@ internal class Wait(
     }
 }
 
-/** Describes [wait], a `.wait` of Jason's, for a key frame, with the number of its [timer]. */
 internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Boolean) = WaitEvents.run {
     Wait(
         timer, isListening, trigger[wait], formula[wait], reason[wait], key[wait], unifier[wait], intention[wait], isDropped[wait],
@@ -72,13 +70,13 @@ internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Bool
 }
 
 /**
- * Makes the described `.wait` of Jason's for the agent of [ts], and begins its timer if it has one. Registers it nowhere, and clears the
- * agent's listeners: the caller sets listeners and pending intentions afterwards.
+ * Makes the described `.wait` for the agent of [ts], and begins its timer if it has one. Registers it nowhere and clears the agent's
+ * listeners; the caller then sets listeners and pending intentions.
  */
 internal fun Wait.make(ts: TransitionSystem): CircumstanceListener {
     val before = intention.suspendedReason
     Insides.selectedIntention[ts.c] = intention
-    ts.c.listeners.clear() // other listeners would be notified of the new mind
+    ts.c.listeners.clear() // so that no listener is notified of the new mind
     val made = WaitEvents.make(trigger, formula, un, ts, if (timer == null) -1L else 0L, elapsed)
     intention.suspendedReason = before
     WaitEvents.reason[made] = reason

@@ -27,22 +27,22 @@ private class AgentReference : Serializable
 
 /**
  * Returns [mind] in bytes, with references to the parts of [program].
- * @throws NotSerializableException if [mind] holds a Java object that cannot be written; the message is for a person
+ * @throws NotSerializableException if [mind] contains a Java object that cannot be written
  */
 internal fun bytesOf(mind: Mind, program: ProgramParts): ByteArray =
     ByteArrayOutputStream().also { bytes -> MindOutput(bytes, program).use { it.writeObject(mind) } }.toByteArray()
 
 /**
- * Reads the mind that [bytesOf] wrote, for the agent of [code]; its intentions get the plans of [program].
- * @throws java.io.IOException if [bytes] are something else, or were written by another version of Jason
+ * Reads the mind that [bytesOf] wrote, for the agent of [code]. The mind's intentions get the plans of [program].
+ * @throws java.io.IOException if [bytes] are something else, or come from another version of Jason
  */
 internal fun mindOf(bytes: ByteArray, program: ProgramParts, code: WatchedCode): Mind = try {
     MindInput(bytes, program, code).use { it.readObject() as Mind }
 } catch (refused: InvalidClassException) {
-    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // the cause holds the filter's own reason
+    throw refused.cause?.let { InvalidClassException("${it.message}") } ?: refused // the filter's own reason is in the cause
 } catch (missing: ClassNotFoundException) {
     throw InvalidClassException("class ${missing.message} is missing")
-} catch (other: RuntimeException) { // thrown if the objects do not fit together
+} catch (other: RuntimeException) { // the objects do not fit together
     throw InvalidClassException("$other")
 }
 
@@ -55,7 +55,7 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
         one === program.agent -> AgentReference()
         one is InternalAction -> ActionReference(one.javaClass.name)
         one is ArithFunction -> FunctionReference(one.name)
-        one is Throwable -> null // Java writes the reason for which it cannot write
+        one is Throwable -> null // Java writes its reason for a failure
         one is Method -> null // an object term caches a method of its object
         ProgramParts.mayBePart(one) -> program.numberOf(one)?.let(::PartReference) ?: allowed(one)
         else -> allowed(one)
@@ -73,8 +73,8 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
 private class MindInput(bytes: ByteArray, private val program: ProgramParts, private val code: WatchedCode) :
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
-    private var elements = 0L // number of elements of all arrays so far
-    private var replacement: Class<*>? = null // the class of the last object that replaced a reference: Java shows it to the filter too
+    private var elements = 0L // elements of all arrays so far
+    private var replacement: Class<*>? = null // the class of the last object in place of a reference; the filter sees it too
 
     init {
         enableResolveObject(true)
@@ -91,7 +91,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 
     /**
-     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So only terms and intentions are made of it,
+     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So it may contain only terms and intentions,
      * and no more than its bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
@@ -119,10 +119,10 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
 
 internal const val MAX_MIND_BYTES = 16 * 1024 * 1024
 
-/** The deepest nesting of objects: each element of a list stands within the element before it. */
+/** The deepest nesting of objects. Each element of a list stands within the element before it. */
 private const val MAX_DEPTH = 10_000L
 
-/** The most array elements for each byte: a hash table has up to eight places for each entry. */
+/** The most array elements for each byte. A hash table has up to eight places for each entry. */
 private const val MAX_ELEMENTS_OF_BYTE = 16
 
 private val OWN = setOf(
@@ -144,11 +144,11 @@ private fun isAllowed(type: Class<*>): Boolean = when {
     type.isArray -> isAllowed(type.componentType)
     type in OWN || type.name in ALLOWED_OF_JAVA -> true
     type.name.startsWith("jason.stdlib.fork$") -> true
-    CODE.any { it.isAssignableFrom(type) } -> false // references stand for code
+    CODE.any { it.isAssignableFrom(type) } -> false // code stands there only as a reference
     else -> type.packageName in PACKAGES && type.name !in REFUSED
 }
 
 private val CODE = listOf(InternalAction::class.java, ArithFunction::class.java, Agent::class.java)
 
-/** The classes of objects that belong to one run of an agent. */
+/** Classes of objects that belong to one run of an agent. */
 private val REFUSED = setOf("jason.asSemantics.TransitionSystem", "jason.asSemantics.Circumstance", "jason.asSemantics.Agent")

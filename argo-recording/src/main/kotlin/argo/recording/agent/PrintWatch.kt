@@ -11,7 +11,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     private var lines = ArrayList<String>()
     private var thread: Thread? = null
 
-    /** True if lines may be missing: when Java ends, it removes the handlers of all loggers while agents still reason. */
+    /** True if lines may be missing. When Java ends, it removes the handlers of all loggers while agents still reason. */
     @Volatile
     var isClosed = false
         private set
@@ -20,7 +20,6 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
         ts.logger.addHandler(this)
     }
 
-    /** Begins a cycle, on the calling thread. */
     fun begin() {
         thread = Thread.currentThread()
     }
@@ -39,7 +38,7 @@ internal class PrintWatch(private val ts: TransitionSystem) : Handler() {
     }
 
     private companion object {
-        /** The prefix of Jason's own classes that log about an agent: they use the logger with which its plans print. */
+        /** The prefix of Jason's own classes, which log by the same logger as the agent's plans. */
         val JASON: String = TransitionSystem::class.java.packageName + "."
     }
 }

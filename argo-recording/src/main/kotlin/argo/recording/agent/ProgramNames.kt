@@ -10,10 +10,11 @@ import jason.asSyntax.parser.as2jTokenManager
 import java.io.StringReader
 
 /**
- * The names of files, classes and directives in the [text] of a program. Reads the text by Jason's own tokens, and executes no part of it.
+ * The names of files, classes and directives in the [text] of a program. Reads the text by Jason's own tokens without executing any part of
+ * it.
  */
 internal class ProgramNames(text: String) {
-    /** A file that a program includes, as its text names it; Jason looks for one in a block `{ begin … }` only in the source path. */
+    /** A file that a program includes, by its name in the text. For a file in a block `{ begin … }` Jason looks only in the source path. */
     data class Included(val name: String, val isInBlock: Boolean)
 
     private val tokens = tokensOf(text)
@@ -28,7 +29,8 @@ internal class ProgramNames(text: String) {
     }
 
     /**
-     * The classes of functions and actions that Jason may instantiate as it reads the text; in blocks it does so without asking the agent.
+     * The classes of functions and actions that Jason may instantiate when it reads the text. For those in blocks, Jason does not ask the
+     * agent.
      */
     val classes: Set<String> = tokens.indices.mapNotNullTo(LinkedHashSet()) { at ->
         argumentOf("register_function", at)
@@ -42,7 +44,6 @@ internal class ProgramNames(text: String) {
 
     private fun isAt(place: Int, image: String) = tokens.getOrNull(place)?.image == image
 
-    /** Returns the string that is the first argument of [functor], if [functor] stands at [place]. */
     private fun argumentOf(functor: String, place: Int): String? {
         val string = tokens.getOrNull(place + 2)
         if (!isAt(place, functor) || !isAt(place + 1, "(") || string?.kind != as2jConstants.STRING) return null

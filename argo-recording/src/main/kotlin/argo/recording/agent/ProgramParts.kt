@@ -8,8 +8,8 @@ import jason.asSyntax.Rule
 import java.util.IdentityHashMap
 
 /**
- * Numbers the plans, steps of plans and rules of the program of [agent]: the same program gives the same numbers. Make it before the
- * agent's first cycle, since the agent may have other plans and rules later.
+ * Numbers the plans, steps and rules in the program of [agent]. The same program always gives the same numbers. Make it before the agent's
+ * first cycle, since the agent may get other plans and rules.
  */
 internal class ProgramParts(val agent: Agent) {
     private val numbers = IdentityHashMap<Any, Int>()
@@ -39,7 +39,6 @@ internal class ProgramParts(val agent: Agent) {
         if (numbers.putIfAbsent(part, parts.size) == null) parts += part
     }
 
-    /** Returns the number of [part]; null: the program does not have it. */
     fun numberOf(part: Any): Int? = numbers[part]
 
     fun part(number: Int): Any = parts[number]
@@ -47,7 +46,6 @@ internal class ProgramParts(val agent: Agent) {
     fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
 
     companion object {
-        /** Returns true if objects like [one] may be parts of a program. */
         fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || Plans.isLibrary(one) || one is Rule
     }
 }

@@ -32,19 +32,18 @@ import jason.asSyntax.VarTerm
 import jason.asSyntax.directives.FunctionRegister
 
 /**
- * Reads the same term back from the [text] that [TermWriter] wrote, without a change of Jason's counters.
- *
- * @param agent the agent whose functions the text may name; null: only Jason's own functions
+ * Reads the term back from a [text] of [TermWriter], without a change of Jason's counters. [agent] is the agent whose functions the text
+ * may name; null: only Jason's own functions.
  */
 internal class TermReader(private val text: String, private val agent: Agent? = null) {
-    /** The text is not one that [TermWriter] writes. */
+    /** The text does not come from [TermWriter]. */
     class Unreadable : Exception()
 
     private var at = 0
 
     fun term(): Term = whole(::next)
 
-    /** Reads the literal, in a text that can only be one. */
+    /** Reads a text that can only be a literal. */
     fun literal(): Literal = whole {
         val read = next() as? Literal ?: fail()
         if (read.javaClass == Atom::class.java && !text.startsWith("#atom(")) LiteralImpl(read.ns, Literal.LPos, read.functor) else read
@@ -183,7 +182,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return ArithExpr(left as NumberTerm, operator, next() as NumberTerm)
     }
 
-    /** Reads a variable or a literal, with its namespace. */
     private fun literalHere(): Literal {
         val isNegated = take("~")
         val first = name()
@@ -243,7 +241,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return literal
     }
 
-    /** Adds the annotations in their written order: Jason would sort them, and cannot compare terms of every kind. */
+    /** Adds the annotations in their written order. Jason would sort them, and cannot compare terms of every kind. */
     private fun annotate(literal: Literal) {
         if (peek() == '[') literal.annotatedBy(list())
     }
@@ -299,7 +297,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         }
     }
 
-    /** Sets [terms] without copying them: Jason loses the negation of variables in copies. */
+    /** Sets [terms] without a copy. Jason's copies of variables lose their negation. */
     private fun <T : Structure> T.with(terms: List<Term>?): T = also { if (!terms.isNullOrEmpty()) it.terms = terms }
 
     private fun flag(): Boolean = if (take("1")) true else if (take("0")) false else fail()
@@ -377,7 +375,6 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             mapOf("NaN" to Double.NaN, "Infinity" to Double.POSITIVE_INFINITY, "-Infinity" to Double.NEGATIVE_INFINITY)
         val LOGICAL = listOf(LogExpr.LogicalOp.and, LogExpr.LogicalOp.or)
 
-        /** The relational signs, longer ones first. */
         val RELATIONAL = RelExpr.RelationalOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
         val ARITHMETIC = ArithExpr.ArithmeticOp.entries.filter { "$it".isNotEmpty() }.sortedByDescending { "$it".length }
     }

@@ -10,10 +10,10 @@ import jason.asSyntax.Trigger
 import jason.asSyntax.parser.ParseException
 import jason.asSyntax.parser.TokenMgrError
 
-/** Returns the text of [term] in a recording, from which [termOf] makes the same term; see [TermWriter]. */
+/** Returns the text of [term] in a recording. [termOf] reads it back to the same term; see [TermWriter]. */
 internal fun textOf(term: Term): String = TermWriter().text(term)
 
-/** Returns the text of [literal] where only a literal can stand, such as a percept or a belief. */
+/** Returns the text of [literal] for a place that only a literal can have, such as a percept or a belief. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
 internal fun triggerText(trigger: Trigger): String =
@@ -27,19 +27,19 @@ internal fun contentText(content: Any?): String = when (content) {
     else -> TermWriter.refusedText("a Java object of the class ${content?.javaClass?.name}")
 }
 
-/** Returns the content that [contentText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the content that [contentText] wrote as [text]. Throws like [termOf]. */
 internal fun contentOf(text: String, agent: Agent): Any =
     if (text.startsWith(TEXT)) TermReader(text.substring(TEXT.length, text.length - 1)).quotedText() else termOf(text, agent)
 
 private const val TEXT = "#text("
 
-/** The operator of signals, a type of event that Jason 3.2.1 does not have; they are written as beliefs. */
+/** The operator of signals, which Jason 3.2.1 does not have. A recording contains signals in the form of beliefs. */
 private const val SIGNAL = "signal"
 
 /**
  * Returns the term that [textOf] wrote as [text].
  *
- * @param agent the agent whose functions the term may hold; null: only Jason's own functions
+ * @param agent the agent whose functions the term may contain; null: only Jason's own functions
  * @throws UnrecordableTerm if [textOf] could not write the term
  * @throws IllegalArgumentException if [text] is no text of a term
  */
@@ -49,14 +49,14 @@ internal fun termOf(text: String, agent: Agent? = null): Term = try {
     perceptOf(text) ?: parsed(text) { ASSyntax.parseTerm(it) }
 }
 
-/** Returns the literal that [literalText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the literal that [literalText] wrote as [text]. Throws like [termOf]. */
 internal fun literalOf(text: String): Literal = try {
     TermReader(text).literal()
 } catch (_: TermReader.Unreadable) {
     perceptOf(text) ?: parsed(text) { ASSyntax.parseLiteral(it) }
 }
 
-/** Returns the trigger that [triggerText] wrote as [text]. Throws as [termOf] does. */
+/** Returns the trigger that [triggerText] wrote as [text]. Throws like [termOf]. */
 internal fun triggerOf(text: String): Trigger {
     if (text.startsWith("#")) return termOf(text) as Trigger
     val operator = Trigger.TEOperator.entries.find { text.startsWith("$it") } ?: return parsed(text, ASSyntax::parseTrigger)
@@ -65,7 +65,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Reads a percept of a recording of format 1, which holds strings as boards write them; Jason's parser does not read such strings. */
+/** Reads a percept of a recording in format 1. Such a percept has strings in the boards' notation, which Jason's parser does not read. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -31,8 +31,8 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * Writes terms so that [TermReader] reads the same term: in Jason's notation where that has only one meaning, otherwise as `#kind(…)`, with
- * which no term of Jason's begins.
+ * Writes terms so that [TermReader] reads the same term. Jason's notation is used where it has only one meaning, and `#kind(…)` elsewhere.
+ * No term of Jason's begins with `#kind(…)`.
  *
  * | written | is |
  * |---|---|
@@ -51,10 +51,8 @@ import kotlin.math.floor
 internal class TermWriter {
     private val out = StringBuilder()
 
-    /** Returns the text of [term]; never throws. */
     fun text(term: Term): String = written { term(term) }
 
-    /** Returns the text of [literal] where only a literal can stand. */
     fun literalText(literal: Literal): String = written {
         when {
             !isBare(literal) -> term(literal)
@@ -117,7 +115,7 @@ internal class TermWriter {
         },
     )
 
-    /** Writes a string. Jason resolves some escapes and drops some characters, and cannot read the others back. */
+    /** Writes a string. Jason resolves some escapes and drops some characters; it cannot read such strings back. */
     private fun string(text: String) {
         if (text.none { it == '\\' || it == '\r' || it.isSurrogate() }) append("${GroundTerm.Text(text)}")
         else marked("string") { append(quoted(text)) }
@@ -165,7 +163,7 @@ internal class TermWriter {
         }
     }
 
-    /** Returns true if [literal] is a single word, which may be an atom or a literal without arguments. */
+    /** Returns true if [literal] is a single word: an atom, or a literal without arguments. */
     private fun isBare(literal: Literal) = (literal.javaClass == Atom::class.java || literal.javaClass == LiteralImpl::class.java) &&
         !literal.hasTerm() && !literal.hasAnnot() && !literal.negated() && literal.ns == Literal.DefaultNS
 
@@ -197,7 +195,6 @@ internal class TermWriter {
         if (literal.hasAnnot()) list(literal.annots)
     }
 
-    /** Writes [operation] as Jason does, in parentheses. */
     private fun operation(operation: Structure) {
         val sign = operation.functor
         if (operation.arity == 1) {
@@ -248,7 +245,6 @@ internal class TermWriter {
         source?.run { "#at(${srcFile?.let(::quoted) ?: NONE},$beginSrcLine,$endSrcLine)" } ?: NONE
 
     companion object {
-        /** Stands for a missing part. */
         const val NONE = "#none"
 
         private val KNOWN: Set<Class<*>> = setOf(
@@ -257,32 +253,30 @@ internal class TermWriter {
             Pred.createSource(Atom("self")).javaClass, // the class of an annotation that Jason never copies
         )
 
-        /** Doubles hold each whole number below this one. */
+        /** Doubles can hold each whole number below this one. */
         private const val LARGEST_WHOLE = 1e15
         private const val REFUSED = "#refused("
         private val VARIABLE = Regex("""\p{Lu}[\p{L}\p{N}_]*""")
 
-        /** Matches a name that Jason gives a variable, with its number. */
+        /** Matches the name that Jason gives to a variable, with its number. */
         val NUMBERED = Regex("""_([1-9]\d{0,9})(?!\d)[\p{L}\p{N}_]*""")
         private val CALL = Regex("""(?:\p{Ll}[\p{L}\p{N}_]*)?(?:\.[\p{L}_][\p{L}\p{N}_]*)+""")
         private val WORD = Regex("""\p{Ll}[\p{L}\p{N}_]*|'[^'\\\n\r"]*'""")
 
-        /** Words that have another meaning than that of a functor. */
+        /** Words with a meaning of their own, which are no functors. */
         val RESERVED = setOf("true", "false", "default", "not")
 
-        /** Returns true if [functor] is written without quotes. */
+        /** Returns true if [functor] needs no quotes. */
         fun isPlain(functor: String) = WORD.matches(functor) && functor !in RESERVED
 
-        /** Returns the text of a term that could not be written because of [why]. */
+        /** Returns the text for a term that cannot be written because of [why]. */
         fun refusedText(why: String) = "$REFUSED${quoted(why)})"
 
-        /** Returns true if [text] stands for a term that could not be written. */
         fun isRefused(text: String) = text.startsWith(REFUSED)
 
-        /** Returns the description of the refused term for which [text] stands. */
         fun refusalOf(text: String) = text.removePrefix(REFUSED).removeSuffix(")").trim('"')
 
-        /** Returns [text] in quotes, with only those characters that every encoding has. */
+        /** Returns [text] in quotes. Only characters of every encoding stand in the result. */
         fun quoted(text: String): String = buildString {
             append('"')
             for (sign in text) when {
@@ -296,5 +290,5 @@ internal class TermWriter {
     }
 }
 
-/** A recording cannot hold a term; [message] describes the term. */
+/** A recording cannot contain a term; [message] describes the term. */
 internal class UnrecordableTerm(override val message: String) : IllegalArgumentException(message)

@@ -16,7 +16,7 @@ internal sealed interface Watched : Serializable {
     val code: Any
 }
 
-/** Wraps [code], which the program calls [name], and asks the agent's watch about each call. */
+/** Wraps [code], which the program calls [name]. Asks the agent's watch about each call. */
 internal class WatchedAction(private val name: String, override val code: InternalAction, private val watch: CallWatch) :
     InternalAction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
@@ -34,8 +34,8 @@ internal class WatchedAction(private val name: String, override val code: Intern
 }
 
 /**
- * Wraps `.random`, and passes calls to [watched]. It extends Jason's class, since `.set_random_seed` casts to that and takes the generator,
- * which is that of [code].
+ * Wraps `.random`, and passes calls to [watched]. This class extends Jason's, since `.set_random_seed` casts to Jason's class to take the
+ * generator of [code].
  */
 internal class WatchedRandom(override val code: random, private val watched: WatchedAction) : random(), Watched {
     private fun writeReplace(): Any = code
@@ -45,7 +45,7 @@ internal class WatchedRandom(override val code: random, private val watched: Wat
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any = watched.execute(ts, un, args)
 }
 
-/** Wraps the function [code], and asks the agent's watch about each call, or [watch] if the agent has none. */
+/** Wraps the function [code]. Asks the agent's watch about each call, or [watch] if the agent has none. */
 internal class WatchedFunction(override val code: ArithFunction, val watch: CallWatch) : ArithFunction by code, Watched {
     private val isOfProject = !JasonCode.isOwn(code.javaClass)
 
@@ -55,19 +55,18 @@ internal class WatchedFunction(override val code: ArithFunction, val watch: Call
         current(watch).evaluate(code.name, args, isOfProject) { code.evaluate(ts, args) }
 }
 
-/** Carries out all code. */
 internal object NobodyWatches : CallWatch {
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any = live(call.un)
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double = live()
 }
 
-/** Returns the watch of the calling agent, or [own]. The agent may be another: a plan that is told brings the code of the teller. */
+/** Returns the calling agent's watch, or [own]. The calling agent may be another one, since a told plan contains the teller's code. */
 private fun current(own: CallWatch) = Keeper.current as? CallWatch ?: own
 
 /**
- * Replaces Jason's table of the actions that an agent has looked up. [found] gives the action for each name from now on, also if a term
- * that the agent has made from a text asks for it.
+ * Replaces Jason's table of the actions that an agent has looked up. From now on [found] returns the action for each name, even for a term
+ * that the agent makes from a text.
  */
 internal class WatchedActions private constructor(private val agent: Agent, private val found: (String, InternalAction) -> InternalAction) :
     HashMap<String, InternalAction>() {
@@ -75,7 +74,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun get(key: String): InternalAction? {
         super.get(key)?.let { return it }
-        if (key == lookedUp) return null // Jason makes the action now, and puts it here
+        if (key == lookedUp) return null // Jason now makes the action and adds it here
         lookedUp = key
         try {
             agent.getIA(key)
@@ -87,7 +86,6 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
 
     override fun put(key: String, value: InternalAction): InternalAction? = super.put(key, found(key, value))
 
-    /** Leaves the watch out if the project's program serializes its agent. */
     private fun writeReplace(): Any = HashMap(this)
 
     companion object {
@@ -99,9 +97,9 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     }
 }
 
-/** Jason's functions for all agents; the terms that agents make from texts get them. */
+/** Jason's functions for all agents. Terms that agents make from texts use them. */
 internal object WatchedFunctions {
-    /** Makes the functions that draw a number or read a clock ask the watch of the calling agent, for the whole program. */
+    /** Makes the functions that draw a number or read a clock ask the calling agent's watch, for the whole program. */
     @Synchronized
     fun install() = Insides.functions[null].replaceAll { _, function -> WatchedCode.watched(function, NobodyWatches) }
 }

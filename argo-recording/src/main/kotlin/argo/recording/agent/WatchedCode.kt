@@ -25,13 +25,12 @@ import java.util.IdentityHashMap
 
 /** The owner of an internal action. */
 internal enum class WatchedKind {
-    /** Jason or ARGO: the results of the action come from outside. */
+    /** Jason or ARGO. The results of the action come from outside. */
     OUTSIDE,
 
-    /** The project. */
     PROJECT,
 
-    /** The project, and the intention waits for another thread. */
+    /** The project. The intention then waits for another thread. */
     SUSPENDING,
 }
 
@@ -42,16 +41,16 @@ internal interface CallWatch {
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 }
 
-/** The program of an agent has an action or function of Jason's that the table [JasonCode] lacks; the message names it. */
+/** The program has an action or function of Jason that is not in the table [JasonCode]; the message names it. */
 internal class UnknownCodeException(name: String) :
     Exception(
         "the program uses $name; this version of ARGO does not know whether that reads or changes anything outside of the agent",
     )
 
 /**
- * Makes this object the keeper and the watch of the agent of [ts] from now on: it gets the operations that the agent begins outside of its
- * thread, and decides on its calls. Returns the agent's watched code.
- * @throws UnknownCodeException if the program has code that cannot be watched; then this object does not become the agent's keeper
+ * Makes this object the keeper and the watch of the agent of [ts]. This object then gets the operations that the agent begins outside of
+ * its thread, and decides on the agent's calls. Returns the agent's watched code.
+ * @throws UnknownCodeException if the program has code that cannot be watched; this object is then not the agent's keeper
  */
 internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T : CallWatch {
     val code = WatchedCode(ts, this).apply { begin() }
@@ -62,30 +61,29 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of it: those of the
- * project, and those of Jason that [JasonCode] calls inputs and effects. Jason looks an action up when it reads a program, so this class
- * changes the program's own terms.
+ * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. Such code is
+ * the project's own, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this
+ * class changes the program's own terms.
  */
 internal class WatchedCode(private val ts: TransitionSystem, private val watch: CallWatch) {
-    private var seen = identities() // objects that the present visit has seen
+    private var seen = identities() // objects seen in the present visit
     private val actions = HashMap<String, InternalAction>()
-    private var plans: List<Plan> = emptyList() // the plans that were visited
+    private var plans: List<Plan> = emptyList() // visited plans
     private var isStale = false
-    private var unknown: UnknownCodeException? = null // code that the agent has looked up, and that cannot be watched
+    private var unknown: UnknownCodeException? = null // looked-up code that cannot be watched
 
-    /** The agent that has this code. */
     val agent: Agent get() = ts.ag
 
-    /** Watches all plans and rules that the agent has now, and all code that it looks up later. */
+    /** Watches the agent's present plans and rules, and all code that the agent looks up later. */
     fun begin() {
         visitAll()
-        ts.c.events.forEach { visit(it.trigger.literal as Any) } // goals of the program, whose arguments Jason evaluates later
+        ts.c.events.forEach { visit(it.trigger.literal as Any) } // the program's goals; Jason evaluates their arguments later
         WatchedActions.install(ts.ag, ::found)
         WatchedFunctions.install()
     }
 
     /**
-     * Returns the watched form of [action], which the agent has looked up by [name] for its program or for a term that it has made from a
+     * Returns [action] in its watched form. The agent has looked it up by [name], for its program or for a term that it has made from a
      * text.
      */
     private fun found(name: String, action: InternalAction): InternalAction {
@@ -93,7 +91,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         return watched(name, action)
     }
 
-    /** Watches the [content] of a message that the agent gets: the sender may have looked up code in it. */
+    /** Watches the [content] of a received message. The sender may have looked up code in it. */
     fun received(content: Any?) = try {
         visit(content)
     } catch (refused: UnknownCodeException) {
@@ -103,7 +101,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     /**
-     * Notes that the agent includes a file: then Jason looks up the actions of all its plans anew, even if the file has only beliefs and
+     * Notes that the agent includes a file. Jason then looks up the actions of all its plans anew, even if the file has only beliefs and
      * rules.
      */
     fun included() {
@@ -111,7 +109,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     }
 
     /**
-     * Watches the plans that the agent has got from messages or included files since the last call: Jason has looked up their actions anew.
+     * Watches the plans that the agent has got from messages or included files since the last call. Jason has looked up their actions anew.
      * @throws UnknownCodeException if the agent has code that cannot be watched
      */
     fun watchAdded() {
@@ -124,7 +122,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     private fun visitAll() {
         plans = Plans.of(ts.ag).all.toList()
         plans.forEach(::visit)
-        ts.ag.bb.forEach { visit(it as Any) } // a plan may take code out of a belief
+        ts.ag.bb.forEach { visit(it as Any) } // a plan may get code from a belief
         seen = identities()
         isStale = false
     }
@@ -133,17 +131,16 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
     fun watched(name: String, action: InternalAction): InternalAction =
         if (isPlain(action)) actions.getOrPut(calledName(name, action)) { watched(name, action, watch) } else action
 
-    /** Returns [function] in its watched form if it must be watched. */
     fun watched(function: ArithFunction): ArithFunction = watched(function, watch)
 
     /**
-     * Returns the action of the program whose class is called [type], as [watched] returns it.
+     * Returns the program's action of the class called [type], in the form of [watched].
      * @throws ReflectiveOperationException if there is no such action
      */
     fun action(type: String): InternalAction = watched(type, ts.ag.getIA(type))
 
     /**
-     * Returns the function [name] of the program, as [watched] returns it.
+     * Returns the program's function [name], in the form of [watched].
      * @throws IllegalArgumentException if the program has no such function
      */
     fun function(name: String): ArithFunction = (0..MAX_ARITY).firstNotNullOfOrNull { ts.ag.getFunction(name, it) }?.let(::watched)
@@ -203,14 +200,13 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
 
         private fun identities(): MutableSet<Any> = Collections.newSetFromMap(IdentityHashMap())
 
-        /** Returns [action], which the program calls [name]; if it must be watched, in a form that asks [watch] about each call. */
+        /** Returns [action], which the program calls [name]. If it must be watched, the result asks [watch] about each call. */
         fun watched(name: String, action: InternalAction, watch: CallWatch): InternalAction = when {
             !isPlain(action) -> action
             action is random -> WatchedRandom(action, WatchedAction(calledName(name, action), action, watch))
             else -> WatchedAction(calledName(name, action), action, watch)
         }
 
-        /** Returns [function]; if it must be watched, in a form that asks [watch] about each call. */
         fun watched(function: ArithFunction, watch: CallWatch): ArithFunction = when {
             function is WatchedFunction && function.watch === NobodyWatches -> WatchedFunction(function.code, watch)
             isPlain(function) -> WatchedFunction(function, watch)
@@ -220,7 +216,7 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         private fun calledName(name: String, action: InternalAction) =
             if (JasonCode.isOwn(action.javaClass)) JasonCode.nameOf(action) else name
 
-        /** Returns true if [code] must be watched and is not yet. That includes unknown code, so that no replay carries it out. */
+        /** Returns true if [code] must be watched and is not yet. Unknown code must be watched too, so that no replay carries it out. */
         private fun isPlain(code: Any) = when {
             code is Watched -> false
             !JasonCode.isOwn(code.javaClass) -> true

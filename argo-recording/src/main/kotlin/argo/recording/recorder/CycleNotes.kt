@@ -19,7 +19,7 @@ import argo.recording.agent.textOf
 import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
-/** Collects the input of an agent in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores it. */
+/** Collects an agent's input in a cycle. Belongs to the agent's thread; after the cycle, to the thread that stores it. */
 internal class CycleNotes(val ns: Long) {
     var counters: List<Int>? = null
     var events: List<String> = emptyList()
@@ -40,18 +40,19 @@ internal class CycleNotes(val ns: Long) {
     var refusal: Refusal? = null
         private set
 
-    /** The call that the agent is carrying out; null: none. */
     var underWay: CallNote? = null
 
     /**
-     * True if the cycle begins with work from earlier cycles. If that work only clears away an ended intention, no other field shows that
-     * the cycle happened.
+     * True if the cycle begins with work from earlier cycles. Only this field shows such a cycle if the work merely removes an ended
+     * intention.
      */
     var isAtWork = false
 
     var isSending = false
 
-    /** Notes that no replay can have this cycle because of [why]; if [isOfProject], one that carries out the project's code can. */
+    /**
+     * Notes that [why] keeps any replay from having this cycle. If [isOfProject], a replay that carries out the project's code can have it.
+     */
     fun refuse(why: String, isOfProject: Boolean = true) {
         val known = refusal
         if (known == null || known.isOfProject && !isOfProject) refusal = Refusal(why, isOfProject)
@@ -59,18 +60,17 @@ internal class CycleNotes(val ns: Long) {
 
     fun end() = calls.forEach(CallNote::end)
 
-    /** Returns true if nothing has entered the agent. */
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
         filters.isEmpty() && !isChangedOutside && refusal == null
 
-    /** Returns the agent's input, once the cycle is over. */
+    /** Returns the agent's input. Call this after the cycle. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
         mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces,
     )
 }
 
-/** The change from the percepts before, see [PerceptChange]. Jason believes copies of the literals, which share their sets and maps. */
+/** The change from the previous percepts, see [PerceptChange]. Jason believes copies of the literals, which share their sets and maps. */
 internal class PerceptNote(private val keep: Int, private val now: List<Literal>, private val keepLast: Int) {
     private val texts = laterText(now) { now.map(::literalText) }
 
@@ -79,7 +79,7 @@ internal class PerceptNote(private val keep: Int, private val now: List<Literal>
     fun change() = PerceptChange(keep, texts(), keepLast)
 }
 
-/** A recorded cycle; the thread that stores it makes its texts. Immutable. */
+/** A recorded cycle. The thread that stores it makes its texts. Immutable. */
 internal class CycleNote(
     val index: Long,
     val number: Int,
@@ -96,9 +96,8 @@ internal class CycleNote(
 }
 
 /**
- * A call whose result becomes known later, perhaps in parts during the cycle.
- *
- * @param args the arguments that the action or function gets: Jason has copied them, but code of the project may change them
+ * A call whose result becomes known later, perhaps in parts during the cycle. [args] are the arguments of the action or function; Jason has
+ * copied them, but the project's code may change them.
  */
 internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Boolean) {
     private val args: () -> List<String> = laterText(args.asList(), isOfProject) { args.map(::textOf) }
@@ -110,14 +109,13 @@ internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Bo
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Adds another answer to the call. Returns false, and does not record it, if a loop finds it in a later cycle. */
+    /** Adds another answer to the call. Returns false and ignores the answer if a loop finds it in a later cycle. */
     fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
 
     fun sent(command: IssuedCommand) {
         commands += Sent(command.number, command.port, command.text)
     }
 
-    /** Ends the call with its cycle. */
     fun end() {
         hasEnded = true
     }

@@ -8,12 +8,12 @@ import java.util.Collections
 import java.util.IdentityHashMap
 
 /**
- * Collects the events that other threads put into an agent's queue, at any moment of a cycle or between two. Safe for use by several threads.
+ * Collects the events that other threads put into an agent's queue at any time. Safe for use by several threads.
  *
- * Jason puts an event into the queue before it tells its listeners, so the agent may select another thread's event before this is told of
- * it. Therefore the agent's own events are kept as well: an event that is selected and not known is another thread's.
+ * Jason puts an event into the queue before it tells its listeners. So the agent may select another thread's event before this class knows
+ * it. Therefore this class knows the agent's own events too: a selected event that is unknown comes from another thread.
  *
- * @param waiting returns the events that wait in the agent; those that wait now are its own
+ * @param waiting returns the events that wait in the agent; those that wait at the beginning are its own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
  */
 internal class ForeignEvents(private val waiting: () -> Collection<Event>, private val isOwn: () -> Boolean) : CircumstanceListener {
@@ -27,7 +27,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
     private var most = MANY
 
     @Transient
-    private val early = identitySet(emptyList()) // selected before this was told of them
+    private val early = identitySet(emptyList()) // selected before Jason told this listener of them
 
     /** Collects [event] if another thread adds it. */
     @Synchronized
@@ -37,7 +37,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
 
     val size: Int @Synchronized get() = added.size
 
-    /** Returns true if a collected event is of a belief in [beliefs]: then the thread has added that belief, too. */
+    /** Returns true if a collected event is the addition of a belief in [beliefs]. The other thread has then added that belief, too. */
     @Synchronized
     fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
 
@@ -49,11 +49,11 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
         added.clear()
     }
 
-    /** Takes [event], which the agent has selected in this cycle; returns true if another thread has added it. */
+    /** Takes [event], which the agent has selected in this cycle. Returns true if another thread added it. */
     @Synchronized
     fun takeSelected(event: Event): Boolean {
         val isForeign = event !in known && (added.removeIf { it === event } || event.isExternal.also { if (it) early += event })
-        if (known.size > most) { // an event may be selected again, so those that have gone are forgotten only now and then
+        if (known.size > most) { // an event may be selected again; past ones are forgotten now and then
             known.retainAll(identitySet(waiting()))
             most = maxOf(MANY, 2 * known.size)
         }

@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit
 import java.util.zip.DeflaterOutputStream
 
 /**
- * Takes key frames of the agent of [ts] from time to time, at the end of a cycle in which everything that the agent is doing can be
- * described. Make it before the agent's first cycle. Belongs to the agent's thread.
+ * Takes key frames of the agent of [ts] from time to time. A key frame is taken at the end of a cycle in which all of the agent's
+ * activities can be described. Make it before the agent's first cycle. Belongs to the agent's thread.
  */
 internal class KeyFrames(private val ts: TransitionSystem, private val course: CourseWatch) {
     private class Timer(val wait: CircumstanceListener, val dueNs: Long)
@@ -43,7 +43,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
 
     /** Notes that the agent has begun the timer [number], for [delayNs] from [ns] on. */
     fun timer(number: Int, ns: Long, delayNs: Long) {
-        val wait = ts.c.listeners.lastOrNull() ?: return // a .wait has just been added when it begins its timer
+        val wait = ts.c.listeners.lastOrNull() ?: return // a .wait adds its listener just before its timer
         if (!isKnown || !WaitEvents.isWait(wait) || timers.values.any { it.wait === wait }) return
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
@@ -62,12 +62,11 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
     }
 
     /**
-     * Returns a key frame at the end of [cycle], whose texts another thread makes; null: none is due. If one is due but cannot be made,
-     * returns once in each interval a key frame that has only the reason.
+     * Returns a key frame at the end of [cycle]; null: none is due. Another thread makes its texts. If a due key frame cannot be made,
+     * returns, once in each interval, a key frame with only the reason.
      *
      * @param begun the number of operations that the agent has begun outside of its thread
      * @param open the numbers of the operations that have not ended
-     * @param perceived the percepts of the agent
      */
     fun take(cycle: CycleNote, begun: Int, open: Set<Int>, perceived: List<Literal>): KeyFrameNote? {
         if (dueNs == Long.MIN_VALUE) dueNs = cycle.ns + INTERVAL_NS
@@ -80,9 +79,9 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             inside.message ?: "a Java object"
         } catch (other: LinkageError) {
             "this version of Jason has other fields ($other)"
-        } catch (_: StackOverflowError) { // Java nests the elements of a list as it writes them
+        } catch (_: StackOverflowError) { // Java writes the elements of a list nested
             "a list in an intention was too long"
-        } catch (other: RuntimeException) { // a thread of the project may be changing the agent, and a failed key frame must not disturb it
+        } catch (other: RuntimeException) { // a project's thread may change the agent; it must not be disturbed
             "the agent was being changed ($other)"
         }
         if (cycle.ns < missingNs) return null
@@ -90,7 +89,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(KeyFrame(cycle.index, cycle.number, cycle.ns, missing = reason))
     }
 
-    /** Returns the reason why the agent cannot be described now; null: none is known. */
     private fun obstacle(open: Set<Int>): String? {
         val c = ts.c
         return when {
@@ -102,7 +100,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** Describes an intention that waits for something that a key frame cannot hold; null: there is none. */
+    /** Describes an intention that waits for something that no key frame can contain; null: there is none. */
     private fun waitingIntention(open: Set<Int>): String? {
         val waiting = ts.c.listeners.filter(WaitEvents::isWait).mapTo(HashSet()) { WaitEvents.intention[it] }
         return ts.c.pendingIntentions.entries.firstNotNullOfOrNull { (key, intention) ->
@@ -111,7 +109,6 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         }
     }
 
-    /** Returns true if [intention] waits for the answer of another agent, which is recorded. */
     private fun isAsk(intention: Intention) = "${intention.suspendedReason}" == "waiting_ask"
 
     private fun described(intention: Intention): String {
@@ -134,7 +131,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             } else {
                 if (!belief.isGround) throw NotSerializableException("the belief $belief had variables")
                 places[belief] = place
-                beliefs += belief.copy() // a copy, since the belief's annotations may change
+                beliefs += belief.copy() // the belief's annotations may change
             }
         }
         val percepts = ts.ag.bb.percepts.asSequence().mapNotNull(places::get).toList()
@@ -173,12 +170,12 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         /** The longest time until the next key frame is due. */
         val MAX_INTERVAL_NS = TimeUnit.SECONDS.toNanos(20)
 
-        /** The time that each belief adds: many beliefs take longer to write. */
+        /** The additional time for each belief, since many beliefs take longer to write. */
         val OF_BELIEF_NS = TimeUnit.MILLISECONDS.toNanos(20)
     }
 }
 
-/** A key frame whose texts are not made yet. The literals do not change. */
+/** A key frame without its texts. The literals do not change. */
 internal class KeyFrameNote(
     private val frame: KeyFrame,
     private val beliefs: List<Literal> = emptyList(),
@@ -187,13 +184,11 @@ internal class KeyFrameNote(
 ) {
     val ns: Long get() = frame.ns
 
-    /** The approximate size of the key frame, in bytes. */
     val size: Int get() = (beliefs.size + perceived.size) * BELIEF_BYTES + mind.size
 
-    /** True if this is a key frame, and not only the reason for a missing one. */
+    /** True for a key frame, false for only the reason why there is none. */
     val isThere: Boolean get() = frame.missing == null
 
-    /** Makes the texts, on any thread. */
     fun frame(): KeyFrame {
         if (!isThere) return frame
         val (believed, percepts) = beliefs.map(::literalText) to perceived.map(::literalText)

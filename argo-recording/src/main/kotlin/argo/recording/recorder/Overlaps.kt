@@ -4,16 +4,17 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Detects overlapping cycles of recorded agents, in which nobody can tell which agent drew which number from Jason's counters. Any thread.
+ * Detects overlapping cycles of recorded agents. In such cycles it is unknown which agent drew which number from Jason's counters. Any
+ * thread may call.
  */
 internal object Overlaps {
     private val open = AtomicInteger()
     private val begun = AtomicLong()
 
-    /** Begins a cycle. Returns its number for [end]. */
+    /** Begins a cycle and returns its number for [end]. */
     fun begin(): Long = (open.getAndIncrement() == 0).let { isAlone -> begun.incrementAndGet().takeIf { isAlone } ?: -1 }
 
-    /** Ends the cycle that began with [number]. Returns true if no other cycle ran meanwhile. */
+    /** Ends the cycle with this [number]. Returns true if no other cycle ran at the same time. */
     fun end(number: Long): Boolean {
         open.decrementAndGet()
         return number == begun.get()

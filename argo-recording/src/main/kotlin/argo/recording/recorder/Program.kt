@@ -19,7 +19,7 @@ import java.io.IOException
 
 /**
  * Stores the program of the agent of [ts] with all files that it includes, its options and all versions.
- * @throws IOException if the program cannot be read, or only code of the project can read it
+ * @throws IOException if the program cannot be read, or only the project's code can read it
  */
 internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram {
     val name = ts.agArch.agName
@@ -56,8 +56,7 @@ internal fun storeProgram(ts: TransitionSystem, sink: RecordSink): StoredProgram
 }
 
 /**
- * Returns those of [settings] that an infrastructure may change besides the options. An execution control, for example, makes agents wait
- * for it.
+ * Returns the [settings] that an infrastructure may change besides the options. For example, an execution control makes agents wait for it.
  */
 private fun inForce(settings: Settings) = mapOf(
     "events" to if (settings.requeue()) "requeue" else if (settings.retrieve()) "retrieve" else "discard",

@@ -60,8 +60,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.logging.Logger
 
 /**
- * Records the cycles of one agent to [track]. It stands on the agent's boundary: it notes all input of a cycle there, and lets operations
- * that the agent has begun outside of its thread end only at the beginning of a cycle.
+ * Records the cycles of one agent to [track]. Notes all input of a cycle at the agent's boundary. Lets operations that the agent has begun
+ * outside of its thread end only at the beginning of a cycle.
  */
 internal class Recorder(
     private val agent: ObservedAgent,
@@ -69,18 +69,18 @@ internal class Recorder(
     private val track: Track,
     private val log: Logger,
 ) : AgentObserver, Boundary, Keeper, CallWatch, Includes {
-    /** An end that waits for the next cycle, with its work if another thread left that. */
+    /** An end that waits for the next cycle, with its work if another thread left that work. */
     private class Arrived(val end: End, val work: Runnable? = null)
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
-    private val works = AtomicInteger() // number of works that wait in the inbox
+    private val works = AtomicInteger() // works waiting in the inbox
     private var running: Running? = null
 
     @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
-    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // the commands under way that a call of a cycle has sent
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // commands under way that a call in a cycle has sent
 
     @Volatile
     private var inCycle: Thread? = null
@@ -92,12 +92,12 @@ internal class Recorder(
         var counters: List<Int> = emptyList()
         val events = ForeignEvents({ ts.c.events + listOfNotNull(Insides.atomicEvent[ts.c]) }) { inCycle === Thread.currentThread() }
             .also(ts.c::addEventListener)
-        var isLast = false // whether the recording ends with the cycle that runs
+        var isLast = false // whether the recording ends with the present cycle
         var beliefs = -1
         var cycles = 0L
-        var number = 0 // Jason's number of the cycle that runs
+        var number = 0 // Jason's number of the present cycle
         var overlap = 0L
-        lateinit var now: CycleNotes // notes of the cycle that runs
+        lateinit var now: CycleNotes // notes of the present cycle
     }
 
     override fun cycleStarting(ts: TransitionSystem) {
@@ -128,14 +128,13 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with the cycle that an error has ended, since the rest of the cycle's course is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. How that cycle would have gone on is not known. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
         end(agent)
     }
 
-    /** Ends the recording of the agent, while the agent goes on. */
     private fun end(agent: Running) {
         isRefused = true
         agent.ts.c.removeEventListener(agent.events)
@@ -152,7 +151,9 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /** Refuses the cycle if a thread of the project has changed the agent's beliefs. If it has only added events, a replay has them all. */
+    /**
+     * Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are no reason, since a replay has them all.
+     */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
@@ -160,8 +161,8 @@ internal class Recorder(
     }
 
     /**
-     * Carries out the ends that have arrived, before Jason begins the cycle: an intention that this resumes goes on in the same cycle, as
-     * it would without a recording.
+     * Carries out the ends that have arrived, before Jason begins the cycle. An intention resumed by an end goes on in the same cycle, as
+     * without a recording.
      */
     private fun carryOutEnds(agent: Running) {
         if (inbox.isEmpty()) return
@@ -183,7 +184,7 @@ internal class Recorder(
         else unchanged(agent, { "work that the thread ${end.thread} left has changed the agent" }, work::run)
     }
 
-    /** Does [work] of the project. Refuses the cycle, with [why], if that changes the agent: a replay does not carry it out. */
+    /** Does the project's [work]. If that changes the agent, refuses the cycle with [why], since a replay does not carry the work out. */
     private inline fun <T> unchanged(agent: Running, why: () -> String, work: () -> T): T {
         if (isRefused) return work()
         val before = MindSizes.of(agent.ts)
@@ -272,7 +273,9 @@ internal class Recorder(
         return unchanged(agent, { "the project's action ${call.name} changes the agent besides its result" }) { live(call.un) }
     }
 
-    /** Refuses the cycle if an action of the project [does] something besides its result now: a replay does not carry the action out. */
+    /**
+     * Refuses the cycle if the project's present action [does] something besides its result, since a replay does not carry the action out.
+     */
     private fun refuseIfOfProject(agent: Running, does: String) {
         val call = agent.now.underWay?.takeIf { it.isOfProject } ?: return
         agent.now.refuse("the project's action ${call.name} $does besides its result")
@@ -318,7 +321,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. In a replay, too, Jason leaves the work of its own classes, except for the end of an action of the project. */
+    /** Takes [work]. Even in a replay, Jason's own classes leave their work themselves, except the end of a project's action. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -342,10 +345,10 @@ internal class Recorder(
 
     private fun sending(message: Message, live: () -> Unit) {
         val agent = current()
-        if (agent == null || agent.now.isSending) return live() // an infrastructure may send a broadcast as single messages
+        if (agent == null || agent.now.isSending) return live() // an infrastructure may split a broadcast into single messages
         refuseIfOfProject(agent, "sends a message")
         agent.now.isSending = true
-        val mail = mailOf(message) // noted first: the receiver, on another thread, gets the same terms and may change them
+        val mail = mailOf(message) // noted first, since the receiver's thread may change the same terms
         try {
             live()
             agent.course.sent(mail.copy(sender = message.sender))
@@ -388,7 +391,7 @@ internal class Recorder(
         if (agent.isLast) end(agent) else if (!isEnding) takeKeyFrame(agent, cycle)
     }
 
-    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must hold the counters. */
+    /** Returns the counters that a replay has after this cycle; empty: the next recorded cycle must contain the counters. */
     private fun whereLeft(agent: Running, isAlone: Boolean, isRecorded: Boolean): List<Int> = when {
         !isAlone || !isRecorded && agent.now.counters != null -> emptyList()
         Counters.isAt(agent.counters) -> agent.counters
@@ -406,13 +409,12 @@ internal class Recorder(
     }
 
     private fun takeKeyFrame(agent: Running, cycle: CycleNote) {
-        if (agent.events.size > 0 || works.get() > 0) return // a waiting event, or work, belongs to the next cycle
+        if (agent.events.size > 0 || works.get() > 0) return // waiting events and work belong to the next cycle
         val note = agent.keyFrames.take(cycle, begun.last, begun.numbers, agent.percepts) ?: return
         track.keyFrame(note)
-        if (note.isThere) agent.counters = emptyList() // so the next cycle holds all counters, for a replay that begins here
+        if (note.isThere) agent.counters = emptyList() // so the next cycle contains all counters, for a replay from here on
     }
 
-    /** Returns the agent if the calling thread carries out one of its cycles. */
     private fun current() = if (inCycle === Thread.currentThread()) running else null
 
     override fun messagePerceived(message: PerceivedMessage) {
@@ -458,7 +460,7 @@ internal class Recorder(
     }
 
     override fun close() {
-        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // the error that ended the cycle ended the agent's thread, too
+        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // an error ended the cycle and the agent's thread
         running?.course?.close()
         track.close()
     }
@@ -474,7 +476,6 @@ internal class Recorder(
     }
 }
 
-/** Returns the change from [before] to [now]. */
 internal fun changed(before: List<Literal>, now: List<Literal>): PerceptNote {
     val most = minOf(before.size, now.size)
     var keep = 0

@@ -12,9 +12,8 @@ import jason.infra.local.LocalAgArchAsynchronous
 import jason.util.Config
 
 /**
- * Returns the reason why the classes and plans of the agent of [ts] cannot be recorded, for a person; null: they can.
- *
- * Directives of the project are refused by [StoredProgram], unknown internal actions by [WatchedCode][argo.recording.agent.WatchedCode].
+ * Returns why the classes and plans of the agent of [ts] cannot be recorded, in words; null: they can. [StoredProgram] refuses directives
+ * of the project, and [WatchedCode][argo.recording.agent.WatchedCode] unknown internal actions.
  */
 internal fun refusalOfClasses(ts: TransitionSystem): String? {
     val (agent, beliefs) = ts.ag.javaClass to ts.ag.bb.javaClass
@@ -30,14 +29,14 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     }
 }
 
-/** Returns true if the calling thread is making an agent as a clone of another. Only the stack shows that, not the clone. */
+/** Returns true if the calling thread is cloning an agent. Only the stack shows that; the clone does not. */
 private fun isCloned() = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).walk { frames ->
     frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
 }
 
 private const val OF_CLONES = "(Ljava/util/List;Ljason/asSemantics/Agent;)V"
 
-/** Returns the reason why the agent of [ts] cannot be recorded, for a person; null: it can. */
+/** Returns why the agent of [ts] cannot be recorded, in words; null: it can. */
 internal fun refusal(ts: TransitionSystem): String? {
     val architectures = generateSequence(ts.agArch) { it.nextAgArch }.toList()
     val infrastructure = architectures.last()

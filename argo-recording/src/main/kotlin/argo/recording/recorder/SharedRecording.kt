@@ -12,17 +12,17 @@ import java.time.LocalDateTime
 import java.time.format.DateTimeFormatter
 import java.util.logging.Logger
 
-/** The recording of all agents of a program that have the same option. Safe for use by several threads. */
+/** The recording of all agents of a program with the same option. Safe for use by several threads. */
 internal class SharedRecording private constructor(val sink: RecordSink, private val key: String, private val log: Logger) {
     private var agents = 0
 
     /**
-     * Closes a file when Java ends: otherwise Ctrl-C would cost its last part. A ring is written only on request, not at each end of a
+     * Closes a file when Java ends. Otherwise Ctrl-C would cost its last part. A ring is written only on request, not at the end of a
      * program.
      */
     private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 
-    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing to a recording that goes to a file anyway. */
+    /** Writes a ring to a file in [folder], on a thread of its own. Does nothing to a recording in a file. */
     fun save(folder: Path = Path.of("")) {
         val ring = sink as? RecordingRing ?: return
         Thread({
@@ -30,13 +30,13 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
             try {
                 ring.save(file)
                 log.info("the last minutes are recorded in $file")
-            } catch (trouble: Exception) { // the thread reports every failure
+            } catch (trouble: Exception) { // report every failure
                 log.warning("the last minutes cannot be written to $file: $trouble")
             }
         }, "argo-save-recording").apply { isDaemon = true }.start()
     }
 
-    /** Calls [use] with a file that holds the recording so far. Waits for the disk. */
+    /** Calls [use] with a file that contains the recording so far. Waits for the disk. */
     fun <T> read(use: (Path) -> T): T {
         if (sink is RecordingFile) {
             sink.flush()
@@ -51,7 +51,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }
     }
 
-    /** Removes an agent, which ends; the last one closes the recording. */
+    /** Removes an agent that ends. The last one closes the recording. */
     fun leave() = synchronized(OPEN) {
         if (--agents == 0) {
             OPEN -= key
@@ -69,7 +69,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         val LAST = Regex("""last\(([1-9]\d{0,3})\)""")
 
         /**
-         * Adds an agent to the recording that [value], its option, names: a file, or the last minutes. Returns the recording.
+         * Adds an agent to the recording of the option's [value], a file or the last minutes. Returns the recording.
          * @throws IOException if the file cannot be made
          */
         fun join(value: String, log: Logger): SharedRecording = synchronized(OPEN) {

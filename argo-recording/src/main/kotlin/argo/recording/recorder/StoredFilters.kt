@@ -4,23 +4,18 @@ import argo.filters.PerceptionFilter
 import argo.filters.format.XmlFilters
 import argo.recording.filterName
 
-/**
- * Stores each filter of [agent] once in its recording, in XML. For the agent's thread.
- *
- * @param attach stores a text under a name
- */
+/** Stores each filter of [agent] once in its recording, in XML. For the agent's thread. */
 internal class StoredFilters(private val agent: String, private val attach: (name: String, text: String) -> Unit) {
     private val names = HashMap<PerceptionFilter, String>()
     private val texts = HashSet<String>()
 
-    /** Stores [filter] if it is new, and returns the name of its attachment. */
     fun store(filter: PerceptionFilter): String = names.getOrPut(filter) {
         val name = names(filter.name).first(texts::add)
         attach(name, XmlFilters.write(filter))
         name
     }
 
-    /** Returns possible names of the attachment. The agent may read a changed file again as a filter of the same name. */
+    /** Returns possible names of the attachment. After a change of its file, another filter may have the same name. */
     private fun names(filter: String) =
         sequenceOf(filterName(agent, filter)) + generateSequence(2) { it + 1 }.map { filterName(agent, "$filter-$it") }
 }

@@ -16,19 +16,18 @@ import java.net.URL
 import java.nio.file.Path
 
 /**
- * Stores the program of [agent] in its recording: the file [main], and the files that it includes, as Jason finds them. For the agent's
- * thread.
+ * Stores the program of [agent] in its recording: the file [main], and the files that it includes, found as Jason finds them. For the
+ * agent's thread.
  *
- * @throws IOException if code of the project reads the program
+ * @throws IOException if the project's code reads the program
  */
 internal class StoredProgram(private val agent: String, main: ProgramSource, private val sink: RecordSink) {
     private class Inclusion(val within: String, val name: String, val file: ProgramSource?)
 
-    private val names = HashMap<String, ProgramSource>() // stored files, by the names of their attachments
+    private val names = HashMap<String, ProgramSource>() // stored files, by attachment name
     private var inclusions = 0
     private val root: Path
 
-    /** The name of the attachment with the agent's own file. */
     val main: String
 
     init {
@@ -53,15 +52,13 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     private fun requireJasons(directive: String) {
         if (directive in JASONS_DIRECTIVES) return
-        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // null: a term that only looks like a directive
+        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // the term only looks like a directive
         throw IOException("the project's class ${type.name} reads its directive $directive")
     }
 
     /**
-     * Stores the file called [name] that the agent includes as it runs, found in the same way as Jason will find it.
-     *
-     * @param outer the address of the file that includes it
-     * @param within the name that [KeptInclude.placeOf] gives that file
+     * Stores the file called [name] that the agent includes at run time, found as Jason will find it. [within] is the name of that file by
+     * [KeptInclude.placeOf].
      */
     fun include(name: String, outer: String?, within: String) =
         store(Inclusion(within, name, ProgramSource.included(name, outer, KeptInclude.sourcePath)))
@@ -72,7 +69,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
         sink.metadata(includeMetadata(agent, ++inclusions), values + file)
     }
 
-    /** Stores [source] if it is new, and returns the name of its attachment; a file that has changed is new. */
+    /** Stores [source] if it is new, and returns the name of its attachment. A changed file is new. */
     private fun attached(source: ProgramSource): String {
         val wanted = source.path?.takeIf(root::isParentOf)?.let { programName(agent, root.relativize(it)) }
             ?: "${programName(agent, Path.of("included"))}/${source.address.substringAfterLast('/')}"
@@ -94,7 +91,7 @@ private fun commonDirectory(directories: List<Path>): Path =
     directories.reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one }
         ?: Path.of("").toAbsolutePath()
 
-/** A file of a program: the address at which Jason has found it, and its content. */
+/** A file of a program: its address for Jason, and its content. */
 internal class ProgramSource(val address: String, val bytes: ByteArray) {
     val text: String get() = bytes.decodeToString()
 
@@ -110,8 +107,7 @@ internal class ProgramSource(val address: String, val bytes: ByteArray) {
 
         /**
          * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
-         *
-         * @param outer the address of the file that includes it; null: the agent's program, at its beginning
+         * [outer] is the address of the including file; null: the agent's program, at its beginning.
          */
         fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
             val found = sourcePath.fixPath(name)
@@ -140,7 +136,7 @@ internal class ProgramSource(val address: String, val bytes: ByteArray) {
             when {
                 address.startsWith("file:/") -> Path.of(URI(address))
                 address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // a URL: its colon is further on than that of a drive letter of Windows
+                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further left
                 else -> Path.of(address)
             }?.toAbsolutePath()?.normalize()
         } catch (_: java.net.URISyntaxException) {

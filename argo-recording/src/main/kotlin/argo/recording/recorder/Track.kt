@@ -23,7 +23,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Writes the part of [recording] about the agent called [agent]. Any thread may call; the thread that stores the records makes their texts.
+ * Writes the part of [recording] about the agent called [agent]. Any thread may call. The thread that stores the records makes their texts.
  */
 internal class Track(
     override val agent: String,
@@ -39,7 +39,7 @@ internal class Track(
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
 
-    /** The reasons of refusals that have been reported. Of the refusals because of the project's code, only the first is reported. */
+    /** The reasons of reported refusals. Of refusals for the project's code only the first is reported. */
     val told: MutableSet<String> = ConcurrentHashMap.newKeySet()
     private val isProjectTold = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()
@@ -79,13 +79,12 @@ internal class Track(
 
     fun attach(name: String, text: String) = sink.attach(name, "text/xml", text.encodeToByteArray())
 
-    /** Marks that the agent wants the recording because of [why], and has another thread save a ring. */
+    /** Marks that the agent requests the recording because of [why], and has another thread save a ring. */
     fun save(why: String, ns: Long) {
         store(marks, ns, why.length) { json(Mark.serializer(), Mark(why)) }
         recording.save()
     }
 
-    /** Ends the agent's part of the recording. May be called twice. */
     fun close() {
         if (isClosed.getAndSet(true)) return
         RunningRecordings.remove(this)
@@ -101,7 +100,6 @@ internal class Track(
     private companion object {
         val JSON = Json { encodeDefaults = false }
 
-        /** The approximate size of a waiting record, in bytes. */
         const val CYCLE_BYTES = 500
         const val PERCEPT_BYTES = 100
         const val COMMAND_BYTES = 100

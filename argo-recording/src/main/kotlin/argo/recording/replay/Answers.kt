@@ -21,11 +21,11 @@ import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
 /**
- * Answers the questions of an agent that runs on a recording, and ends the operations that it begins outside of its thread. Belongs to one
- * agent, and to its thread, except for [left].
+ * Answers an agent's questions in a replay, and ends the operations that the agent begins outside of its thread. Belongs to one agent and,
+ * except for [left], to its thread.
  */
 internal interface Answers {
-    /** True if the agent has so far repeated each step of the recording. */
+    /** True if the agent has repeated each step of the recording so far. */
     val isAsRecorded: Boolean get() = true
 
     /** The recorded call that waits for an outcome, in words; empty: it is not known. */
@@ -34,49 +34,43 @@ internal interface Answers {
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start], null being the beginning of its program, with running [timers], by their numbers. */
+    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. The [timers] are running, by their numbers. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
-    /** Makes [cycle] the next cycle. */
     fun next(cycle: Cycle)
 
-    /** Carries out the ends before [cycle]. */
     fun carryOut(cycle: Cycle)
 
     /** Returns the port by which [percept] came, a text of [argo.recording.agent.literalText]; null: it came by no port. */
     fun boardOf(percept: String): String?
 
-    /** Returns the result of [call]; [live] carries it out. */
+    /** Returns the result of [call]. [live] carries the call out. */
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 
-    /** Returns the value of the function [name] for [args]; [live] evaluates it. */
+    /** Returns the value of the function [name] for [args]. [live] evaluates it. */
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 
-    /** Takes [work] that the agent begins. */
     fun begun(work: BegunWork)
 
-    /** Takes [work] that another thread leaves for the agent's next cycle. Any thread. */
+    /** Takes [work] that another thread leaves for the agent's next cycle. Any thread may call. */
     fun left(work: Runnable)
 
-    /** Returns the recorded message that corresponds to [mail], which the agent sends; null: none. */
+    /** Returns the recorded message that corresponds to [mail], a message that the agent sends; null: none. */
     fun sent(mail: Mail): Mail?
 
-    /** Notes that a recorded text of the [what] is refused, since it stands for a term that no recording can hold. */
+    /** Notes that a recorded text of the [what] is refused. The text replaces a term that no recording can contain. */
     fun refused(what: String, why: UnrecordableTerm)
 
-    /** Ends the cycle. */
+    /** Call this at the end of the cycle. */
     fun cycleFinished() = Unit
 }
 
 /**
- * An operation that an agent begins outside of its thread.
+ * An operation that an agent begins outside of its thread, in [cycle].
  *
- * @property cycle the cycle in which the agent begins it
  * @property kind the operation's kind, as in [End.kind]
- * @property what the operation's description
- * @property delayNs the time in ns of an operation that is a timer
- * @property isDropped returns true if the agent has given it up
- * @property complete takes its end
+ * @property delayNs the delay of a timer, in ns
+ * @property isDropped returns true if the agent has given the operation up
  */
 internal class BegunWork(
     val cycle: Cycle,
@@ -87,17 +81,15 @@ internal class BegunWork(
     val complete: (End) -> Unit,
 )
 
-/** A timer that ends when the recording says so, and not by itself. */
+/** A timer that ends only when the recording requires it. */
 internal class Unscheduled<V>(work: Callable<V>) : FutureTask<V>(work), ScheduledFuture<V> {
     override fun getDelay(unit: TimeUnit) = Long.MAX_VALUE
 
     override fun compareTo(other: Delayed) = 0
 }
 
-/** Returns the texts by which [args] of a call are compared. */
 internal fun compared(args: List<Term>): List<String> = args.map { normal(textOf(it)) }
 
-/** Returns true if this is a call of [name] with [args], as [compared] returns them. */
 internal fun Call.isOf(name: String, args: List<String>) = this.name == name && this.args.map(::normal) == args
 
 /** Returns the recorded value of the function, or throws its recorded failure; null: the call is not of a function. */
@@ -106,7 +98,7 @@ internal fun Call.valueOrFailure(): Double? {
     return value?.toDouble()
 }
 
-/** Gives [call] the result of [recorded], or fails like it; [suspending] surrounds the suspension of the intention. */
+/** Gives [call] the result or failure of [recorded]. [suspending] surrounds the suspension of the intention. */
 internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: () -> Unit) -> Unit = { it() }): Any {
     recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
     if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()
@@ -116,7 +108,6 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
     return true
 }
 
-/** Binds the variables in the arguments of [call] to the recorded [answer]. */
 private fun bind(call: InternalCall, un: Unifier, answer: Map<Int, String>) = answer.forEach { (place, text) ->
     call.args.getOrNull(place)?.let { un.unifies(it, termOf(text)) }
 }

@@ -9,13 +9,10 @@ import argo.recording.Step
 /**
  * A difference between a replay and its recording.
  *
- * @property agent the agent
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
- * @property recorded the recorded value; null: none
  * @property now the value in the replay; null: none
- * @property cause the likely cause, in a sentence
  */
 data class Difference(
     val agent: String,
@@ -26,7 +23,7 @@ data class Difference(
     val now: String?,
     val cause: String,
 ) {
-    /** True if only an action or function of the project gave another result: then the replay used the recorded result, and went on. */
+    /** True if only the result of the project's action or function differs. The replay then used the recorded result and went on. */
     val isOfResult: Boolean get() = what.startsWith(RESULT)
 
     override fun toString() =
@@ -37,7 +34,7 @@ data class Difference(
     }
 }
 
-/** Returns the first difference between [recorded] and [now]: its kind, and both values; null: there is none. */
+/** Returns the kind and both values of the first difference between [recorded] and [now]; null: there is none. */
 internal fun difference(recorded: Course, now: Course): Triple<String, String?, String?>? {
     fun <T> differing(what: String, of: Course.() -> T?): Triple<String, String?, String?>? {
         val (before, after) = recorded.of() to now.of()
@@ -53,9 +50,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * Returns the part of this course of a replayed cycle that can be compared with the recording of [cycle]: without the parts that the
- * recording lacks because its agent or Java was ending, and with the recorded lines of the project's own actions, unless [isChecking]
- * carries these out.
+ * Returns the comparable part of this replayed course of [cycle]. The result has no parts that the recording lacks, as when the agent or
+ * Java was ending. Unless [isChecking] carries out the project's own actions, the result contains the recorded lines of these actions.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
@@ -75,7 +71,6 @@ private fun Course.asFarAs(recorded: Course) = copy(
     beliefs = recorded.beliefs,
 )
 
-/** Returns true if [all] contain these [lines] in their order. */
 private fun isWithin(lines: List<String>, all: List<String>): Boolean =
     all.iterator().let { rest -> lines.all { line -> rest.asSequence().any { normal(it) == normal(line) } } }
 
@@ -87,9 +82,9 @@ private fun described(step: Step) =
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
 /**
- * Returns [text] without parts that the agent does not decide: the numbers that Jason gives variables, plans and messages, which all agents
- * of a program share; the place of the code of a failure, which is a path on the machine of the recording, and which the content of a
- * message lacks; and the hashes of Java objects, such as the iterator in the steps of a loop.
+ * Returns [text] without numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of all
+ * agents. The place of a failure's code is a path on the recording machine, and missing in messages. A hash belongs to a Java object, such
+ * as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

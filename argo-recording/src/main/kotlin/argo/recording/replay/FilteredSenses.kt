@@ -13,7 +13,7 @@ import jason.asSyntax.Literal
 import java.util.concurrent.TimeUnit
 
 /**
- * The recorded percepts, with the messages of boards seen through [filter] in place of the recorded filters. Percepts of an environment and
+ * The recorded percepts, with the boards' messages seen through [filter] instead of the recorded filters. Percepts of an environment and
  * beliefs about ports stay.
  */
 internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
@@ -31,7 +31,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         val input = cycle.input
         val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
         input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
-        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // evaluates all of them
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // takes from all boards
         input.percepts?.let { recorded = it.appliedTo(recorded) }
         if (input.percepts == null && !isDue) return null
         noteCritical()
@@ -51,11 +51,11 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
     private inner class Board(private val namespace: String?) {
         private val session = MessageSession(::read).also { it.switchTo(filter) }
 
-        /** The texts of the percepts of the board's newest message that the agent perceived in the recording. */
+        /** The texts of the board's newest message that the agent perceived in the recording. */
         var before: Set<String> = emptySet()
             private set
 
-        /** The part of that message that the agent perceives now. */
+        /** The part of that newest message that the agent perceives in this replay. */
         var now: MessagePerception? = null
             private set
 
@@ -64,7 +64,6 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
             now = session.perceive(message.texts, ms)
         }
 
-        /** Returns true if the filter lets a held-back percept through. */
         fun takeDue(ms: Long): Boolean = session.due(ms)?.also { now = it } != null
 
         private fun read(text: String): List<Literal> {

@@ -11,14 +11,14 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 
 /**
- * The agent of a replay, or an agent that Jason makes for an included file. It asks [watch] about each call of the code that it looks up,
- * as Jason reads the program and while the agent runs, also for a term that it has made from a text. It touches no class that is not an
- * internal action or a function.
+ * The agent of a replay, or an agent that Jason makes for an included file. Asks [watch] about each call of looked-up code: while Jason
+ * reads the program, while the agent runs, and for terms that the agent makes from texts. The agent touches only classes that are internal
+ * actions or functions.
  */
 internal class GuardedAgent(private val watch: LateWatch) : Agent() {
-    private var code: WatchedCode? = null // null: the program is being read
+    private var code: WatchedCode? = null // null while the program is read
 
-    /** Asks [asked] about the calls of the agent's [code] from now on. Called when Jason has read the program. */
+    /** Asks [asked] about the calls of the agent's [code] from now on. Call this when Jason has read the program. */
     fun begin(code: WatchedCode, asked: CallWatch) {
         this.code = code
         watch.watch = asked
@@ -32,7 +32,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
     override fun getFunction(name: String, arity: Int): ArithFunction? =
         super.getFunction(name, arity)?.let { WatchedCode.watched(it, watch) }
 
-    /** Watches included code anew: agents of Jason's own read the blocks of an included file. */
+    /** Watches included code anew, since Jason's own agents read the blocks of an included file. */
     override fun importComponents(included: Agent) {
         super.importComponents(included)
         code?.run {
@@ -43,7 +43,7 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 
     companion object {
         /**
-         * Refuses the class [name] if it is neither an internal action nor a function. Jason reports a class that does not exist.
+         * Refuses the class [name] if it is neither an internal action nor a function. Jason reports a missing class.
          * @throws RecordingException if [name] is refused
          */
         fun requireCode(name: String) {
@@ -56,11 +56,11 @@ internal class GuardedAgent(private val watch: LateWatch) : Agent() {
 }
 
 /**
- * Asks [watch] about each call of the code that Jason has looked up as it read a program. As long as [watch] is null, it carries out no
- * code that touches the outside, except the project's own code if [isCarryingOut].
+ * Asks [watch] about each call of code that Jason has looked up while it read a program. As long as [watch] is null, carries out no code
+ * that touches the outside, except the project's own code if [isCarryingOut].
  */
 internal class LateWatch(private val isCarryingOut: Boolean) : CallWatch {
-    /** The watch that is asked; null: the program is being read. */
+    /** The watch to ask; null while the program is read. */
     var watch: CallWatch? = null
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any =

@@ -30,10 +30,8 @@ import java.nio.file.Path
 /**
  * Has Jason make an agent like [recorded], without ports, threads and a clock of its own. All its input comes from [boundary].
  *
- * @param source the agent's program
- * @param includes the files that the program includes
  * @param isCarryingOut whether an architecture of the project may be made, which may do anything
- * @throws RecordingException if a class of the agent is missing, or must not be made in a replay, or Jason cannot read the program
+ * @throws RecordingException if a class of the agent is missing or must not be made in a replay, or Jason cannot read the program
  */
 internal fun jasonAgent(
     recorded: RecordedAgent,
@@ -62,7 +60,7 @@ internal fun jasonAgent(
     arch.ts = ts
     infra.insertAgArch(arch)
     arch.init()
-    ts.logger.useParentHandlers = false // the recording holds the printed lines
+    ts.logger.useParentHandlers = false // the recording contains the printed lines
     return ts
 }
 
@@ -74,7 +72,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source] as if it were at [address], which Jason shows in annotations and errors; null: at [source]. */
+/** Reads the program in the file [source] as if it were at [address], as in annotations and errors of Jason. Null: at [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, shown(address)) }
@@ -89,7 +87,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Makes Jason forget its selections, as it does in [cycles] cycles in which nothing happens; such cycles are not recorded. */
+/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Cycles in which nothing happens are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -102,7 +100,7 @@ internal fun TransitionSystem.rest(cycles: Int) {
 }
 
 /**
- * Carries out the reasoning cycle with this [number], and takes included files from [includes]. For [isConditional] see
+ * Carries out the reasoning cycle with this [number], with included files from [includes]. For [isConditional] see
  * [RecordedAgent.isConditional].
  */
 internal fun TransitionSystem.cycle(number: Int, isConditional: Boolean, includes: RecordedIncludes) = KeptInclude.within(includes) {
@@ -133,15 +131,15 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
 }
 
 /**
- * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads the settings as it makes an agent, or
- * once in a program with the first term.
+ * Calls [create] with the settings of [recorded] and with Jason's own plans for messages. Jason reads settings when it makes an agent; some
+ * it reads only once in a program, with the first term.
  */
 private fun ofConfiguration(recorded: RecordedAgent, create: () -> Unit) =
     reading(recorded.config + (Config.KQML_PLANS_FILE to Message.kqmlDefaultPlans), create)
 
 /**
- * Has Jason [read] a program with these [settings], and without its server that shows agents, which would show each block of a program as
- * an agent, too.
+ * Has Jason [read] a program with these [settings], but without its server for showing agents. The server would show each block of a
+ * program as an agent, too.
  */
 internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () -> T): T {
     val config = Config.get()
@@ -154,7 +152,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
     }
 }
 
-/** Refuses the class [name] of an agent unless it is [jasons]: the constructor of another class may do anything. */
+/** Refuses the class [name] of an agent unless it is [jasons], since the constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes only $jasons")
 }
@@ -180,25 +178,25 @@ internal fun classOrNull(type: String): Class<*>? = try {
     Class.forName(type, false, ReplayPlatform::class.java.classLoader)
 } catch (_: ClassNotFoundException) {
     null
-} catch (_: LinkageError) { // some disks ignore case, and find the class of a name that differs only by case
+} catch (_: LinkageError) { // a disk that ignores case finds the class of a name in another case
     null
 }
 
-/** Returns true if a replayed agent gets [option] too: options of observers would begin one, such as a live view. */
+/** Returns true if a replayed agent gets [option] too. Options of observers would start them, such as a live view. */
 private fun isOfAgent(option: String) = !option.startsWith("argo_") || option == "argo_sensing" || option == "argo_percepts"
 
 private class Infra(private val recorded: RecordedAgent) : AgArch() {
     override fun getAgName() = recorded.name
 
-    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 asks this function for some services
+    @Suppress("OVERRIDE_DEPRECATION") // Jason 3.3 gets some services from this function
     override fun getRuntimeServices(): RuntimeServices? = RuntimeServicesFactory.get()
 }
 
-/** The platform of an agent in a replay, with the recorded input. It opens no port and runs no thread. */
+/** The platform of an agent in a replay, with the recorded input. This platform opens no port and runs no thread. */
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
 
-    /** Returns a thread that never runs: an agent starts one to close its ports, and here it has none. */
+    /** Returns a thread that never runs. An agent starts one to close its ports, but has none here. */
     override fun start(name: String, run: () -> Unit) = Thread(run, name)
 
     override fun later(delayMs: Long, action: () -> Unit) = Unit

@@ -5,8 +5,8 @@ import argo.recording.Cycle
 import argo.recording.End
 
 /**
- * Finds calls of [cycles], and the ends of the operations that those calls began, to answer an agent that may make other calls, or at other
- * times.
+ * Finds recorded calls, and the ends of their operations, in [cycles]. The recorded calls answer an agent that may make other calls, or
+ * calls at other times.
  */
 internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     class Made(val call: Call, val index: Long, val ns: Long) {
@@ -32,12 +32,11 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         }
     }
 
-    /** The usual time of a command with an outcome, in ns: the median of the recorded ones. */
+    /** The usual time of a command with an outcome, in ns: the median of the recorded times. */
     val usualNs: Long = made.values.flatten().filter { it.call.commands.isNotEmpty() }
         .mapNotNull { call -> call.call.number?.let(ended::get)?.let { it.ns - call.ns } }
         .sorted().let { it.getOrNull(it.size / 2) ?: USUAL_NS }
 
-    /** Returns the end of the operation that was begun with [number]; null: it did not end. */
     fun endOf(number: Int): Ended? = ended[number]
 
     /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */
@@ -45,17 +44,17 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or the nearest one within [NEAR_NS] of [ns]; null: none is left
-     * there. Returns each call once.
+     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]. Null: none
+     * is left there. Returns each call once.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }
 
-    /** Returns the nearest call, as [near] does, but may return the same call several times. */
+    /** Returns the same call as [near], but may return a call several times. */
     fun nearest(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).minByOrNull { distance(it, index, ns) }
 
-    /** Returns the first call of [name] with [args], at any time; may return it several times. */
+    /** Returns the first call of [name] with [args], at any time. May return it several times. */
     fun firstOf(name: String, args: List<String>): Made? = made[key(name, args)]?.first()
 
     /** Returns the end of a timer at about [ns], or a little later, since an agent sees it late. Returns each end once. */
@@ -80,7 +79,7 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
     private fun key(name: String, args: List<String>) = "$name(${args.joinToString(",", transform = ::normal)})"
 
     companion object {
-        /** The largest distance in time of an answer that is used, in ns. */
+        /** The largest distance in time between a question and its recorded answer, in ns. */
         const val NEAR_NS = 1_000_000_000L
 
         private const val TIMER = "timer"

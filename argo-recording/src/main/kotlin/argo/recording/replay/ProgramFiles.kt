@@ -8,9 +8,9 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
- * Writes the programs in [recording] to files, in a [directory]. [close] removes it, and so does the end of Java, as by Ctrl-C.
+ * Writes the programs in [recording] to files in a temporary directory. [close] removes it; so does the end of Java, as by Ctrl-C.
  *
- * @throws RecordingException if a program would stand outside of [directory], or names a class that is no code of an agent
+ * @throws RecordingException if a program would stand outside of the directory, or names a class that is no code of an agent
  */
 internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-replay")
@@ -22,7 +22,7 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
         runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
     }
 
-    /** Returns the program of [agent]. Throws [RecordingException] if the recording does not hold it. */
+    /** Returns the program of [agent]. Throws [RecordingException] if the recording does not contain it. */
     fun of(agent: String): Path {
         val source = recording.agents.getValue(agent).source
         if (source !in recording.program || !isProgram(source)) {

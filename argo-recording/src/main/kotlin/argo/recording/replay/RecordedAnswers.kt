@@ -22,10 +22,8 @@ import java.util.concurrent.TimeUnit
 internal typealias DifferenceSink = (what: String, recorded: String?, now: String?, cause: String?) -> Unit
 
 /**
- * Answers with the recorded results for an agent that must repeat its recording, and reports each difference.
- *
- * @param isChecking whether to carry out the project's own actions and functions again, to compare their results
- * @param found takes each difference
+ * Answers with the recorded results for an agent that must repeat its recording. Reports each difference. [isChecking] tells whether to
+ * carry out the project's own actions and functions again, to compare their results.
  */
 internal class RecordedAnswers(private val isChecking: Boolean, private val found: DifferenceSink) : Answers {
     private val open = Begun()
@@ -39,7 +37,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
     /** The recorded calls that the agent has repeated in this cycle, in the order of the repetition. */
     val repeated: List<Call> get() = taken
 
-    /** The names of the project's own actions and functions that the agent has called, for the likely cause of a difference. */
+    /** The project's actions and functions that the agent has called: a likely cause of a difference. */
     val projectCalls = LinkedHashSet<String>()
 
     override val suspending: String get() = underWay?.let(::described).orEmpty()
@@ -62,7 +60,7 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
             if (!open.carryOut(end)) found("end of a ${end.kind}", "number ${end.number}", null, null)
             return
         }
-        if (end.kind == WORK && !isChecking) return // work that changes something has ended the replay before
+        if (end.kind == WORK && !isChecking) return // work with an effect has already ended the replay
         val work = left.poll(THREAD_PATIENCE_S, TimeUnit.SECONDS)
         if (work != null) return work.run()
         found("work of thread ${end.thread}", "in this cycle", null, "the project's threads are not recorded")
@@ -87,7 +85,6 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         }
     }
 
-    /** Carries out the project's own action again, and compares its result with the recorded one. */
     private fun compare(recorded: Call, call: InternalCall, live: (Unifier) -> Any) {
         val un = call.un.clone()
         val now = try {
@@ -120,7 +117,10 @@ internal class RecordedAnswers(private val isChecking: Boolean, private val foun
         return recorded
     }
 
-    /** Reports a call [now] that was not recorded, unless Jason ended the recorded cycle early: then the call might have come later. */
+    /**
+     * Reports a call [now] that was not recorded. If Jason ended the recorded cycle early, the call might have come later, and is not
+     * reported.
+     */
     private fun foundCall(now: String) {
         if (!cycle.isEnding) found("call", calls.firstOrNull()?.let(::described), now, null)
     }

@@ -15,19 +15,17 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * The files that [agent] of [recording] has included: a replay takes them from the recording, and looks for no file.
- *
- * @param beside a program in the place of the recorded one, in whose folder included files are looked for first; null: there is none
+ * The files that [agent] of [recording] has included. A replay takes them from the recording instead of the disk. [beside] is a program in
+ * place of the recorded one; included files are first looked for in its folder. Null: there is none.
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
 
     val isOfRecordedProgram: Boolean get() = beside == null
 
-    /** The watch that is asked about the code of the program and of its included files. */
+    /** The watch for the code of the program and of its included files. */
     val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
 
-    /** The running agent; null: its program is being read. */
     var running: Agent? = null
 
     private var isInRecorded = false // whether a recorded file is being read
@@ -46,8 +44,8 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     }
 
     /**
-     * Returns the file [name] of the user, if the user's own program includes it; recorded files include only recorded files. While the
-     * agent runs, a recorded plan may include a file, so this function then takes only files in the folder of the program.
+     * Returns the user's file [name] if the user's own program includes it. Recorded files include only recorded files. At run time a
+     * recorded plan may include a file, so only files in the folder of the program are then valid.
      */
     private fun ownFile(name: String): Recording.Include? {
         if (beside == null || isInRecorded) return null
@@ -60,7 +58,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
         return Recording.Include("", name, "file:$file", Files.readAllBytes(file))
     }
 
-    /** Returns the recorded file for [name] in [within]; a file that was included several times may have changed meanwhile. */
+    /** Returns the recorded file for [name] in [within]. Between two inclusions the file may have changed. */
     private fun recorded(name: String, within: String): Recording.Include {
         val all = files[within to name]
             ?: throw RecordingException("the recording of agent $agent does not hold the file $name that it includes")

@@ -24,9 +24,8 @@ import java.time.Duration
 /**
  * A recording of agents. For one thread.
  *
- * @param file the file
- * @throws IOException if it cannot be read
- * @throws RecordingException if it is no recording of agents, or of a newer version
+ * @throws IOException if the file cannot be read
+ * @throws RecordingException if the file is no recording of agents, or of a newer version
  */
 class Recording(private val file: Path) : AutoCloseable {
     private val reader = McapReader(file)
@@ -50,18 +49,18 @@ class Recording(private val file: Path) : AutoCloseable {
     val program: Map<String, ByteArray> = reader.attachments.associate { it.name to it.data }
 
     /**
-     * A file that an agent has included, or asked for in vain.
+     * A file that an agent has included, or requested in vain.
      *
-     * @property within the file of the program that includes it
+     * @property within the including file of the program
      * @property name the name of the included file in that file
-     * @property address the address at which Jason has found it
+     * @property address Jason's address of the included file
      * @property text the content of the included file; null: there was no such file
      */
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 
     /**
      * Returns the files that [agent] has included, in their order.
-     * @throws RecordingException if the recording lacks the content of one
+     * @throws RecordingException if the recording lacks the content of a file
      */
     internal fun includes(agent: String): List<Include> = generateSequence(1) { it + 1 }
         .map { metadata[includeMetadata(agent, it)] }.takeWhile { it != null }.filterNotNull().map { values ->
@@ -72,8 +71,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }.toList()
 
     /**
-     * The parts of the file that cannot be read: one sentence for a person for each of the first hundred, and one if there are others. The
-     * rest can be replayed.
+     * The unreadable parts of the file: one sentence for each of the first hundred, and one if there are more. The rest can be replayed.
      */
     val problems: List<String> get() = reader.problems
 
@@ -89,7 +87,7 @@ class Recording(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns the cycles of [agent], in their order; with [last], only those in the last part of the recording of that length. */
+    /** Returns the cycles of [agent], in their order. With [last], only cycles in the last part of that length are returned. */
     fun cycles(agent: String, last: Duration? = null): Sequence<Cycle> =
         messages("/$agent/cycle", Cycle.serializer(), last).map { cycle -> readable("/$agent/cycle") { cycle.whole() } }
 
@@ -97,8 +95,8 @@ class Recording(private val file: Path) : AutoCloseable {
     fun keyFrames(agent: String): Sequence<KeyFrame> = messages("/$agent/keyframe", KeyFrame.serializer(), last = null)
 
     /**
-     * Returns the key frame at which a replay of [agent] begins: the first one, if the agent's beginning is missing; null: the replay
-     * begins with the agent's first cycle, or the recording has no such key frame.
+     * Returns the first key frame of [agent] if the agent's beginning is missing; a replay begins there. Null: a replay begins with the
+     * agent's first cycle, or there is no key frame.
      */
     fun start(agent: String): KeyFrame? = starts.getOrPut(agent) {
         val first = cycles(agent).firstOrNull()?.index ?: return null
@@ -111,13 +109,13 @@ class Recording(private val file: Path) : AutoCloseable {
         return cycles(agent).filter { it.index > index }
     }
 
-    /** The beginning of the first recorded cycle of any agent, from which times count, in ns of the agents' clock; null: there is none. */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null: there is none. Times count from it. */
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
-     * Refuses [cycle] of [agent] if it does not directly follow the cycle with the index [last], 0 for none, or if no replay can have it. A
-     * replay that [isCarryingOut] the project's code can have more cycles.
-     * @throws RecordingException if it is refused
+     * Refuses [cycle] of [agent] if no replay can have it. Also refuses a cycle that does not directly follow the cycle with the index
+     * [last], 0 for none. A replay that [isCarryingOut] the project's code can have more cycles.
+     * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
         cycle.refusal?.let { if (!isCarryingOut || !it.isOfProject) throw RecordingException("${RefusedCycle(agent, cycle, it)}") }
@@ -137,8 +135,8 @@ class Recording(private val file: Path) : AutoCloseable {
     }
 
     /**
-     * Returns the outcomes of the commands of [agent], in the order in which they became known; with [last], only those in the last part of
-     * the recording of that length.
+     * Returns the outcomes of the commands of [agent], in the order in which they became known. With [last], only outcomes in the last part
+     * of that length are returned.
      */
     fun commandEnds(agent: String, last: Duration? = null): Sequence<CommandEnd> =
         messages("/$agent/command", CommandEnd.serializer(), last)
@@ -186,11 +184,11 @@ class Recording(private val file: Path) : AutoCloseable {
 }
 
 /**
- * A cycle of a recording that no replay can have: there the replay of the [agent] ends.
+ * A cycle that no replay can have. The replay of the [agent] ends before it.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
- * @property why the reason, a sentence for a person
+ * @property why the reason, in words
  */
 data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why: String) {
     internal constructor(agent: String, cycle: Cycle, refusal: Refusal) : this(
@@ -201,12 +199,12 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
     override fun toString() = "agent $agent can be replayed only until its cycle $cycle: $why"
 }
 
-/** A recording cannot be replayed; [message] gives the reason and the remedy. */
+/** A recording cannot be replayed; [message] contains the reason and the remedy. */
 class RecordingException(message: String) : IOException(message)
 
 /**
- * Returns the exception to throw for [failed], with which a replay has ended: a refusal for an unreadable text or for a term that is nested
- * too deeply, else [failed] itself.
+ * Returns the exception for [failed], which has ended a replay. The exception is a refusal if a text is unreadable or a term is nested too
+ * deep, otherwise [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

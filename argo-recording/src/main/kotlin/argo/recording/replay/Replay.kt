@@ -4,20 +4,18 @@ import argo.recording.Cycle
 import argo.recording.agent.shownBeliefs
 
 /**
- * Runs the agents of [recording] again, by Jason itself, on their recorded input: cycle by cycle, in the order of their times, without
- * boards, threads and clocks. After each cycle it compares the agent's course with the recorded one. It stops an agent whose course
- * differs, since the later input answers other actions.
+ * Runs the agents of [recording] again in Jason on their recorded input, without boards, threads and clocks. The cycles run in the order of
+ * their times. After each cycle, the replay compares the agent's course with the recorded one. An agent with another course is stopped,
+ * since the later input answers other actions. An agent also stops before its first cycle that no replay can have, see [refusals].
  *
- * It ends before the first cycle of an agent that no replay can have, see [refusals].
- *
- * A replay changes nothing outside of itself: it uses the recorded results of the project's own internal actions and functions, and does
- * not carry them out. If [isChecking], it does carry them out, reports another result as a difference, and uses the recorded one all the
- * same. It refuses an architecture of the project in the place of `argo.Arch`, unless [isChecking].
+ * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
+ * recorded results. If [isChecking], a replay does carry them out and reports another result as a difference, but still uses the recorded
+ * result. Unless [isChecking], a replay refuses an architecture of the project in place of `argo.Arch`.
  *
  * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
- * the recording of each holds the messages that it took afterwards, whenever they were sent.
+ * the recording of each contains all messages that it took afterwards.
  *
- * Close it at the end. For one thread; at a time there can be one replay in a program.
+ * Close it at the end. For one thread; a program can run one replay at a time.
  *
  * @param isChecking whether to carry out the project's own code again
  * @throws RecordingException if the recording cannot be replayed
@@ -35,14 +33,13 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** The cycles found so far that no replay can have: each ended the replay of its agent. */
+    /** The cycles found so far that no replay can have. Each ended the replay of its agent. */
     val refusals: List<RefusedCycle> get() = refusing
 
-    /** The number of cycles run so far. */
     var cyclesRun = 0L
         private set
 
-    /** The beginning of the cycle that was run last, in ns of the agents' clock; null: none was run. */
+    /** The beginning of the last cycle that was run, in ns of the agents' clock; null: none was run. */
     var lastNs: Long? = null
         private set
 
@@ -93,7 +90,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
         if (cycles.hasNext()) next[agent] = cycles.next() else next -= agent
     }
 
-    /** Returns the beliefs of [agent] now as Jason writes them, without rules and beliefs that Jason itself hides. */
+    /** Returns the present beliefs of [agent] in Jason's notation, without rules and without beliefs that Jason hides. */
     fun beliefs(agent: String): List<String> = shownBeliefs(agents.getValue(agent).ts.ag.bb)
 
     private fun found(cycle: Cycle, what: String, recorded: String?, now: String?, cause: String) {

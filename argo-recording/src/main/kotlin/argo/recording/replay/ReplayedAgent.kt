@@ -7,13 +7,11 @@ import argo.recording.agent.restoreIn
 import jason.asSemantics.TransitionSystem
 
 /**
- * An agent of a recording that Jason runs again on its recorded input, without ports, threads and a clock of its own.
- *
- * It begins at the beginning of its program, or at the key frame [Recording.start] of [recording].
+ * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. The agent begins at the
+ * beginning of its program, or at the key frame [Recording.start] of [recording].
  *
  * @param programs the file of its program, whose code has been checked
- * @param found takes each difference from the recording
- * @param isChecking whether to carry out code of the project
+ * @param isChecking whether to carry out the project's code
  * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
  */
 internal class ReplayedAgent(
@@ -29,7 +27,7 @@ internal class ReplayedAgent(
     private val includes = RecordedIncludes(recording, recorded.name)
     val ts: TransitionSystem = jasonAgent(recorded, programs.of(recorded.name), includes, boundaryOf(inputs, answers), isChecking)
     private val start = recording.start(recorded.name)
-    private val seen = LinkedHashSet<String>() // names of the project's threads that were seen so far
+    private val seen = LinkedHashSet<String>() // names of the project's threads seen so far
     private var lastIndex = start?.index ?: 0L
     private var lastNumber = start?.number
 
@@ -38,7 +36,6 @@ internal class ReplayedAgent(
         inputs.begin(ts, start)
     }
 
-    /** Runs [cycle], the agent's next one in the recording. */
     fun run(cycle: Cycle) {
         recording.requireNext(recorded.name, cycle, lastIndex, isChecking)
         lastIndex = cycle.index
@@ -62,7 +59,6 @@ internal class ReplayedAgent(
         else -> "not known; it is the first difference of this agent"
     }
 
-    /** Returns the threads of the project that visibly worked on the agent in the recorded [cycle]. */
     private fun threadsIn(cycle: Cycle): List<String> = buildList {
         cycle.input.ends.mapNotNull { it.thread }.forEach { add("the project's thread $it") }
         if (cycle.input.events.isNotEmpty() || cycle.input.isChangedOutside) add("a thread of the project")
@@ -77,7 +73,7 @@ internal class ReplayedAgent(
     }
 }
 
-/** Returns the reason why [cycle] of [agent] cannot follow the cycle with the index [last], for a person. */
+/** Returns why [cycle] of [agent] cannot follow the cycle with the index [last], in words. */
 internal fun gap(agent: String, cycle: Cycle, last: Long) =
     "the recording of agent $agent has a gap of ${cycle.index - last - 1} cycles before cycle ${cycle.number}: " +
         "the disk was too slow, or that part of the file is damaged; until there it can be replayed"

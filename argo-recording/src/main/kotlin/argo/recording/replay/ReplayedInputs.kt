@@ -38,23 +38,19 @@ import jason.util.RunnableSerializable
 import java.util.concurrent.Callable
 import java.util.concurrent.ScheduledFuture
 
-/**
- * Gives an agent its recorded input, cycle by cycle. [answers] answers its questions, and ends the operations that it begins.
- *
- * @param senses the percepts of the agent
- */
+/** Gives an agent its recorded input, cycle by cycle. [answers] answers its questions and ends its operations. */
 internal class ReplayedInputs(private val answers: Answers, private val senses: Senses = RecordedSenses()) : Boundary, Keeper, CallWatch {
-    private val ids = HashMap<String, String>() // the present id of each message, by its recorded id
-    private var counters: List<Int> = emptyList() // the counters after the agent's last cycle
+    private val ids = HashMap<String, String>() // the id of each message in this replay, by its recorded id
+    private var counters: List<Int> = emptyList() // counters after the agent's last cycle
     private var sleep = ArrayDeque<Char>()
     private var isAsking = false
     private lateinit var code: WatchedCode
 
-    /** The agent's transition system, from [begin] on. */
+    /** The agent's transition system; set by [begin]. */
     lateinit var ts: TransitionSystem
         private set
 
-    /** The replayed cycle, or a cycle that the agent has besides the recorded ones. */
+    /** The replayed cycle, or an additional cycle of the agent. */
     lateinit var cycle: Cycle
         private set
 
@@ -62,16 +58,15 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         private set
 
     /**
-     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start].
-     *
-     * @param recorded the agent with the recorded program, if the agent of [ts] has another program
+     * Begins the agent of [ts], whose program has been read, at the beginning of the program or at [start]. [recorded] is the agent with
+     * the recorded program, if the agent of [ts] has another program.
      */
     fun begin(ts: TransitionSystem, start: KeyFrame? = null, recorded: TransitionSystem? = null) {
         this.ts = ts
         course = CourseWatch(ts)
         val program = ProgramParts((recorded ?: ts).ag)
         code = guarded(ts) { watch(ts) }
-        if (recorded != null) guarded(recorded) { watch(recorded) } // the intentions under way consist of plans of the recorded program
+        if (recorded != null) guarded(recorded) { watch(recorded) } // intentions under way consist of recorded plans
         val timers = start?.let { Restoration(it, ts, program, code, course, isProgram = recorded == null).restore() }
         start?.perceived?.map(::literalOf)?.let(senses::begin)
         answers.begin(this, start, timers.orEmpty())
@@ -89,7 +84,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed the counters since
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed them
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->
@@ -97,7 +92,6 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Puts an event into the agent's queue, at [place]; null: at its end. */
     private fun addEvent(trigger: Trigger, place: Int?) {
         ts.c.addExternalEv(trigger)
         if (place == null) return
@@ -135,7 +129,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         }
     }
 
-    /** Returns the result of [read], which reads recorded texts; null: a text stands for a term that no recording can hold. */
+    /** Returns the result of [read], which reads recorded texts; null: a text replaces a term that no recording can contain. */
     private fun <T : Any> reading(what: String, read: () -> T?): T? = try {
         read()
     } catch (refused: UnrecordableTerm) {
@@ -143,8 +137,8 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     }
 
     /**
-     * Does [work], which only asks: its calls get the results recorded in this cycle, and do not count as calls of the agent. For the
-     * agent's thread.
+     * Does [work], which only asks. The calls in [work] get the results recorded in this cycle, and do not count as the agent's calls. For
+     * the agent's thread.
      */
     fun <T> asking(work: () -> T): T {
         val around = isAsking

@@ -29,11 +29,9 @@ import java.util.concurrent.ScheduledFuture
 import java.util.zip.InflaterInputStream
 
 /**
- * Restores the agent of [ts], which Jason has just read and which has had no cycle, to its state at [frame].
+ * Restores the agent of [ts] to its state at [frame]. Jason has just read the agent, which has had no cycle.
  *
  * @param program the parts of the recorded program; the agent's intentions consist of its plans
- * @param code the agent's watched code
- * @param course numbers its intentions
  * @param isProgram whether the agent has the recorded program; otherwise it keeps its own rules and plans
  */
 internal class Restoration(
@@ -45,7 +43,7 @@ internal class Restoration(
     private val isProgram: Boolean = true,
 ) {
     /**
-     * Restores the agent, and returns the timers that are under way, by their numbers.
+     * Restores the agent. Returns the running timers by their numbers.
      * @throws RecordingException if the key frame is damaged, or belongs to another program or version of Jason
      */
     fun restore(): Map<Int, Callable<*>> {
@@ -70,7 +68,7 @@ internal class Restoration(
         }
     }
 
-    /** Returns the fault of the key frame if [broken] ended its reading, for a person; null: the fault is in ARGO. */
+    /** Returns the fault of the key frame that [broken] reveals, in words; null: the fault is in ARGO. */
     private fun unreadable(broken: Exception): String? = when (broken) {
         is IOException, is IllegalArgumentException, is IndexOutOfBoundsException, is JasonException -> "${broken.message}"
         is ReflectiveOperationException -> "$broken"
@@ -92,7 +90,7 @@ internal class Restoration(
         Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
 
-    /** Returns a set of [percepts] that iterates in their order, if one is found: the order depends on the capacity of the set. */
+    /** Returns a set of [percepts] that iterates in their order, if one is found. The order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {
         val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
         val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }
@@ -126,7 +124,7 @@ internal class Restoration(
         return timers
     }
 
-    /** Returns the listener that [make] makes. It begins at most one timer; [timer] takes its work. */
+    /** Returns the listener that [make] makes. The listener begins at most one timer; [timer] takes its work. */
     private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
         val keeper = object : Keeper {
             override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {
@@ -140,7 +138,7 @@ internal class Restoration(
     }
 
     private companion object {
-        /** The capacities of Java's sets: a power of two, at most three quarters full. */
+        /** The capacities of Java's sets: powers of two, at most three quarters full. */
         const val SMALLEST = 16
         const val LARGEST = 1 shl 20
         const val LOAD = 0.75

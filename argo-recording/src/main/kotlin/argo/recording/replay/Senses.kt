@@ -5,12 +5,11 @@ import argo.recording.PerceptChange
 import argo.recording.agent.literalOf
 import jason.asSyntax.Literal
 
-/** The percepts of an agent that runs on a recording. */
 internal interface Senses {
     /** Begins with [percepts], which the agent perceived before its first replayed cycle. */
     fun begin(percepts: List<Literal>)
 
-    /** Returns the percepts of the agent in [cycle], which may be recorded or not; null: nothing has changed. */
+    /** Returns the agent's percepts in [cycle], a recorded or additional one; null: nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
     /** Returns the percepts of the last perception that meet critical rules and are new. */
@@ -33,7 +32,9 @@ internal class RecordedSenses : Senses {
         return percepts
     }
 
-    /** Returns the literal of a percept, and reads each text only once, like the recorded agent: Jason copies literals that it believes. */
+    /**
+     * Returns the literal of a percept. Reads each text only once, like the recorded agent, since Jason copies literals that it believes.
+     */
     private fun perceptOf(text: String): Literal {
         if (known.size >= MAX_KNOWN) known.clear()
         return known.getOrPut(text) { literalOf(text) }
@@ -46,6 +47,6 @@ internal class RecordedSenses : Senses {
     }
 }
 
-/** Returns the percepts after this change of [percepts]; [read] makes a literal of a text. */
+/** Returns the percepts after this change of [percepts]. [read] makes a literal of a text. */
 internal fun PerceptChange.appliedTo(percepts: List<Literal>, read: (String) -> Literal = ::literalOf): List<Literal> =
     percepts.take(keep) + now.map(read) + percepts.takeLast(keepLast)

@@ -9,7 +9,6 @@ import java.time.Duration
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property port the port of its board; null: not known
- * @property text the command
  * @property place the file and the line of the step that sent it; null: not known
  */
 data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
@@ -25,11 +24,11 @@ internal fun Cycle.sent(): List<SentCommand> = input.calls.flatMap { it.commands
 internal fun placeOf(file: String?, line: Int?): String? = if (file == null || line == null) null else "$file:$line"
 
 /**
- * The first difference between the recorded commands and those that an agent sends now.
+ * The first difference between the recorded commands and the present ones.
  *
- * @property recorded the recorded command; null: none, the agent sends an additional command now
- * @property now the command that it sends now; null: none, the recorded command is missing
- * @property same the number of equal commands before them
+ * @property recorded the recorded command; null: the agent sends an additional command
+ * @property now the present command; null: the recorded command is missing
+ * @property same the number of equal commands before the difference
  */
 data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, val same: Int) {
     init {
@@ -52,7 +51,7 @@ data class CommandDifference(val recorded: SentCommand?, val now: SentCommand?, 
         /**
          * Returns the first difference between the commands [recorded] and [now], both in the order of their times; null: there is none.
          *
-         * @param within the time by which the same command may come earlier or later
+         * @param within the largest difference in time between equal commands
          * @param endNs the end of the recording; later commands of the agent are no differences
          */
         fun first(recorded: List<SentCommand>, now: List<SentCommand>, within: Duration, endNs: Long): CommandDifference? {

@@ -3,8 +3,8 @@ package argo.recording.replay
 import jason.asSyntax.parser.ParseException
 
 /**
- * Returns the place at which Jason cannot read a program, and the text there, for a person. The message of [unreadable] instead lists all
- * that Jason would have accepted: some forty kinds of token.
+ * Returns the place at which Jason cannot read a program, with the text there. The message of [unreadable] instead lists all tokens that
+ * Jason would have accepted, some forty.
  */
 fun unreadableAt(unreadable: ParseException): String {
     val found = unreadable.currentToken?.next ?: return unreadable.message.orEmpty()
@@ -12,4 +12,4 @@ fun unreadableAt(unreadable: ParseException): String {
     return "\"${found.image}\" does not belong in line ${found.beginLine}, column ${found.beginColumn}, or something before it is missing"
 }
 
-private const val END = 0 // the kind of the last token in all parsers by JavaCC
+private const val END = 0 // the kind of the last token in every JavaCC parser

@@ -10,27 +10,25 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes the commands that
- * it sends. The messages of boards and other agents come at the recorded times. The agent's questions get these answers:
+ * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes its commands.
+ * Messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - a command ends like the nearest recorded one of the same text within a second; if there is none, it succeeds in the usual time;
- * - settings, such as `argo.port`, have their recorded results; other actions of `argo.` succeed. `argo.age` and other questions get the
- *   answer to the same question nearest in time, within a second; otherwise they are false;
- * - chance and clocks give the recorded values in the order of the questions, and after the last one other values;
- * - a timer ends together with a recorded one that ended at about its time, else at its time;
- * - the project's own internal actions are carried out if [program] is given; otherwise they have their recorded results.
+ * - A command ends like the nearest recorded one of the same text within a second. If there is none, it succeeds in the usual time.
+ * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
+ *   question within a second; if there is none, they are false. Other actions of `argo.` succeed.
+ * - Chance and clocks give the recorded values in the order of the questions. After the last recorded one they give other values.
+ * - A timer ends together with a recorded timer that ended at about its time. If there is none, it ends at its time.
+ * - The project's own internal actions are carried out if [program] is given. Otherwise they have their recorded results.
  *
- * As long as the agent repeats the recording step by step, all answers are exactly as recorded. It has cycles of its own where the recorded
- * agent slept.
+ * As long as the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
+ * recorded agent slept.
  *
- * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]: with the beliefs of the key frame,
- * even if [program] begins with others, and with the intentions of the key frame, which go on by the plans with which they began.
+ * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]. The agent then has the beliefs of
+ * the key frame, even if [program] has others. The intentions of the key frame go on with their own plans.
  *
- * Close it at the end. For one thread; at a time there can be one replay in a program.
+ * Close it at the end. For one thread; a program can run one replay at a time.
  *
- * @param agent the agent's name
  * @param program the agent's program; null: the recorded program
- * @param senses the agent's percepts
  * @param cycles the agent's recorded cycles, from [Recording.start] on
  * @param usualNs the time of a command that was not recorded, in ns; null: the median of the recorded ones
  * @throws RecordingException if the recording cannot be replayed, or the program cannot be read
@@ -56,19 +54,17 @@ class WhatIf internal constructor(
     private val before = ArrayList<SentCommand>()
     private var number = 0
 
-    /** The recorded commands, as far as the agent has run. */
+    /** The recorded commands up to the agent's present cycle. */
     val commands: List<SentCommand> get() = before
 
     /** The commands that the agent has sent in this run. */
     val commandsNow: List<SentCommand> get() = answers.sent
 
-    /**
-     * The beginning of the first recorded cycle of any agent, from which times count, in ns of the agents' clock; null: none has been run.
-     */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null: no cycle was run. Times count from it. */
     var firstNs: Long? = null
         private set
 
-    /** The beginning of the recorded cycle that was run last, in ns of the agent's clock. */
+    /** The beginning of the last recorded cycle that was run, in ns of the agent's clock. */
     var endNs: Long = 0
         private set
 
@@ -84,7 +80,9 @@ class WhatIf internal constructor(
         throw refusalOf(failed)
     }
 
-    /** Begins another program at the key frame [start], with its beliefs and intentions; these go on by the recorded plans. */
+    /**
+     * Begins another program at the key frame [start], with its beliefs and intentions. The intentions continue with the recorded plans.
+     */
     private fun beginChanged(ts: TransitionSystem, start: KeyFrame) {
         val before = jasonAgent(recorded, files.of(recorded.name), RecordedIncludes(recording, recorded.name), inputs, isCarryingOut = true)
         inputs.begin(ts, start, before)
@@ -93,7 +91,7 @@ class WhatIf internal constructor(
 
     /**
      * Runs all recorded cycles, and returns itself. Call it only once.
-     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then have those up to there
+     * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then reach up to the gap
      */
     fun run(): WhatIf = apply {
         runRecorded()
@@ -101,8 +99,8 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs like [run], but ends in the last recorded cycle: the agent finishes its work there while no more time passes. Returns the
-     * commands, to boards and to the environment, that it sends from [fromNs] on.
+     * Runs like [run], but ends in the last recorded cycle. There the agent finishes its work while no time passes. Returns its commands
+     * from [fromNs] on, to boards and to the environment.
      */
     internal fun commandsFrom(fromNs: Long): List<String> {
         runRecorded()
@@ -119,7 +117,7 @@ class WhatIf internal constructor(
             recording.requireNext(recorded.name, cycle, last?.index ?: begin, !includes.isOfRecordedProgram)
             if (last != null && !answers.isAsRecorded && cycle.isWoken) runBetween(cycle.ns)
             val sent = cycle.sent()
-            if (cycle.isEnding && sent.isEmpty()) break // the recorded agent might have gone on
+            if (cycle.isEnding && sent.isEmpty()) break // the recorded agent may have gone on
             before += sent
             run(cycle)
             last = cycle
@@ -127,7 +125,9 @@ class WhatIf internal constructor(
         }
     }
 
-    /** Runs cycles of the agent's own until [ns], while the recorded agent slept: to do its work, and to take in the ends that are due. */
+    /**
+     * Runs additional cycles until [ns] while the recorded agent slept. In them the agent does its work and takes the ends that are due.
+     */
     private fun runBetween(ns: Long) {
         while (true) {
             val nowNs = inputs.cycle.ns
@@ -152,13 +152,13 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Returns the first difference between the commands and the recorded ones; null: there is none.
+     * Returns the first difference between the present commands and the recorded ones; null: there is none.
      *
-     * @param within the time by which the same command may come earlier or later
+     * @param within the largest difference in time between equal commands
      */
     fun difference(within: Duration): CommandDifference? = CommandDifference.first(commands, commandsNow, within, endNs)
 
-    /** The beliefs of the agent now as Jason writes them, without rules and beliefs that Jason itself hides. */
+    /** The agent's present beliefs in Jason's notation, without rules and without beliefs that Jason hides. */
     val beliefs: List<String> get() = shownBeliefs(ts.ag.bb)
 
     override fun close() {
@@ -170,13 +170,13 @@ class WhatIf internal constructor(
     private companion object {
         const val CYCLE_NS = 1_000_000L
 
-        /** The time for which an agent runs on after the recording, since it may be slower than the recorded one, in ns. */
+        /** The time for which an agent runs on after the recording, in ns, since it may be slower than the recorded agent. */
         const val AFTER_NS = 1_000_000_000L
 
-        /** The largest number of own cycles in the last recorded cycle. */
+        /** The most additional cycles at the time of the last recorded cycle. */
         const val MOST_AT_END = 500
     }
 }
 
-/** True if something entered the agent that may have woken it. */
+/** True if an input of the cycle may have woken the agent. */
 private val Cycle.isWoken: Boolean get() = input.run { percepts != null || mail.isNotEmpty() || ends.isNotEmpty() || events.isNotEmpty() }

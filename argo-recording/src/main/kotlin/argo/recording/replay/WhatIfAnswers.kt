@@ -21,7 +21,7 @@ import java.util.concurrent.ConcurrentLinkedQueue
 import kotlin.random.Random
 
 /**
- * Gives an agent, which may differ from the recorded one, the recorded results nearest in time: see [WhatIf]. Notes the commands that it
+ * Gives an agent the recorded results nearest in time, see [WhatIf]. The agent may differ from the recorded one. Notes the commands that it
  * sends.
  *
  * @param isCarryingOut whether to carry out the project's own actions and functions; otherwise they have their recorded results
@@ -32,7 +32,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     private val due = PriorityQueue(compareBy<Due>({ it.ns }, { it.index ?: 0 }, { it.order }))
     private val left = ConcurrentLinkedQueue<Runnable>()
-    private val unanswered = ArrayList<Mail>() // recorded messages that the agent has not sent yet
+    private val unanswered = ArrayList<Mail>() // recorded messages that the agent has not sent so far
     private val boards = HashMap<String, String>()
     private val random = Random(0)
     private val usualNs = usualNs ?: recorded.usualNs
@@ -51,7 +51,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     override val isHeldAwake get() = left.isNotEmpty()
 
-    /** The time of the first end that is not in a recorded cycle, in ns; null: there is none. */
+    /** The time of the first end outside of recorded cycles, in ns; null: there is none. */
     val nextDueNs: Long? get() = due.filter { it.index == null }.minOfOrNull { it.ns }
 
     override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
@@ -206,16 +206,15 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         private const val ACT = "argo.act"
         private const val RANDOM = ".random"
 
-        /** The largest number of recorded messages that are kept as answers to later messages of the agent. */
+        /** The most recorded messages that are kept as answers to later messages of the agent. */
         private const val MOST_UNANSWERED = 1000
 
         /** The actions whose answers are true only about the time of the question. */
         private val LATE = setOf("argo.age", "argo.skew", "argo.can", "argo.explain")
 
-        /** The actions whose results are given in the order of the questions. */
         private val CHANCE = setOf(RANDOM, ".shuffle", ".time", ".date", ".nano_time")
 
-        /** The index of a cycle that was not recorded, and that has no input. */
+        /** The index of an additional cycle, which was not recorded and has no input. */
         const val BETWEEN = 0L
     }
 }

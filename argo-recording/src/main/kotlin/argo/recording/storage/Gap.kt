@@ -1,11 +1,10 @@
 package argo.recording.storage
 
 /**
- * Messages that were not stored, because the disk was too slow.
+ * A number of [messages] that were not stored, because the disk was too slow.
  *
- * @property messages the number of messages
- * @property fromNs the time of the first message that is missing
- * @property untilNs the time of the last message that is missing
+ * @property fromNs the time of the first missing message
+ * @property untilNs the time of the last missing message
  */
 internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long) {
     fun and(timeNs: Long) = Gap(messages + 1, minOf(fromNs, timeNs), maxOf(untilNs, timeNs))
@@ -27,5 +26,5 @@ internal data class Gap(val messages: Long, val fromNs: Long, val untilNs: Long)
     }
 }
 
-/** The topic of the messages that stand for gaps of a recording: `{"messages":12,"fromNs":…,"untilNs":…}`. */
+/** The topic of the messages that replace gaps of a recording: `{"messages":12,"fromNs":…,"untilNs":…}`. */
 const val GAP_TOPIC = "/recording/gap"

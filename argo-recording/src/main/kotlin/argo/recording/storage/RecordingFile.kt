@@ -15,14 +15,13 @@ import kotlin.io.path.extension
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * A recording that a thread of its own writes to a file while it is made. Records are in the file a second after they were offered, if the
- * disk is fast enough, even if the program is killed.
+ * A recording that its own thread writes to a file. On a disk that is fast enough, a record is in the file a second after it was offered,
+ * even if the program is killed.
  *
- * If nothing more can be written, as on a full disk, it calls [warn] once, cuts the file off behind its last whole chunk, and refuses all
- * later records.
+ * If nothing more can be written, as on a full disk, [warn] is called once. The file then ends behind its last whole chunk, and all later
+ * records are refused.
  *
- * @property path the file
- * @param warn takes one sentence for a person; the writing thread calls it
+ * @param warn takes one sentence for the user; the writing thread calls it
  */
 class RecordingFile internal constructor(
     val path: Path,
@@ -44,7 +43,7 @@ class RecordingFile internal constructor(
             writer = McapWriter(channel)
             writeAll(writer)
             writer.close()
-        } catch (failure: Throwable) { // the thread reports every failure
+        } catch (failure: Throwable) { // report every failure
             endWith(failure, writer?.wholeBytes ?: 0)
         }
     }
@@ -75,7 +74,7 @@ class RecordingFile internal constructor(
     }
 
     private fun endWith(failure: Throwable, wholeBytes: Long) {
-        runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip a rest that cannot be cut off
+        runCatching { channel.use { it.truncate(wholeBytes) } } // readers skip what cannot be cut off
         val why = if (failure is IOException) failure.message ?: "$failure" else "$failure"
         val remedy = if (failure is IOException) ". Is the disk full? Free some space, or record to another disk" else ""
         val sentence = "the recording $path ends here, since it cannot be written: $why. The agent runs on without a recording, and " +
@@ -84,15 +83,15 @@ class RecordingFile internal constructor(
     }
 
     companion object {
-        /** The largest number of bytes of messages that wait for the disk. */
+        /** The most bytes of messages that wait for the disk. */
         const val MAX_WAITING_BYTES = 16L * 1024 * 1024
 
         private val FLUSH_NS = TimeUnit.MILLISECONDS.toNanos(500)
 
         /**
-         * Begins a recording in [path], or, if that exists, in the first of `…-2.mcap`, `…-3.mcap` and so on that does not.
+         * Begins a recording in [path]. If that exists, takes the first of `…-2.mcap`, `…-3.mcap` and so on that does not exist.
          *
-         * @param warn takes one sentence for a person if nothing more can be written; the writing thread calls it
+         * @param warn takes one sentence for the user if nothing more can be written; the writing thread calls it
          * @throws IOException if the file cannot be made
          */
         fun create(path: Path, warn: (String) -> Unit): RecordingFile {
@@ -101,7 +100,7 @@ class RecordingFile internal constructor(
                 try {
                     return RecordingFile(name, FileChannel.open(name, CREATE_NEW, WRITE), warn)
                 } catch (_: FileAlreadyExistsException) {
-                    // this name is taken: the next name is tried
+                    // this name is taken
                 }
             }
             error("names do not end")

@@ -13,14 +13,14 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps attachments and metadata from the beginning on.
- * In place of a message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
+ * The last part of a recording, in memory, until [save] writes it to a file. The ring keeps all attachments and metadata. In place of a
+ * message of more than [maxBytes] it keeps a message of the topic [GAP_TOPIC].
  *
- * If memory runs out, or nothing more can be kept for another reason, it calls [warn] once and refuses all later records.
+ * If memory runs out, or nothing more can be kept for another reason, [warn] is called once and all later records are refused.
  *
  * @param last the time for which messages are kept, by their own times
- * @param maxBytes the largest number of bytes of kept messages; above it the oldest messages are dropped before [last] is over
- * @param warn takes one sentence for a person; the thread of the ring calls it
+ * @param maxBytes the most bytes of kept messages; above it the oldest messages are dropped before [last] is over
+ * @param warn takes one sentence for the user; the thread of the ring calls it
  */
 class RecordingRing(
     private val last: Duration,
@@ -38,7 +38,7 @@ class RecordingRing(
     private fun keepAll() {
         try {
             while (waiting.take(PATIENCE_NS) { it.forEach(::keep) }) continue
-        } catch (failure: Throwable) { // the thread reports every failure
+        } catch (failure: Throwable) { // report every failure
             giveUp("the last minutes are no longer recorded, since they cannot be kept: $failure. The agent runs on unrecorded", warn)
         }
     }
@@ -81,7 +81,6 @@ class RecordingRing(
         }
     }
 
-    /** Drops all records, and refuses later records. */
     override fun close() {
         waiting.close()
         keeping.join()
@@ -93,7 +92,7 @@ class RecordingRing(
     }
 
     companion object {
-        /** The default of the largest number of bytes of kept messages. */
+        /** The default of the most bytes of kept messages. */
         const val MAX_BYTES = 64L * 1024 * 1024
 
         private val PATIENCE_NS = TimeUnit.MILLISECONDS.toNanos(500)

@@ -5,16 +5,16 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/** A record that waits to be written, or a flush that waits for the records before it. */
+/** A record that waits for the writing thread, or a flush that waits for the records before it. */
 internal sealed interface Waiting {
-    /** A message; [encode] makes its JSON, which takes about [bytes] bytes. */
+    /** A message. [encode] makes its JSON, which takes about [bytes] bytes. */
     class Message(val channel: RecordChannel, val timeNs: Long, val bytes: Int, private val encode: () -> ByteArray) : Waiting {
         constructor(gap: Gap) : this(Gap.CHANNEL, gap.untilNs, 0, gap::json)
 
         /** Returns the message with its JSON; a gap if [encode] fails. */
         fun encoded(): Encoded = try {
             Encoded(channel, timeNs, encode())
-        } catch (_: Throwable) { // even a stack overflow by a deep term, since the writing thread must go on
+        } catch (_: Throwable) { // even a stack overflow by a deep term; the writing thread must go on
             Gap.of(timeNs).encoded()
         }
     }
@@ -28,7 +28,7 @@ internal sealed interface Waiting {
 
 internal class Encoded(val channel: RecordChannel, val timeNs: Long, val data: ByteArray)
 
-/** A recording whose records wait for a thread of its own. */
+/** A recording whose records wait for its own writing thread. */
 abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSink {
     private val channels = ConcurrentHashMap<String, RecordChannel>()
     internal val waiting = WaitingRecords(maxWaitingBytes)
@@ -55,7 +55,7 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
 
     final override fun flush() = waiting.flush()
 
-    /** Refuses all later records, since nothing more can be stored, and tells [warn] so in a [sentence]. */
+    /** Refuses all later records, since nothing more can be stored. Tells [warn] so in a [sentence]. */
     internal fun giveUp(sentence: String, warn: (String) -> Unit) {
         trouble = sentence
         warn(sentence)
@@ -64,8 +64,8 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
 }
 
 /**
- * The queue of records to the thread that writes them, with at most [maxBytes] bytes of messages. Messages without room become a [Gap], in
- * their place among the others. Any thread may call; nobody holds the lock while a record is written.
+ * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. A [Gap] replaces messages without room, in their
+ * order. Any thread may call. Nobody holds the lock while a record is written.
  */
 internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()
@@ -76,7 +76,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
     private var isUrgent = false
     private var isClosed = false
 
-    /** Adds [message]; returns false if there is no room, or this is closed. */
+    /** Adds [message]; returns false if there is no room, or this queue is closed. */
     fun offer(message: Waiting.Message): Boolean = lock.withLock {
         if (isClosed) return false
         if (bytes + message.bytes > maxBytes) {
@@ -90,7 +90,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Adds [other], however full the queue is; returns false if this is closed. */
+    /** Adds [other], however full the queue is; returns false if this queue is closed. */
     fun add(other: Waiting): Boolean = lock.withLock {
         if (isClosed) return false
         endGap()
@@ -99,15 +99,16 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return true
     }
 
-    /** Waits until all records added before have been taken and handled; returns at once if this is closed. */
+    /** Waits until all records added before have been taken and handled; returns at once if this queue is closed. */
     fun flush() {
         val done = CountDownLatch(1)
         if (add(Waiting.Flush(done))) done.await()
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns, or as soon as half of the room is taken, a caller waits in [flush], or
-     * this is closed. Afterwards callers of [flush] go on, also if [work] throws. Returns false if this is closed and empty.
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls it earlier if half of the room is taken, a caller waits in
+     * [flush], or this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
+     * empty.
      */
     fun take(patienceNs: Long, work: (List<Waiting>) -> Unit): Boolean {
         val batch = next(patienceNs) ?: return false
@@ -135,7 +136,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
         changed.signalAll()
     }
 
-    /** Refuses later records and drops the waiting ones: nothing can be written any more. */
+    /** Refuses later records and drops the waiting ones, since nothing can be written any more. */
     fun giveUp() {
         close()
         while (take(0) {}) continue

@@ -8,7 +8,6 @@ import kotlinx.serialization.Transient
 /** A cause of something in a recording. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
 @Serializable
 sealed interface Cause {
-    /** The causes of this cause. */
     val causes: List<Cause> get() = emptyList()
 
     /** The length of the longest chain of causes that begins with this one. */
@@ -19,7 +18,7 @@ sealed interface Cause {
  * A message of a board, with its percepts.
  *
  * @property number counts the messages of boards that the agent perceived, from 1
- * @property port the port that it came from
+ * @property port the port by which it came
  * @property namespace the namespace in which its percepts are believed; null: the default namespace
  * @property seconds the time of its last byte
  * @property cycle Jason's number of the cycle in which the agent perceived it
@@ -38,14 +37,14 @@ data class Frame(
 )
 
 /**
- * A percept came, or went.
+ * The arrival or the departure of a percept.
  *
- * @property belief the percept
- * @property isGone whether it went, and did not come
- * @property seconds the beginning of the cycle in which the agent perceived that
- * @property frame the frame by which the percept came, or the first frame without it; null: no board sent it
+ * @property isGone true for a departure
+ * @property seconds the beginning of the cycle in which the agent noticed that
+ * @property frame the frame that brought the percept, or the first frame without it; null: no board sent it
  * @property from the percept's source if no board sent it: `argo`, which adds the states of ports, or `environment`
- * @property filter the reason why the filter let it through; null: there was no filter, or the recording does not have it
+ * @property filter the reason why the filter let the percept through; null: there was no filter, or the recording does not contain the
+ *   reason
  */
 @Serializable
 @SerialName("percept")
@@ -59,10 +58,9 @@ data class PerceptCause(
 ) : Cause
 
 /**
- * A critical rule of a filter sent its reflex, without a plan.
+ * The reflex of a filter's critical rule, sent without a plan.
  *
- * @property rule the rule in words
- * @property isByBoard whether the board watched it and carried the reflex out; otherwise the computer sent it
+ * @property isByBoard whether the board watched the rule and carried the reflex out; otherwise the computer sent it
  * @property failure the reason why the reflex failed; null: it succeeded
  * @property percept the percept that met the rule; null: the agent perceived no frame with such a percept
  */
@@ -75,27 +73,27 @@ data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: St
     override val depth: Int = 1 + causes.size
 }
 
-/** An agent sent a message. */
+/** A message of another agent. */
 @Serializable
 @SerialName("message")
 data class MessageCause(val sender: String, val performative: String, val content: String, val seconds: Double) : Cause
 
-/** A goal or a belief that the agent began with. */
+/** A goal or a belief of the agent's beginning. */
 @Serializable
 @SerialName("beginning")
 data class BeginningCause(val text: String, val file: String? = null, val line: Int? = null) : Cause
 
-/** A cause that the recording does not have, or that lies too far back; [why] is the reason, for a person. */
+/** A cause that the recording does not contain, or that lies too far back; [why] is the reason, in words. */
 @Serializable
 @SerialName("unknown")
 data class UnknownCause(val text: String, val why: String) : Cause
 
 /**
- * A step of a plan was carried out.
+ * A step of a plan.
  *
- * @property step the step as the plan has it
+ * @property step the step's text in the plan
  * @property line its line in [Place.file] of the plan
- * @property seconds the beginning of the cycle in which it was carried out
+ * @property seconds the beginning of the step's cycle
  * @property plan the plan with this step, and the reasons of its choice
  * @property tests the tests and conditions in the plan's body that led to the step
  */
@@ -115,14 +113,11 @@ data class StepCause(
 }
 
 /**
- * A plan was chosen for an event.
+ * The choice of a plan for an event.
  *
- * @property place its place in the program
- * @property trigger the event
- * @property seconds the beginning of the cycle in which it was chosen
+ * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of that cycle
- * @property conditions the parts of its context with their values then
- * @property event the cause of the event
+ * @property conditions the parts of the plan's context with their values at that time
  * @property again the number of times that the plan had called itself before, as its last step
  */
 @Serializable
@@ -147,7 +142,7 @@ data class PlanCause(
  *
  * @property text the condition's text in the program
  * @property value that text with the values of its variables; the same if it has no variables
- * @property holds whether it was true
+ * @property holds whether the condition was true
  * @property causes the causes of the beliefs on which it depends
  */
 @Serializable
@@ -156,10 +151,10 @@ data class Condition(val text: String, val value: String, val holds: Boolean = t
 /** Returns all percepts among this cause and its own causes. The percept whose event is at the root comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
-/** Returns all frames among the causes of this. */
+/** Returns all frames among the causes of this cause. */
 fun Cause.frames(): List<Frame> = percepts().mapNotNull { it.frame }.distinct()
 
-/** Returns the root of this: the percept, the message or the goal of the program whose event began the intention. */
+/** Returns the root of this cause: the percept, the message or the program's goal whose event began the intention. */
 fun Cause.root(): Cause = when (this) {
     is StepCause -> plan.root()
     is PlanCause -> event.root()

@@ -6,11 +6,7 @@ import argo.recording.ReflexEnd
 import argo.recording.replay.Recording
 import kotlin.math.abs
 
-/**
- * Finds all commands of one agent of [recording], by any sender.
- *
- * @param cycles all cycles of the agent
- */
+/** Finds all commands of one agent of [recording], by any sender. */
 internal class Commands(
     private val recording: Recording,
     private val agent: String,
@@ -30,7 +26,6 @@ internal class Commands(
         }
     }
 
-    /** Returns the outcome of [command] if it is a reflex; null: it is none. */
     fun reflex(command: RecordedCommand): ReflexEnd? = reflexOf[command]
 
     private fun ofPlans(): List<Pair<RecordedCommand, ReflexEnd?>> = cycles.flatMap { cycle ->
@@ -54,7 +49,10 @@ internal class Commands(
         return RecordedCommand(agent, 0, text, port, clock.seconds(ns), cycle?.number ?: 0, by, sent, cycle?.index ?: 0)
     }
 
-    /** Removes and returns the reflex of the computer whose command has ended with [end]; both were recorded at about the same time. */
+    /**
+     * Removes and returns the computer's reflex whose command has ended with [end]. The reflex and [end] were recorded at about the same
+     * time.
+     */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }
             ?.also { remove(it) }
@@ -65,15 +63,12 @@ internal class Commands(
 }
 
 /**
- * Converts between ns of the agents' clock and the seconds of a recording, which count from its first cycle.
- *
- * @param firstNs the beginning of that cycle, in ns of the agents' clock
+ * Converts between ns of the agents' clock and seconds since the first cycle of a recording. [firstNs] is the beginning of that cycle, in
+ * ns of the agents' clock.
  */
 internal class RecordingClock(private val firstNs: Long) {
-    /** Returns the seconds at [ns] of the agents' clock. */
     fun seconds(ns: Long): Double = (ns - firstNs) / NANOS
 
-    /** Returns the time of the agents' clock, in ns, at [seconds]. */
     fun nanos(seconds: Double): Long = firstNs + (seconds * NANOS).toLong()
 
     private companion object {

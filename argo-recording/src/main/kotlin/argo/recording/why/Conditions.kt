@@ -15,7 +15,7 @@ import jason.asSyntax.Rule
  * Splits formulas of the program of [agent] into their parts, and evaluates these by its present beliefs.
  *
  * @param originOf returns the cause of a belief of the agent
- * @param goneOf returns the causes for which the agent believes nothing that unifies with a literal; empty: not known
+ * @param goneOf returns why the agent believes nothing that unifies with a literal; empty: not known
  */
 internal class Conditions(
     private val agent: Agent,
@@ -33,8 +33,8 @@ internal class Conditions(
     }
 
     /**
-     * Returns the parts of [formula], which is not true under [un], up to the first one that fails, in each of the first few ways that lead
-     * there.
+     * Returns the parts of [formula], which is false under [un], up to the first part that fails. If several ways lead to a failure, takes
+     * the first few ways.
      */
     fun failing(formula: LogicalFormula, un: Unifier): List<Condition> {
         var ways = listOf(un)
@@ -48,7 +48,6 @@ internal class Conditions(
         return held
     }
 
-    /** Returns the first unifier that extends [un] and makes [formula] true; null: there is none. */
     fun solution(formula: LogicalFormula, un: Unifier): Unifier? = solutions(formula, un).firstOrNull()
 
     private fun solutions(formula: LogicalFormula, un: Unifier): List<Unifier> = try {

@@ -9,14 +9,13 @@ import java.math.BigDecimal
 import kotlin.math.abs
 
 /**
- * Finds by trials which other numbers, nearest to the recorded ones, in percepts of a [cause] keep the agent from sending the command.
- *
- * @param had replays the agent with another percept in the place of a percept of the cause
+ * Finds, by trials, the nearest other numbers in percepts of a [cause] with which the agent would not have sent the command. [had] replays
+ * the agent with another percept in place of a percept of the cause.
  */
 internal class Flips(private val cause: StepCause, private val had: (Literal, PerceptCause) -> Had?) {
     private var tries = 0
 
-    /** Returns the nearest value that was found for each percept whose number a condition compares. */
+    /** Returns the nearest value found for each percept whose number a condition compares. */
     fun find(): List<Had> = cause.percepts().filter { !it.isGone && it.frame != null }.mapNotNull(::flipped)
 
     private fun flipped(percept: PerceptCause): Had? {

@@ -8,7 +8,7 @@ import argo.recording.agent.literalText
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
 
-/** Finds the frames by which the percepts of an agent came and went. */
+/** Finds the frames by which an agent's percepts came and went. */
 internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private val filterOf: (port: String, text: String) -> String?) {
     private val present = HashMap<String, PerceptCause>()
     private val gone = object : LinkedHashMap<String, PerceptCause>() {
@@ -20,13 +20,14 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
 
     val newestFrames: Collection<Frame> get() = newest.values
 
-    /** Begins with [percepts], which the agent perceives when the replay begins, and whose frames are not known. */
+    /** Begins with [percepts], which the agent perceives at the beginning of the replay. The frames of [percepts] are not known. */
     fun beginWith(percepts: List<Literal>) {
         percepts.mapTo(earlier, ::keyOf)
     }
 
     /**
-     * Notes that the agent perceives [percepts], in the cycle with this [number] at [ns]: new ones come from [snapshots], the others stay.
+     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], the others
+     * stay.
      */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
         val seconds = secondsOf(ns)
@@ -50,13 +51,12 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     /** Returns the arrival of [percept]; null: the agent does not perceive it now, or its arrival is not known. */
     fun of(percept: Literal): PerceptCause? = present[keyOf(percept)]
 
-    /** Returns the last departure of [percept]; null: none is known. */
     fun goneOf(percept: Literal): PerceptCause? = gone[keyOf(percept)]
 
     /** Returns the last departure of a percept that [matches]; null: none is known. */
     fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
 
-    /** Returns the kept percepts of [snapshot] as the agent believes them, each with its text. */
+    /** Returns the kept percepts of [snapshot] in the form of beliefs, each with its text. */
     private fun keysOf(snapshot: PerceivedSnapshot): Map<String, String> = (snapshot.kept ?: snapshot.texts).mapNotNull { text ->
         believed(text, snapshot.namespace)?.let { keyOf(it) to text }
     }.toMap()
@@ -79,14 +79,14 @@ internal fun believed(text: String, namespace: String?): Literal? = try {
 internal fun keyOf(literal: Literal): String = literalText(if (literal.hasAnnot()) literal.copy().apply { clearAnnots() } else literal)
 
 /**
- * Numbers the messages of boards that an agent perceives, from 1. A message that the agent perceives again, since the filter lets more of
- * its percepts through, keeps its number.
+ * Numbers the boards' messages that an agent perceives, from 1. A message may come again because the filter lets more of its percepts
+ * through; it then keeps its number.
  */
 internal class Frames(private val secondsOf: (Long) -> Double) {
     private val newest = HashMap<String, Pair<Long, Int>>()
     private var count = 0
 
-    /** Returns the frame of [snapshot], the next one, which the agent perceived in the cycle with Jason's number [cycle]. */
+    /** Returns the frame of [snapshot], the next message, which the agent perceived in Jason's cycle number [cycle]. */
     fun of(snapshot: PerceivedSnapshot, cycle: Int): Frame {
         val known = newest[snapshot.port]?.takeIf { (receivedNs, _) -> receivedNs == snapshot.receivedNs }
         val number = known?.second ?: ++count

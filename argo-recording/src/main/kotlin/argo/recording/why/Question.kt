@@ -11,13 +11,13 @@ import kotlin.math.abs
  * @property number counts the commands of the agent, from 1
  * @property text the command, such as `speed(120)`, or the action of the environment
  * @property port the port of its board; null: it was an action of the environment
- * @property seconds the time since the first cycle at which it was issued: the beginning of the step's cycle; for a reflex of the board,
- * the time of the report
- * @property cycle Jason's number of that cycle, or of the last one begun before, see [argo.recording.Cycle.number]; 0: none had begun
- * @property by the sender of the command
- * @property sent its number among the agent's commands to boards, from 1, as in the live view and the timeline; null: it was an action of
- * the environment, or a reflex that the board carried out
- * @property index counts the recorded cycles up to that one, see [argo.recording.Cycle.index]
+ * @property seconds the time of the command since the first cycle: the beginning of the step's cycle; for a reflex of the board, the time
+ *   of the report
+ * @property cycle Jason's number of the command's cycle, or of the last cycle begun before, see [argo.recording.Cycle.number]; 0: none had
+ *   begun
+ * @property sent the command's number among the agent's commands to boards, from 1, as in the live view and the timeline. Null: the command
+ *   was an action of the environment, or a reflex that the board carried out.
+ * @property index counts the recorded cycles up to the command's, see [argo.recording.Cycle.index]
  */
 @Serializable
 data class RecordedCommand(
@@ -33,7 +33,6 @@ data class RecordedCommand(
     internal val index: Long = 0,
 )
 
-/** The sender of a command. */
 enum class Sender {
     /** A step of a plan. */
     PLAN,
@@ -41,7 +40,7 @@ enum class Sender {
     /** A critical rule of a filter. */
     REFLEX,
 
-    /** A person or another program, for example through the live view. */
+    /** A user or another program, for example through the live view. */
     OUTSIDE,
 }
 
@@ -50,8 +49,8 @@ enum class Sender {
  *
  * @property text the whole command, or its functor; empty: any
  * @property seconds the approximate time since the first cycle; null: any time
- * @property count the number of the command among those of this [text], from 1; for an empty text its number [RecordedCommand.sent]; null:
- * the last command, or the one next to [seconds]
+ * @property count the number of the command among the commands with this [text], from 1. For an empty text, the number is
+ *   [RecordedCommand.sent]. Null: the last command, or the command next to [seconds].
  */
 data class Question(val text: String, val seconds: Double? = null, val count: Int? = null) {
     override fun toString() = text + (seconds?.let { "@${it}s" } ?: count?.let { "#$it" }.orEmpty())
@@ -88,7 +87,7 @@ data class Question(val text: String, val seconds: Double? = null, val count: In
     }
 
     companion object {
-        /** The largest difference between the times of a question and of its command. */
+        /** The largest difference between the times of a question and of its command, in s. */
         const val TOLERANCE_S = 0.5
         private const val SHOWN = 8
         private val AT = Regex("""(.+?)@(\d{1,9}(?:\.\d{1,9})?)\s*s?""")

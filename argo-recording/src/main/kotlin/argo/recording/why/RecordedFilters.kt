@@ -8,15 +8,13 @@ import argo.filters.matching.FilterSession
 import argo.recording.FilterChange
 
 /**
- * The filters through which an agent perceives, at the present cycle of its recording.
- *
- * @param files the files in the recording, by their names
+ * The filters through which an agent perceives at the present cycle of its recording. [files] are the files in the recording, by their
+ * names.
  */
 internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     private var ofAll: FilterSession<String>? = null
     private val ofBoards = HashMap<String, FilterSession<String>?>()
 
-    /** Applies [changes]: the agent perceives through other filters from its next cycle on. */
     fun changed(changes: List<FilterChange>) = changes.forEach { change ->
         val port = change.port
         if (port == null) {
@@ -34,8 +32,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. It does not know the percepts that
-     * rates hold back.
+     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. Percepts that rates hold back are not
+     * known here.
      */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 

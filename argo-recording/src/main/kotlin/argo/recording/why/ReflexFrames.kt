@@ -10,15 +10,14 @@ import argo.recording.ReflexEnd
  * @param filters the filters at the beginning of the first of these cycles
  */
 internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {
-    /** Returns the cause of [reflex], whose [command] may have a known port. */
+    /** Returns the cause of [reflex]. The port of its [command] may be known. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
-        // the newest frame up to the command, or the next frame: an agent may take the report of a board a moment before the frame
+        // The newest frame up to the command, or the next one: an agent may take a board's report shortly before the frame.
         val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }
 
-    /** Returns the percepts that met the rule of [reflex], in their order. */
     private fun percepts(command: RecordedCommand, reflex: ReflexEnd): List<PerceptCause> {
         val frames = Frames(clock::seconds)
         return cycles.flatMap { cycle ->

@@ -27,12 +27,9 @@ import java.util.IdentityHashMap
 import java.util.WeakHashMap
 
 /**
- * Follows an agent in its replay: the causes of its events, the chosen plans and their conditions, and the beliefs and commands of its
- * steps. It surrounds the [inputs] of the agent, and changes nothing.
- *
- * @param answers the answers to the agent
- * @param filters the filters in the recording
- * @param taken is called when the agent has taken an event from the queue, before it looks for a plan
+ * Follows an agent in its replay. A trace finds the causes of events, the chosen plans and their conditions, and the beliefs and commands
+ * of steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the
+ * queue, before it looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -41,23 +38,23 @@ internal class Trace(
     private val filters: RecordedFilters = RecordedFilters(emptyMap()),
     private val taken: (Trace, Event) -> Unit = { _, _ -> },
 ) : Boundary by inputs {
-    /** A chosen plan, and the tests in its body since it was chosen. */
+    /** A chosen plan, with the tests in its body since the choice. */
     private class Adopted(val plan: PlanCause) {
         val tests = LinkedHashMap<String, Condition>()
     }
 
-    /** A command, to a board or to the environment, and the step that issued it. */
+    /** A command to a board or to the environment, and the step that issued it. */
     class Issued(val cycle: Cycle, val port: String?, val text: String, val cause: StepCause?)
 
     val percepts = PerceptOrigins(clock::seconds) { port, text -> filters.explain(port, text)?.toString() }
 
     val issued = ArrayList<Issued>()
 
-    /** The plan that the agent chose for the last event that was [taken]; null: none yet. */
+    /** The plan that the agent chose for the last event that was [taken]; null: none so far. */
     var chosen: PlanCause? = null
         private set
 
-    /** The agent's transition system, from its first cycle on. */
+    /** The agent's transition system; set in its first cycle. */
     lateinit var ts: TransitionSystem
         private set
 
@@ -82,7 +79,7 @@ internal class Trace(
 
     private val cycle get() = inputs.cycle
 
-    /** Begins at the key frame [start]; earlier causes are not known. */
+    /** Begins at the key frame [start]. Earlier causes are not known. */
     fun beginAt(start: KeyFrame) {
         this.start = start
         percepts.beginWith(start.perceived.map(::literalOf))
@@ -112,7 +109,7 @@ internal class Trace(
     }
 
     override fun ruleApplied() {
-        if (isWatching) return // Jason calls this also while it evaluates a formula for this class
+        if (isWatching) return // Jason also calls this while it evaluates a formula for this class
         isWatching = true
         try {
             inputs.ruleApplied()
@@ -142,7 +139,7 @@ internal class Trace(
         }
     }
 
-    /** Assigns the steps of the branches of `|&|` and `|||`, into which an intention splits, to the plan that contains the operator. */
+    /** Assigns the steps of the branches of `|&|` and `|||`, into which an intention splits, to the plan with the operator. */
     private fun adoptSplit() {
         val (means, adopted) = splitting ?: return
         splitting = null
@@ -166,7 +163,7 @@ internal class Trace(
     }
 
     /**
-     * Returns the reasons why [plan], which is relevant under [un], is not applicable now: the parts of its context up to the first one
+     * Returns why [plan], which is relevant under [un], is not applicable now. The result is the parts of the context up to the first part
      * that fails.
      */
     fun failing(plan: Plan, un: Unifier): List<Condition> =
@@ -216,7 +213,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means], which the agent adopted before the replay begins, with an unknown cause. */
+    /** Returns the plan of [means], which the agent adopted before the replay begins. The cause of that plan is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
@@ -281,7 +278,6 @@ internal class Trace(
     private fun beginning(literal: Literal): Cause = if (start != null) UnknownCause(keyOf(literal), BEFORE) else
         BeginningCause(keyOf(literal), literal.srcInfo?.srcFile?.let(::fileName), literal.srcInfo?.srcLine?.takeIf { it > 0 })
 
-    /** The beginning of the present cycle, in seconds since the first cycle. */
     val now: Double get() = clock.seconds(cycle.ns)
 
     /** Returns the cause of [event], which the agent took in this cycle; null: it is not known. */
@@ -298,10 +294,10 @@ internal class Trace(
         private const val MAX_NOTES = 10_000
         private const val FORGOTTEN = "it was there from the beginning, or plans have noted more than $MAX_NOTES beliefs since it was"
 
-        /** The largest number of causes from a step to the root of its intention. */
+        /** The longest chain of causes from a step to the root of its intention. */
         private const val MAX_DEPTH = 60
 
-        /** The largest number of causes behind a condition. */
+        /** The longest chain of causes behind a condition. */
         private const val MAX_ASIDE = 8
         private const val FORK = ".fork"
         private val BRANCHES = setOf(".if_then_else", ".loop")

@@ -13,7 +13,6 @@ import argo.recording.replay.Senses
 import argo.recording.replay.WhatIf
 import jason.asSyntax.Literal
 
-/** Runs an agent of a recording again, up to a cycle. */
 internal class Trial(
     private val recording: Recording,
     private val agent: RecordedAgent,
@@ -22,8 +21,8 @@ internal class Trial(
     private val clock: RecordingClock,
 ) {
     /**
-     * Runs the agent on its recorded input up to the cycle [last], and calls [ran] after each cycle. Returns the trace that [traceOf] makes
-     * for it.
+     * Runs the agent on its recorded input up to the cycle [last], and calls [ran] after each cycle. Returns the trace that [traceOf]
+     * makes.
      * @throws RecordingException if the agent's course differs from the recorded one
      */
     fun asRecorded(last: Long, ran: (Trace) -> Unit = {}, traceOf: (ReplayedInputs, RecordedAnswers) -> Trace): Trace {
@@ -50,7 +49,7 @@ internal class Trial(
     private fun begun(trace: Trace) = trace.apply { recording.start(agent.name)?.let(::beginAt) }
 
     /**
-     * Runs the agent up to the cycle [last]; from the cycle [from] on, [changed] changes its percepts. Returns the commands since [from].
+     * Runs the agent up to the cycle [last]. From the cycle [from] on, [changed] changes its percepts. Returns the commands since [from].
      * Recorded commands have their recorded outcomes; other commands end at once.
      */
     fun changed(from: Cycle, last: Long, changed: (List<Literal>) -> List<Literal>): List<String> {
@@ -59,7 +58,7 @@ internal class Trial(
     }
 }
 
-/** The recorded percepts, passed through [changed] from the cycle with the index [from] on. */
+/** The recorded percepts. From the cycle with the index [from] on, they pass through [changed]. */
 internal class AlteredSenses(private val from: Long, private val changed: (List<Literal>) -> List<Literal>) : Senses {
     private val recorded = RecordedSenses()
 

@@ -19,10 +19,8 @@ import jason.asSyntax.Trigger
 import java.util.IdentityHashMap
 
 /**
- * Watches the plans that would issue the command of [question] in the replay of an agent: notes the events for which they were relevant,
- * and the reasons why the agent did not choose them.
- *
- * @param ruleOf returns the reason why the filter of the board on a port dropped a text
+ * Watches the plans that would issue the command of [question] in an agent's replay. Notes the events for which they were relevant, and the
+ * reasons why the agent did not choose them. [ruleOf] returns why the filter of the board on a port dropped a text.
  */
 internal class Unchosen(private val question: Question, private val ruleOf: (port: String, text: String) -> String?) {
     /** The fate of a plan at the last event for which it was relevant. */
@@ -43,7 +41,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
     private var asked: List<Plan>? = null
     private var open: List<Last> = emptyList()
 
-    /** Notes that the agent that [trace] follows has taken [event] from its queue. */
     fun taken(trace: Trace, event: Event) {
         settle(trace)
         val plans = asked ?: asked(trace).also { asked = it }
@@ -56,7 +53,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         }
     }
 
-    /** Notes the chosen plan, which [trace] knows at the end of the cycle. */
     fun settle(trace: Trace) {
         open.forEach { it.chosen = trace.chosen }
         open = emptyList()
@@ -132,7 +128,6 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
             goal.predicateIndicator == trigger.literal.predicateIndicator
     }
 
-    /** Returns all steps in [body], the steps of branches and loops included. */
     private fun steps(body: PlanBody?): Sequence<PlanBody> = sequence {
         var step = body
         while (step != null && !step.isEmptyBody) {
@@ -147,7 +142,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
         for (argument in term.terms.orEmpty()) if (argument is PlanBody) yieldAll(steps(argument))
     }
 
-    /** Returns the percepts that match literals of [context], and that boards have sent but the agent does not believe. */
+    /** Returns the percepts that match literals of [context] and that boards have sent, but that the agent does not believe. */
     private fun missedBy(context: LogicalFormula?, trace: Trace): List<Missed> =
         literals(context).filter { trace.ts.ag.findBel(it, Unifier()) == null }.mapNotNull { missed(it) }
 

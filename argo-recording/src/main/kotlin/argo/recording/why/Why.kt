@@ -9,9 +9,10 @@ import argo.recording.replay.RecordingException
 import jason.asSyntax.Literal
 
 /**
- * Explains why the agents of [recording] issued a command, or did not: it watches Jason run them again on their recorded input.
+ * Explains why the agents of [recording] issued a command, or did not. The explanation comes from watching Jason run the agents again on
+ * their recorded input.
  *
- * Close it at the end. For one thread; at a time there can be one replay in a program.
+ * Close it at the end. For one thread; a program can run one replay at a time.
  */
 class Why(private val recording: Recording) : AutoCloseable {
     private val programs = ProgramFiles(recording)
@@ -38,9 +39,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         return Answer(command, cause, null, frame, frames, had)
     }
 
-    /**
-     * Explains a reflex, without counterfactuals: a replay does not carry out reflexes, so it cannot show the effect of another percept.
-     */
+    /** Explains a reflex without counterfactuals. A replay does not carry out reflexes, so it cannot show the effect of another percept. */
     private fun reflexAnswer(command: RecordedCommand): Answer {
         val end = commandsOf[command.agent]?.reflex(command) ?: return Answer(command)
         val cycles = replayable(command.agent, cyclesOf(command.agent))
@@ -49,10 +48,10 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Replays the agent with [percept] in place of the recorded percept of its kind: the same functor, and the same arguments but for
-     * numbers. The replacement lasts from the frame that brought the recorded percept until the cycle of [command].
+     * Replays the agent with [percept] in place of the recorded percept of its kind. Percepts of a kind have the same functor, and the same
+     * arguments except numbers. The replacement lasts from the frame of the recorded percept until the cycle of [command].
      *
-     * @throws RecordingException as [answer] does, or if [percept] is no percept, or is the recorded one
+     * @throws RecordingException like [answer], or if [percept] is no percept, or is the recorded one
      */
     fun had(command: RecordedCommand, percept: String): Had {
         val literal = literal(percept)
@@ -66,7 +65,7 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     /**
      * Explains why [agent] did not issue the command of [question] up to its time, or to the end of the recording.
-     * @throws RecordingException as [answer] does
+     * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
         val cycles = cyclesOf(agent)
@@ -109,7 +108,6 @@ class Why(private val recording: Recording) : AutoCloseable {
 
     private fun PerceptCause.isIn(cycle: Cycle) = seconds == clock.seconds(cycle.ns)
 
-    /** Returns true if the filter of the board on [port] drops [percept] after the cycles [before]. */
     private fun isDropped(agent: String, percept: Literal, port: String?, before: List<Cycle>): Boolean {
         val filters = filtersOf(agent)
         before.forEach { filters.changed(it.input.filters) }
@@ -144,7 +142,6 @@ class Why(private val recording: Recording) : AutoCloseable {
     private fun trial(agent: String, cycles: List<Cycle>) =
         Trial(recording, recording.agents.getValue(agent), programs, replayable(agent, cycles), clock)
 
-    /** Returns the number of commands that plans of the agent send in its replay before [command]. */
     private fun replayedBefore(command: RecordedCommand): Int {
         val start = recording.start(command.agent)?.index ?: 0
         return ofPlans(command.agent).count { it.index > start && it.number < command.number }

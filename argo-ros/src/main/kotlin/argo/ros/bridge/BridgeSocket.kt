@@ -24,17 +24,17 @@ import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
-/** Hears what a bridge sends, on a thread of the HTTP client; returns soon. */
+/** Receives a bridge's messages on a thread of the HTTP client. Each function returns soon. */
 internal interface BridgeListener {
     fun text(message: String)
 
-    /** The bridge has shown that it is there. */
+    /** The bridge has given a sign of life. */
     fun isAlive()
 
-    /** The bridge has answered a [Bridge.ping], and so has read all that was sent before. */
+    /** The bridge has answered a [Bridge.ping], so it has read everything that was sent before the ping. */
     fun answered() = isAlive()
 
-    /** A message was dropped unread: [what], in words. */
+    /** A message was dropped unread. [what] describes it. */
     fun dropped(what: String)
 
     /** The connection is gone, for [reason]. May be called more than once. */
@@ -42,12 +42,10 @@ internal interface BridgeListener {
 }
 
 /**
- * Reads what a bridge sends, one operation after the other.
- *
- * @param warn takes reports of messages that cannot be read, and the bridge's complaints, each text once
+ * Reads a bridge's operations, one after the other. [warn] takes each unreadable message and each complaint of the bridge, each text once.
  */
 internal abstract class OperationListener(private val warn: (String) -> Unit) : BridgeListener {
-    /** Takes in [operation]; false: it is unknown here. */
+    /** Handles [operation]; returns false if the operation is unknown here. */
     protected abstract fun hear(operation: JsonObject): Boolean
 
     override fun text(message: String) {
@@ -75,17 +73,16 @@ internal interface Bridge : AutoCloseable {
     /** Queues [message] for the next [send] or [flush]; runs no callbacks. */
     fun queue(message: Outgoing)
 
-    /** Sends the queued messages; as [send]. */
+    /** Sends the queued messages; hold no lock, as for [send]. */
     fun flush()
 
-    /** Asks the bridge to show that it is there. */
+    /** Asks the bridge for a sign of life. */
     fun ping()
 }
 
 /**
- * A WebSocket to a bridge. Messages go out in their order, urgent ones before waiting others.
- *
- * @param client stays in use as long as there is a socket
+ * A WebSocket to a bridge. Messages go out in their order, urgent ones before the others. [client] is the client of [socket]; this
+ * reference keeps it alive.
  */
 internal class BridgeSocket private constructor(private val client: HttpClient, private val socket: WebSocket) : Bridge {
     private val outbox = Outbox { socket.sendText(it, true) }
@@ -163,14 +160,14 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         private const val CONNECTING_S = 3L
         private const val CLOSING_MS = 1_000L
 
-        /** The longest message that is read, in characters; a longer one is dropped. */
+        /** The longest message that is read, in characters. A longer one is dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 
-        /** The part of a long message that is logged; it names the topic. */
+        /** The number of characters of a dropped message that are logged. The logged part contains the topic's name. */
         private const val SHOWN_LENGTH = 60
 
-        /** The client of the whole program, since each client has threads of its own; it ends when no socket uses it any more. */
+        /** The client for all sockets, since each client has threads of its own. The client ends when no socket uses it any more. */
         private var shared = WeakReference<HttpClient>(null)
 
         @Synchronized
@@ -184,7 +181,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
          * @param credentials what the bridge may want to know
          * @throws NoSuchPortException if there is no such host, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
-         * @throws PortFaultException if no bridge answers, but another server
+         * @throws PortFaultException if a server answers that is no bridge
          */
         fun connect(port: String, address: URI, listener: BridgeListener, credentials: Credentials = Credentials()): BridgeSocket {
             val client = client()

@@ -3,17 +3,16 @@ package argo.ros.bridge
 import java.util.concurrent.TimeUnit
 
 /**
- * Measures how much the clock of a robot is ahead of the platform's, from its answers to questions for its time. The quickest of the last
- * [KEPT] answers counts: the robot read its time somewhere in between, so the error is at most half of the time that the answer took. If no
- * clock of usual quality could give an answer after the earlier ones, the robot's clock was set, and the earlier answers count no more.
- * Safe for use by several threads.
+ * Measures how far a robot's clock is ahead of the platform's clock, from answers to questions for its time. The quickest of the last
+ * [KEPT] answers counts. The robot read its clock at some time between question and answer, so the error is at most half of that time. If
+ * drift does not explain a new answer, the robot's clock was set, and earlier answers are forgotten. Safe for use by several threads.
  */
 internal class ClockOffset {
     private class Sample(val offsetNanos: Long, val errorNanos: Long, val answeredNanos: Long)
 
     private val samples = ArrayDeque<Sample>()
 
-    /** The offset in ns, null: it is not known. */
+    /** The offset in ns; null: it is not known. */
     @Volatile
     var offsetNanos: Long? = null
         private set
@@ -23,7 +22,7 @@ internal class ClockOffset {
     var errorNanos: Long = 0
         private set
 
-    /** The robot said [rosNanos] when it was asked at [askedNanos]; the answer came at [answeredNanos]. */
+    /** Adds an answer: the robot was asked at [askedNanos] and reported [rosNanos]; its answer came at [answeredNanos]. */
     @Synchronized
     fun add(askedNanos: Long, rosNanos: Long, answeredNanos: Long) {
         val half = (answeredNanos - askedNanos) / 2
@@ -41,18 +40,16 @@ internal class ClockOffset {
         return Math.abs(after.offsetNanos - before.offsetNanos) <= before.errorNanos + after.errorNanos + driftNanos + SLACK_NANOS
     }
 
-    /**
-     * Returns the time, by the platform's clock, at which a clock ahead by the offset showed [stampNanos]; null: the offset is not known.
-     */
+    /** Returns when the robot's clock showed [stampNanos], by the platform's clock; null: the offset is not known. */
     fun whenShown(stampNanos: Long): Long? = offsetNanos?.let { stampNanos - it }
 
     private companion object {
         const val KEPT = 8
 
-        /** Clocks of computers gain or lose less than one part in this number. */
+        /** A computer's clock gains or loses less than one part in this number. */
         const val DRIFT = 5_000
 
-        /** A time that is read from a clock may be a ms old. */
+        /** A clock's reading may be one ms old. */
         val SLACK_NANOS = TimeUnit.MILLISECONDS.toNanos(1)
     }
 }

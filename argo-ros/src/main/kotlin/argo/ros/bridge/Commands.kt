@@ -36,13 +36,10 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Sends the commands of an agent and finds their outcomes. Each goes out once at most. A command without an answer when the connection
- * ended may have been carried out, and is not sent again. Safe for use by several threads.
+ * Sends an agent's commands and finds their outcomes. Each command is sent once at most. If the connection ends before the answer, the
+ * robot may have carried the command out, so it is not sent again. Safe for use by several threads.
  *
- * @param port the port's name, for messages
- * @param types the types of the messages, as far as they are known
  * @param graph the robot's graph, with the nodes that take the messages
- * @param send sends a message to the bridge
  * @param warn takes reports of parts of a command that are left out
  * @param progress takes the newest feedback of a goal, for the rule of its percept; null: no goal of the rule is under way any more
  */
@@ -59,10 +56,10 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
-    private val session = "argo-${UUID.randomUUID()}" // begins each command's id, so that no other client's answer is taken
+    private val session = "argo-${UUID.randomUUID()}" // each command's id begins with it, which excludes answers to other clients
     private val number = AtomicLong()
 
-    /** Returns the messages to the bridge before any command: publishers need subscribers by then, and results a subscription. */
+    /** Returns the first messages to the bridge: a publisher needs subscribers before its first command, a result a subscription. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -154,7 +151,7 @@ internal class Commands(
         }
     }
 
-    /** The goal of [entry] has reached nobody; a server that comes now is not to begin it. */
+    /** Fails [entry], since its goal has reached no server. A server that appears later is not to begin the goal. */
     private fun lost(id: String, entry: Pending, reason: String) {
         if (entry.outcome.isDone) return
         val hasLeft = !entry.message.withdraw()
@@ -179,14 +176,13 @@ internal class Commands(
     private fun unconfirmed(entry: Pending, reason: String): PortException =
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
-    /** The connection has ended for [reason]. */
     fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
         )
     }
 
-    /** Takes in a message of the bridge; false: it is about no command. */
+    /** Handles a message of the bridge; returns false if it is not about a command. */
     fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
         "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
         "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null

@@ -9,7 +9,7 @@ import kotlinx.serialization.json.buildJsonObject
 import kotlinx.serialization.json.contentOrNull
 import kotlinx.serialization.json.put
 
-/** Writes the operation [op] of the rosbridge protocol with [fields]; those that are null are left out. */
+/** Writes the operation [op] of the rosbridge protocol with the [fields] that are not null. */
 internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = buildJsonObject {
     put("op", op)
     for ((name, value) in fields) {
@@ -23,16 +23,16 @@ internal fun operation(op: String, vararg fields: Pair<String, Any?>): String = 
     }
 }.toString()
 
-/** Reads [text] as an operation; null: it is none. */
+/** Reads [text] as an operation; null: it is no operation. */
 internal fun operationIn(text: String): JsonObject? = try {
     Json.parseToJsonElement(text) as? JsonObject
-} catch (_: IllegalArgumentException) { // thrown for malformed JSON
+} catch (_: IllegalArgumentException) { // malformed JSON
     null
-} catch (_: StackOverflowError) { // thrown for thousands of nested brackets
+} catch (_: StackOverflowError) { // thousands of nested brackets
     null
 }
 
-/** Returns the text of field [name]; null: there is none. */
+/** Returns the text of field [name]; null: there is no text. */
 internal fun JsonObject.text(name: String): String? = (this[name] as? JsonPrimitive)?.takeIf { it !is JsonNull }?.contentOrNull
 
 internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObject
@@ -41,8 +41,8 @@ internal fun JsonObject.part(name: String): JsonObject? = this[name] as? JsonObj
 internal fun JsonObject.flag(name: String): Boolean? = text(name)?.toBooleanStrictOrNull()
 
 /**
- * Reads a time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns; null: this is no time, or zero, which means that there is
- * none.
+ * Reads a time of ROS 1 (`secs`, `nsecs`) or ROS 2 (`sec`, `nanosec`), in ns. Returns null for anything else, and for zero, which stands
+ * for an unknown time.
  */
 internal fun JsonObject.rosNanos(): Long? {
     val seconds = (text("secs") ?: text("sec"))?.toLongOrNull() ?: return null

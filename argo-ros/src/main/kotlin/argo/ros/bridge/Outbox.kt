@@ -7,47 +7,41 @@ import kotlin.concurrent.withLock
 /**
  * A message for a bridge.
  *
- * @property text the text of the message
- * @property isUrgent whether it goes before waiting messages that are not urgent
- * @property functor the functor of its command; null: it is no command
- * @property replaces whether it replaces waiting messages of its [functor]
+ * @property isUrgent whether the message overtakes waiting messages that are not urgent
+ * @property functor the functor of the message's command; null: the message is no command
+ * @property replaces whether the message replaces waiting messages of its [functor]
  */
 internal class Outgoing(val text: String, val isUrgent: Boolean = false, val functor: String? = null, val replaces: Boolean = false) {
-    /** Completed when the system has taken the message, or exceptionally if it never will; on any thread. */
+    /** Completes when the system has taken the message; completes exceptionally if it never will. Any thread may complete it. */
     val left = CompletableFuture<Unit>()
 
-    /** True if it has begun to go out. */
     @Volatile
     var hasBegun = false
         private set
 
     private var isWithdrawn = false // guarded by this message, like hasBegun
 
-    /** Marks the message as going out; false: it has been withdrawn. */
+    /** Marks the message as going out; returns false if it has been withdrawn. */
     fun begin(): Boolean = synchronized(this) { (!isWithdrawn).also { hasBegun = it } }
 
-    /** Takes the message back; false: it has begun to go out. */
+    /** Withdraws the message; returns false if it has begun to go out. */
     fun withdraw(): Boolean = synchronized(this) { (!hasBegun).also { isWithdrawn = it } }
 }
 
-/** Another command has replaced a waiting one. */
+/** A later command has replaced a waiting one. */
 internal class Replaced : Exception()
 
-/** The connection was closed before a message went out. */
+/** The connection was closed before the message went out. */
 internal class NeverSent : Exception()
 
-/**
- * The messages that wait for a connection, which takes one at a time. Safe for use by several threads.
- *
- * @param write hands a text to the connection
- */
+/** The messages that wait for a connection. The connection takes one message at a time. Safe for use by several threads. */
 internal class Outbox(private val write: (String) -> CompletableFuture<*>) : AutoCloseable {
     private val lock = ReentrantLock()
     private val waiting = ArrayDeque<Outgoing>()
     private var isBusy = false
     private var isClosed = false
 
-    /** Adds [message]; it goes out when its turn comes, and [flush] is called. */
+    /** Adds [message] to the waiting messages. A call of [flush] sends it when its turn comes. */
     fun add(message: Outgoing) {
         val replaced = lock.withLock {
             if (isClosed) null
@@ -85,7 +79,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         }
     }
 
-    /** Fails all messages that wait; none goes out any more. */
+    /** Fails all waiting messages. No message goes out after that. */
     override fun close() {
         val left = lock.withLock {
             isClosed = true

@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Asks `rosapi` for the other nodes of the robot's graph, and warns if a topic or a command has no effect without them. Safe for use by
- * several threads.
+ * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands that have no effect without such nodes. Safe for use
+ * by several threads.
  */
 internal class RobotGraph(
     private val mapping: Mapping,
@@ -19,9 +19,9 @@ internal class RobotGraph(
     private val clock: LineClock,
     private val warn: (String) -> Unit,
 ) {
-    private val askedNanos = ConcurrentHashMap<String, Long>() // time of the last question, by the topic that commands go to
+    private val askedNanos = ConcurrentHashMap<String, Long>() // time of the last question, by the commands' topic
 
-    /** Compares the types of the topics that are there, and looks for the actions. */
+    /** Compares the mapping's types with those of existing topics, and looks for its actions. */
     fun check() {
         val topics = (mapping.percepts - mapping.poses.toSet()).map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
@@ -51,7 +51,7 @@ internal class RobotGraph(
         else -> null
     }
 
-    /** Warns if [topic] has another type than [type]: then the bridge passes no messages on, in either direction. */
+    /** Warns if the robot's [topic] has another type than [type]. The bridge then passes no messages in either direction. */
     private fun compareType(topic: String, type: String) = typeOf(topic).thenApply { known ->
         if (known.isNotEmpty() && rosType(known) != rosType(type)) {
             warn("$topic is of type $known on the robot, and the mapping says $type: its messages do not pass the bridge")
@@ -59,11 +59,10 @@ internal class RobotGraph(
         known
     }
 
-    /** Asks for the type of [topic]; empty: nobody uses it. */
     private fun typeOf(topic: String): CompletableFuture<String> =
         api.ask("/rosapi/topic_type", mapOf("topic" to topic)).thenApply { it.text("type").orEmpty() }
 
-    /** Looks for the reason why [topic], of [type], has been silent for long, and warns if no message can come. */
+    /** Looks for the reason of a long silence of [topic], and warns if no message can come. */
     fun explainSilence(topic: String, type: String) {
         compareType(topic, type)
         api.ask("/rosapi/publishers", mapOf("topic" to topic)).whenComplete { answer, trouble ->
@@ -73,9 +72,8 @@ internal class RobotGraph(
     }
 
     /**
-     * Warns, before a command of [rule] is sent, if nobody subscribes to its topic, at most once in [AGAIN_NANOS].
-     *
-     * @param lost called with the reason if its goal reaches nobody. In ROS 2 that is only probable, so it is only logged
+     * Call this before a command of [rule] is sent. Warns if no node takes the command; for a topic, looks at most once in [AGAIN_NANOS].
+     * [lost] is called with the reason if the command's goal reaches no server. For ROS 2 that is only probable, so this only warns.
      */
     fun sends(rule: CommandRule, lost: (String) -> Unit) {
         val reason = "rosapi shows no action server ${rule.target}"
@@ -88,8 +86,8 @@ internal class RobotGraph(
     }
 
     /**
-     * Looks for subscribers of the rule's topic. If `rosapi` does not show the topic, though the bridge publishes on it, the topic is
-     * hidden and nothing is known.
+     * Looks for subscribers of the rule's topic. The bridge publishes on the topic. If `rosapi` still does not show the topic, it is hidden
+     * and nothing is known about it.
      */
     private fun lookForSubscribers(rule: CommandRule) {
         compareType(rule.target, rule.type).thenCompose { type ->
@@ -103,7 +101,7 @@ internal class RobotGraph(
         return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
     }
 
-    /** Does [work] if `rosapi` shows topics of an action, such as those that a client makes, but no server. */
+    /** Does [work] if `rosapi` shows an action's topics but no server. A client too creates such topics. */
     private fun ifMissing(rule: CommandRule, work: () -> Unit) {
         val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
         isShown.thenCompose { type ->

@@ -4,12 +4,12 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Finds when the messages of a robot were true, by the platform's clock, from the offset of the robot's clock or, if its time is simulated,
- * from `/clock`. Safe for use by several threads.
+ * Finds when a robot's messages were true, by the platform's clock. The calculation uses the offset of the robot's clock or, if the robot's
+ * time is simulated, `/clock`. Safe for use by several threads.
  *
- * @param clockIsThere called with the type of the topic [CLOCK] if there is one; the caller [shows][show] its messages
- * @param warn takes a warning if the time stamps of a topic are of no use
- * @param tell takes a sentence that names the clock by which ages are measured
+ * @param clockIsThere called with the type of the topic [CLOCK] if it exists; the caller then passes the topic's messages to [show]
+ * @param warn takes a warning if the time stamps of a topic are useless
+ * @param tell takes a sentence that names the clock behind the ages of messages
  */
 internal class RobotTime(
     private val clock: LineClock,
@@ -29,8 +29,8 @@ internal class RobotTime(
     private var isClockKnown = false
 
     @Volatile
-    private var dueNanos: Long? = null // time of the next question; null: a question is under way
-    private var toldNanos: Long? = null // this and answers are used only by the bridge's thread
+    private var dueNanos: Long? = null // time of the next question; null: an answer is pending
+    private var toldNanos: Long? = null // only the bridge's thread uses toldNanos and answers
     private var answers = 0
 
     fun ask() {
@@ -68,14 +68,14 @@ internal class RobotTime(
         if (answers >= FIRST_ANSWERS && !isSimulated) report()
     }
 
-    /** Decides if the robot takes its time from [CLOCK]. A robot's own clock and a simulator's are decades apart. */
+    /** Decides whether the robot takes its time from [CLOCK]. A robot's own clock and a simulator's clock are decades apart. */
     private fun compare(rosNanos: Long, receivedNanos: Long, simNanos: Long, atNanos: Long) {
         if (isSimulated || Math.abs(receivedNanos - atNanos) > SAME_INSTANT_NANOS || Math.abs(rosNanos - simNanos) > SAME_TIME_NANOS) return
         isSimulated = true
         tell("the robot's time is simulated; ages go by its time stamps and $CLOCK, at the speed of the simulator")
     }
 
-    /** Notes that the topic [CLOCK] shows [simNanos] at [nowNanos], by the platform's clock. */
+    /** Notes that the topic [CLOCK] showed [simNanos] at [nowNanos], a time of the platform's clock. */
     fun show(simNanos: Long, nowNanos: Long) {
         val isFirst = simulated.newest == null
         simulated.show(simNanos, nowNanos)
@@ -83,11 +83,9 @@ internal class RobotTime(
     }
 
     /**
-     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock; never after [nowNanos], when it
-     * came. A stamp older than [MAX_AGE_NANOS], or far ahead, is another clock's; then the result is [nowNanos].
-     *
-     * @param topic the message's topic, for warnings
-     * @param stampNanos null: it has none
+     * Returns when a message with the robot's time stamp [stampNanos] was true, by the platform's clock. The message came at [nowNanos],
+     * which is the latest result. A stamp older than [MAX_AGE_NANOS] or far ahead comes from another clock, and has the same result. Null
+     * as [stampNanos]: the message has no stamp.
      */
     fun trueAt(topic: String, stampNanos: Long?, nowNanos: Long): Long {
         if (stampNanos == null) return nowNanos
@@ -115,10 +113,10 @@ internal class RobotTime(
     companion object {
         const val CLOCK = "/clock"
 
-        /** The greatest age of a message that is believed, in ns. */
+        /** The greatest credible age of a message, in ns. */
         val MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10)
 
-        /** Stamps may be ahead by this much, since clocks are read with errors. */
+        /** A stamp may be this far ahead, since reading a clock has an error. */
         private val AHEAD_NANOS = TimeUnit.SECONDS.toNanos(1)
         private const val FIRST_ANSWERS = 4
         private val FIRST_INTERVAL_NANOS = TimeUnit.MILLISECONDS.toNanos(50)

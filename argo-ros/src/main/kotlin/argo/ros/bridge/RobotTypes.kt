@@ -24,10 +24,10 @@ import java.util.concurrent.TimeoutException
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The types of the robot's topics, services and actions, as `rosapi` describes them, and the check of a mapping against them. Safe for use
- * by several threads.
+ * The types of the robot's topics, services and actions, as `rosapi` describes them. Checks a mapping against them. Safe for use by several
+ * threads.
  *
- * @param warn takes the reasons why a topic or a command can have no effect
+ * @param warn takes the reasons for which a topic or a command can have no effect
  * @param tell takes the reason if the mapping cannot be checked
  */
 internal class RobotTypes(
@@ -40,15 +40,14 @@ internal class RobotTypes(
 
     private val known = ConcurrentHashMap<Question, MessageType>()
     private val unknown = ConcurrentHashMap<Question, String>()
-    private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, like the next field
+    private val missing = ArrayList<Question>() // questions that no service answers; guarded by this, like isChecked
     private var isChecked = false
 
     fun of(rule: PerceptRule): MessageType? = known[questionFor(rule)]
 
-    /** Returns the type of the messages, requests or goals of [rule]; null: it is not known. */
+    /** Returns the type of the messages, requests or goals of [rule]; null: the type is not known. */
     fun of(rule: CommandRule): MessageType? = known[questionFor(rule)]
 
-    /** Returns the reason why no command of [rule] can leave the bridge; null: none is known. */
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
     /** Returns the fields of [message], the answer to a command of [rule]. */
@@ -77,9 +76,10 @@ internal class RobotTypes(
     private val answering = mapping.commands.filter { it.answer != null }
 
     /**
-     * Asks for the types, and checks the fields and the constant values of the mapping. Types that are described later are checked then.
+     * Asks for the types, and checks the mapping's fields and constant values. A type whose description comes late is checked when it
+     * comes.
      *
-     * @param limitMs the time that the bridge has to describe its types
+     * @param limitMs the time that the bridge has to describe its types, in ms
      * @throws MappingException if a field does not exist, or cannot have its value
      */
     fun check(limitMs: Long) {
@@ -107,7 +107,7 @@ internal class RobotTypes(
             type != null -> known[question] = type
             answer != null -> explain(question, "$UNKNOWN by rosapi")
             trouble is RosApi.NotKnown && trouble.isMissing -> missing += question
-            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // the rest lists the searched paths
+            else -> explain(question, trouble?.message.orEmpty().substringBefore("\\n")) // behind it the searched paths are listed
         }
         if (isChecked) problemsOf(question).forEach { warn("$it") }
     }
@@ -157,10 +157,10 @@ internal class RobotTypes(
             "its type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
-        /** The reason if `rosapi` of ROS 2 answers without a description. */
+        /** The reason for a type if `rosapi` of ROS 2 answers without a description. */
         const val UNKNOWN = "it is not described"
 
-        /** Parts of the messages with which a bridge says that it has no such type. */
+        /** Parts of a bridge's messages about a type that it does not have. */
         val UNLOADED = listOf("Unable to load", "Unable to import", "not a valid type string", UNKNOWN)
     }
 }

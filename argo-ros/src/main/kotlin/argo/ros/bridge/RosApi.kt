@@ -10,10 +10,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Asks the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so only asking finds
- * them. Safe for use by several threads.
- *
- * @param send sends a message to the bridge
+ * Calls services of the node `rosapi`, which often runs beside a bridge. A bridge of ROS 1 reports no mistakes to its clients, so they are
+ * found only by asking. Safe for use by several threads.
  */
 internal class RosApi(private val clock: LineClock, private val send: (Outgoing) -> Unit) : AutoCloseable {
     /** An answer, and the time of its arrival by the platform's clock. */
@@ -27,8 +25,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val number = AtomicLong()
 
     /**
-     * Calls [service]. The answer completes on the bridge's thread; exceptionally, with a [NotKnown], if the call fails or takes longer
-     * than [LIMIT_NANOS].
+     * Calls [service]. The answer completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
      */
     fun ask(service: String, arguments: Map<String, String> = emptyMap()): CompletableFuture<Answer> {
         val id = "$ID${number.incrementAndGet()}"
@@ -41,10 +38,10 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         return call
     }
 
-    /** Takes in a message of the bridge at [nowNanos]; false: it is no answer to a question of this object. */
+    /** Handles a message of the bridge that came at [nowNanos]; returns false if it is no answer to a call of this object. */
     fun heard(operation: JsonObject, nowNanos: Long): Boolean {
         val id = operation.text("id")?.takeIf { it.startsWith(ID) && operation.text("op") == "service_response" } ?: return false
-        val call = calls[id] ?: return true // null: the call's time is over, or the link is closed
+        val call = calls[id] ?: return true // the call's time is over, or the link is closed
         val values = operation.part("values")
         if (values == null || operation.flag("result") == false) call.completeExceptionally(NotKnown(operation.text("values").orEmpty()))
         else call.complete(Answer(values, nowNanos))
@@ -55,14 +52,13 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
 
     /** @param reason the bridge's reason; empty: it gives none */
     class NotKnown(reason: String) : Exception(reason) {
-        /** True if there is no such service, since `rosapi` does not run, for example. */
+        /** True if there is no such service, as when `rosapi` does not run. */
         val isMissing: Boolean get() = MISSING in message.orEmpty()
     }
 
     companion object {
         private const val ID = "argo-api-"
 
-        /** Part of a bridge's answer if there is no such service. */
         private const val MISSING = "does not exist"
 
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(10)

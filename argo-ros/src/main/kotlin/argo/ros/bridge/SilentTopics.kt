@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit
 internal class SilentTopics {
     private val dueNanos = HashMap<String, Long>()
 
-    /** Forgets all topics but [topics]; new ones count as subscribed since [nowNanos]. */
+    /** Forgets all topics except [topics]. The silence of a new topic begins at [nowNanos]. */
     fun keepOnly(topics: Collection<String>, nowNanos: Long) {
         dueNanos.keys.retainAll(topics.toSet())
         topics.forEach { dueNanos.putIfAbsent(it, nowNanos + LIMIT_NANOS) }
@@ -16,12 +16,15 @@ internal class SilentTopics {
         dueNanos[topic] = nowNanos + LIMIT_NANOS
     }
 
-    /** Returns the topics that have been silent for [LIMIT_NANOS] at [nowNanos], each again after that time: its type may have changed. */
+    /**
+     * Returns the topics that have been silent for [LIMIT_NANOS] at [nowNanos]. A silent topic comes again after that time, since its type
+     * may have changed.
+     */
     fun next(nowNanos: Long): List<String> = dueNanos.filterValues { nowNanos - it > 0 }.keys.toList()
         .onEach { dueNanos[it] = nowNanos + LIMIT_NANOS }
 
     companion object {
-        /** The silence after which a topic is asked about, in ns. */
+        /** The silence, in ns, after which a topic is looked into. */
         val LIMIT_NANOS = TimeUnit.SECONDS.toNanos(5)
     }
 }

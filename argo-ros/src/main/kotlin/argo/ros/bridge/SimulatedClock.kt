@@ -3,18 +3,22 @@ package argo.ros.bridge
 import java.util.concurrent.TimeUnit
 
 /**
- * The time of a simulator as its topic `/clock` shows it, which may run at any speed, stop, and jump. Safe for use by several threads.
+ * The time of a simulator, as its topic `/clock` shows it. A simulator's time may run at any speed, stop, and jump. Safe for use by several
+ * threads.
  */
 internal class SimulatedClock {
     private class Sample(val simNanos: Long, val atNanos: Long)
 
     private val samples = ArrayDeque<Sample>()
 
-    /** The newest time that it has shown, and the platform's time then; null: it has shown none. */
+    /** The newest time that the simulator has shown, and the platform's time of that moment; null: it has shown none. */
     @get:Synchronized
     val newest: Pair<Long, Long>? get() = samples.lastOrNull()?.let { it.simNanos to it.atNanos }
 
-    /** Notes that it shows [simNanos] at [atNanos], by the platform's clock. If the time goes back, all earlier samples are forgotten. */
+    /**
+     * Notes that the simulator showed [simNanos] at [atNanos], a time of the platform's clock. If the simulator's time goes back, forgets
+     * all earlier samples.
+     */
     @Synchronized
     fun show(simNanos: Long, atNanos: Long) {
         val last = samples.lastOrNull()
@@ -24,13 +28,13 @@ internal class SimulatedClock {
         if (samples.size > KEPT) samples.removeFirst()
     }
 
-    /** Fills the gap before [simNanos] at [atNanos]: the clock stood while it was silent, then went on at its speed. */
+    /** Fills the gap before [simNanos] at [atNanos]: during the silence the clock stood, and then ran on at its previous speed. */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
         if (began > last.atNanos) samples.addLast(Sample(last.simNanos, began))
     }
 
-    /** Returns its speed from the sample [from] on: its seconds per second; 1 while that is not known. */
+    /** Returns the speed since sample number [from], in simulated seconds per second; 1 while the speed is not known. */
     private fun speed(from: Int): Double {
         val (first, last) = samples[maxOf(0, from)] to samples.last()
         val took = last.atNanos - first.atNanos
@@ -38,8 +42,8 @@ internal class SimulatedClock {
     }
 
     /**
-     * Returns the last time, by the platform's clock and as seen at [nowNanos], at which it showed [stampNanos]; it is later than
-     * [nowNanos] for a time that is still to come. A standing clock shows its time now. Null: it has shown no time.
+     * Returns the last time of the platform's clock at which the simulator showed [stampNanos], as known at [nowNanos]. The result is after
+     * [nowNanos] if the simulator has yet to show that time, but [nowNanos] if its clock stands. Null: it has shown no time.
      */
     @Synchronized
     fun whenShown(stampNanos: Long, nowNanos: Long): Long? {
@@ -59,16 +63,15 @@ internal class SimulatedClock {
     private fun at(sample: Sample, stampNanos: Long, speed: Double) = sample.atNanos + ((stampNanos - sample.simNanos) / speed).toLong()
 
     companion object {
-        /** The interval at which it is asked for, in ms: a change of its speed is known that much later. */
+        /** The interval between requested samples, in ms. A change of speed is noticed after at most this time. */
         const val INTERVAL_MS = 50
 
-        /** The number of samples that are kept: a minute's. */
         private const val KEPT = 1_200
 
-        /** The number of samples that give the present speed. */
+        /** The number of samples from which the present speed follows. */
         private const val SHORT = 10
 
-        /** A clock that has been silent for this time stands. */
+        /** A clock that has been silent for this time has stopped. */
         private val STANDS_NANOS = TimeUnit.SECONDS.toNanos(1)
     }
 }

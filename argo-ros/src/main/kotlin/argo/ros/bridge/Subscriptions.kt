@@ -21,7 +21,7 @@ import argo.ros.mapping.asTerm
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
-/** Returns the subscriptions while the agent has this wish: each topic once, unless the filter drops all of its percepts. */
+/** Returns the subscriptions under this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
     return rules.groupBy { it.topic }.flatMap { (topic, its) ->
@@ -36,7 +36,7 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     }.groupBy { it.topic }.values.map { its -> its.minBy { it.throttleMs } }
 }
 
-/** Returns true if [filter] drops every percept that [percept] can become. */
+/** Returns true if [filter] drops every percept of the form [percept]. */
 internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): Boolean {
     if (filter.critical.any { isFor(it.rule, percept) }) return false
     val rules = filter.rules.filter { isFor(it, percept) }
@@ -47,7 +47,8 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
 }
 
 /**
- * Returns the time in ms for which [filter] holds back every percept that [percept] can become, whatever its numbers; null: it does not.
+ * Returns the time in ms for which [filter] holds back every percept of the form [percept], whatever its numbers; null: percepts of this
+ * form are not held back.
  */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
     if (filter.mode != PerceptionFilter.Mode.DROP || filter.critical.any { isFor(it.rule, percept) }) return null
@@ -60,7 +61,7 @@ private fun isFor(rule: Rule, percept: Expression.Compound) = rule.predicate == 
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
-/** Returns true if [condition] holds for all percepts that [percept] can become, false if for none, null if for some. */
+/** Returns true if [condition] holds for all percepts of the form [percept], false if for none, null if for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
     if (Expression.AllFields in percept.arguments) return null

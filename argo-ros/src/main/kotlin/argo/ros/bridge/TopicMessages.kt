@@ -47,7 +47,7 @@ internal class TopicMessages(
     private var takenNanos: Long? = null // null: nothing was taken yet
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
-    /** Takes in a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
+    /** Adds a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
         val last = Newest(message, trueNanos, receivedNanos)
         newest[topic] = last
@@ -68,7 +68,6 @@ internal class TopicMessages(
         if ((++lost).countOneBits() == 1) warn("$lost messages of $topic and others were lost, since more than $MAX_EVENTS waited")
     }
 
-    /** Forgets the messages of all topics but [topics], the only ones with a subscription. */
     fun keepOnly(topics: Collection<String>) {
         val kept = topics.toSet()
         if (newest.keys.retainAll(kept)) isNew = true
@@ -164,7 +163,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** The most reasons that are told for each rule: numbers of messages in them can make many. */
+        /** The most reasons reported for each rule. A message's numbers in them could make many. */
         const val MAX_TOLD = 3
 
         /** The most events that wait for the sensing thread. */

@@ -7,10 +7,8 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
 /**
- * The topics of an action of ROS 1, as those of `actionlib`, and its last goals. Safe for use by several threads.
- *
- * @param action the action's name: `/uno/act`
- * @param send sends an operation to the bridge
+ * The topics and the last goals of a ROS 1 action, in the form of `actionlib`. Safe for use by several threads. [action] is the action's
+ * name: `/uno/act`.
  */
 internal class ActGoals(private val action: String, private val send: (String) -> Unit) {
     private class Goal(val id: String, var state: Int, var text: String)
@@ -38,7 +36,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
         synchronized(this) { report() } // clients wait for the first status
     }
 
-    /** Notes the goal [id] and returns its name, which is a new one if [id] is empty; null: it has come before. */
+    /** Notes the goal [id] and returns its name; makes a new name if [id] is empty. Null: the goal has come before. */
     fun begin(id: String): String? = synchronized(this) {
         val name = id.ifEmpty { "argo-goal-${++number}" }
         if (goals.any { it.id == name }) return null
@@ -49,7 +47,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     }
 
     fun end(id: String, outcome: Outcome) = synchronized(this) {
-        val state = if (outcome.error == null) SUCCEEDED else ABORTED // a goal that was active is never rejected
+        val state = if (outcome.error == null) SUCCEEDED else ABORTED // an active goal is never rejected
         val text = if (outcome.error == null) "" else outcome.inWords
         goals.find { it.id == id }?.let {
             it.state = state
@@ -72,7 +70,7 @@ internal class ActGoals(private val action: String, private val send: (String) -
     )
 
     private companion object {
-        /** The number of goals whose states are kept. A goal that comes again is recognised if fewer others came between. */
+        /** The number of goals whose states are kept. A repeated goal is recognised if fewer others came in between. */
         const val KEPT = 50
 
         // actionlib_msgs/GoalStatus

@@ -6,7 +6,7 @@ import argo.ros.mapping.MappingException
 import argo.ros.mapping.findCredentials
 import javino.NoSuchPortException
 
-/** An address names no bridge; [message] says why. */
+/** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
 /**
@@ -20,8 +20,8 @@ internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) 
         private val NUMBER = Regex("[0-9]+")
 
         /**
-         * Reads `HOST:PORT`, which may have the form of a port of an agent, `ros://HOST:PORT#NAME`. The token stands in the file
-         * `NAME.ros.token`, as for a port.
+         * Reads `HOST:PORT`, also in the form of an agent's port, `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`,
+         * as for such a port.
          *
          * @throws RefusedAddress with the reason
          */

@@ -11,15 +11,15 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.doubleOrNull
 
-/** A request is refused; [message] is for its sender. */
+/** A request is refused; [message] tells its sender why. */
 internal class RefusedRequest(message: String) : Exception(message)
 
 /**
- * Makes the command for the action [name], with the arguments in [request]: those in its field `arguments`, or `data`; two numbers of a
- * Twist; else none.
+ * Returns the command for the action [name] with the arguments in [request]: the field `arguments` or `data`, or two numbers of a Twist.
+ * Without these it has no arguments.
  *
  * @param actions the participant's actions; null: they are not known
- * @throws RefusedRequest if that is no command, or not among [actions]
+ * @throws RefusedRequest if the result is no command, or not among [actions]
  */
 internal fun commandOf(name: String, request: JsonObject, actions: List<BoardAction>?): String {
     val arguments = argumentsIn(request).map(::termOf)
@@ -38,7 +38,7 @@ private fun argumentsIn(request: JsonObject): List<JsonElement> {
     return given as? JsonArray ?: listOf(given)
 }
 
-/** Returns [value] as a term; a text that is no term becomes a string. */
+/** Returns [value] as a term. Text that is no term becomes a string. */
 private fun termOf(value: JsonElement): String = when (value) {
     is JsonArray -> value.joinToString(",", "[", "]", transform = ::termOf)
     is JsonObject -> throw RefusedRequest("an argument is a number, a text, true, false or an array of these, not $value")
@@ -58,9 +58,9 @@ private fun twistIn(message: JsonObject): List<JsonElement>? {
 }
 
 /**
- * Reads the command in the field `command`, or `data`, of [request].
+ * Returns the command in the field `command`, or `data`, of [request].
  *
- * @throws RefusedRequest if it is none
+ * @throws RefusedRequest if the field contains no command
  */
 internal fun writtenCommand(request: JsonObject): String {
     val text = (request.text("command") ?: request.text("data")).orEmpty().trim()

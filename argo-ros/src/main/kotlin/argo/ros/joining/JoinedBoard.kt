@@ -15,15 +15,12 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Has a board take part without an agent: asks it for its percepts at an interval, and opens it again when it has gone. Each command is
- * sent once at most.
+ * A board in a ROS graph without an agent. The board is asked for its percepts at an interval, and opened again after a loss. Each command
+ * is sent once at most.
  *
- * @param port the board's port, for messages
- * @param intervalMs the time from one request to the next
- * @param timeoutMs the time that an answer may take
- * @param listens whether it sends its percepts unasked
- * @param open opens it
- * @param tell takes a line for a person
+ * @param intervalMs the time from one request to the next, in ms
+ * @param timeoutMs the longest time for an answer, in ms
+ * @param listens whether the board sends its percepts unasked
  * @param warn takes reports of percepts that are not published, each text once
  */
 internal class JoinedBoard(
@@ -51,7 +48,7 @@ internal class JoinedBoard(
     override val actions: List<BoardAction>?
         get() = (link?.actions ?: known)?.takeIf { it.isNotEmpty() }?.also { known = it }
 
-    /** Begins to ask it. Called once. */
+    /** Begins to ask the board. Call it once. */
     fun start() = thread.start()
 
     private val isClosed get() = closed.count == 0L
@@ -64,7 +61,7 @@ internal class JoinedBoard(
                 return
             } catch (gone: PortException) {
                 off("${gone.message}")
-            } catch (unforeseen: Throwable) { // thrown, it would end the thread that asks the board
+            } catch (unforeseen: Throwable) { // otherwise the thread that asks the board would end
                 off("it failed: $unforeseen")
             }
             try {
@@ -94,7 +91,7 @@ internal class JoinedBoard(
             } catch (late: PortTimeoutException) {
                 report("timeout", "/$name: ${late.message}")
             }
-            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // skips requests that were missed
+            due = maxOf(due + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()), System.nanoTime()) // skips missed requests
             if (!listens && !opened.speaksUnasked) waitUntil(due)
         }
     }
@@ -111,8 +108,8 @@ internal class JoinedBoard(
         try {
             opened.writeCommandsUntilClosed()
         } catch (_: PortException) {
-            // the thread that senses finds that the board has gone
-        } catch (unforeseen: Throwable) { // thrown, it would end the thread that sends commands
+            // the sensing thread finds out that the board has gone
+        } catch (unforeseen: Throwable) { // otherwise the thread that sends commands would end
             tell("/$name: the thread that sends commands has ended, so the board is opened anew: $unforeseen")
             opened.close()
         }
@@ -129,7 +126,7 @@ internal class JoinedBoard(
         val opened = link ?: return done(Outcome("no_port", "the board at port $port is not there now"))
         try {
             opened.send(command, options).outcome.whenComplete { _, trouble -> done(outcomeOf(trouble)) }
-        } catch (unsendable: IllegalArgumentException) { // text that fits into no frame
+        } catch (unsendable: IllegalArgumentException) { // the text fits into no frame
             done(Outcome("wrong_arguments", unsendable.message.orEmpty()))
         }
     }
@@ -145,7 +142,10 @@ internal class JoinedBoard(
     }
 }
 
-/** Names the failure [trouble] of a command as an agent does; null: it was carried out. */
+/**
+ * Returns the outcome of a command with the failure [trouble], under the agent's name for it. Null as [trouble]: the command was carried
+ * out.
+ */
 internal fun outcomeOf(trouble: Throwable?): Outcome {
     val cause = if (trouble is CompletionException) trouble.cause else trouble
     return if (cause == null) Outcome.DONE else Outcome(errorOf(cause), cause.message ?: "$cause")

@@ -20,12 +20,11 @@ import java.util.concurrent.TimeoutException
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Keeps [participant] in the ROS graph behind a bridge: advertises what it has, again whenever the bridge or the graph has come back, and
- * publishes the newest messages of its topics. It does so on a thread of its own, for which nobody waits.
+ * Keeps [participant] in the ROS graph behind a bridge. Advertises its services and topics, again after each return of the bridge or the
+ * graph, and publishes its newest messages. All that happens on its own thread, and no caller waits for it.
  *
- * @param topics the participant's topics
- * @param tell takes a line about the connection, for a person
- * @param warn takes reports of things that the graph is not told, or does not take, each text once
+ * @param tell takes a line about the connection, for the user
+ * @param warn takes reports of things that the graph is not told or does not accept, each text once
  */
 internal class Membership(
     private val participant: Participant,
@@ -45,12 +44,12 @@ internal class Membership(
         close()
         thread.join(LEAVING_MS)
     }
-    private var reported = "" // used by the thread only
+    private var reported = "" // only the thread uses it
 
     @Volatile
     private var isClosed = false
 
-    /** Begins to take part. Called once. */
+    /** Begins to take part. Call it once. */
     fun start() {
         topics.onNews = { news.release() }
         thread.start()
@@ -63,7 +62,7 @@ internal class Membership(
             } catch (away: PortException) {
                 report("${away.message}; /${participant.name} is advertised as soon as it is there")
                 RETRY_MS
-            } catch (unforeseen: Throwable) { // thrown, it would end the thread
+            } catch (unforeseen: Throwable) { // otherwise the thread would end
                 report("the graph at $place is left, and joined again: $unforeseen")
                 RETRY_MS
             }
@@ -73,7 +72,7 @@ internal class Membership(
         farewell.close()
     }
 
-    /** Takes part until the connection ends or this is closed; returns the time in ms to wait before the next visit. */
+    /** Takes part until the connection ends or this is closed. Returns the time in ms before the next visit. */
     private fun visit(): Long {
         val connection = Connection()
         connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.credentials)
@@ -118,7 +117,7 @@ internal class Membership(
         }
         private val unsent = AtomicInteger()
         private val rounds = MessageRounds(topics, clock) { checkNanos = clock.nanos() + FIRST_CHECK_NANOS }
-        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS // used only by the thread
+        private var checkNanos = clock.nanos() + FIRST_CHECK_NANOS // only the thread uses it
 
         @Volatile
         var end: String? = null
@@ -143,7 +142,7 @@ internal class Membership(
 
         private fun send(message: Outgoing) = bridge.send(message)
 
-        /** Sends an answer before the messages that wait; leaves a bridge that asks and does not read. */
+        /** Sends an answer before waiting messages. Leaves a bridge that asks for more answers than it reads. */
         private fun answer(operation: String) {
             if (unsent.incrementAndGet() > MAX_UNSENT) return gone("the bridge at $place does not read what it asks for")
             val message = Outgoing(operation, isUrgent = true)
@@ -165,7 +164,7 @@ internal class Membership(
             news.release()
         }
 
-        /** Takes the services back if the bridge is there, and closes the connection. */
+        /** Withdraws the services if the bridge is still there, and closes the connection. */
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
@@ -176,7 +175,7 @@ internal class Membership(
                 } catch (_: TimeoutException) {
                     tell("the bridge at $place reads nothing, and goes on showing the services of /${participant.name}")
                 } catch (_: ExecutionException) {
-                    // the bridge has gone itself
+                    // the bridge has gone
                 }
             }
             api.close()
@@ -187,7 +186,7 @@ internal class Membership(
     private companion object {
         const val RETRY_MS = 1_000L
 
-        /** A bridge of ROS 1 keeps the publishers of a client for ten seconds, and gives them back to it, though a new graph has none. */
+        /** A ROS 1 bridge keeps a client's publishers for ten seconds and reuses them, even in a new graph that does not have them. */
         const val REJOINING_MS = 12_000L
         const val LEAVING_MS = 2_000L
         const val CLOSING_MS = 1_000L

@@ -7,10 +7,8 @@ import javino.LineClock
 import java.util.concurrent.TimeUnit
 
 /**
- * Sends the newest messages of [topics] to a bridge in rounds: the next round waits until the bridge has read the one before, as its answer
- * to a ping shows. For one thread; only [answered] may be called by another one.
- *
- * @param isNew called when a topic is advertised
+ * Sends the newest messages of [topics] to a bridge in rounds. A round begins only when the bridge has read the previous one, which its
+ * answer to a ping shows. For one thread; only [answered] may be called by another thread.
  */
 internal class MessageRounds(private val topics: Topics, private val clock: LineClock, private val isNew: () -> Unit) {
     private val names = HashSet<String>()
@@ -22,7 +20,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
     /** The advertised topics, with their types. */
     val advertised: Map<String, String> get() = topics.types.filterKeys(names::contains)
 
-    /** Begins a round on [bridge], unless one is under way; false: the bridge has not answered the last one for [ANSWER_S] s. */
+    /** Begins a round on [bridge], unless one is under way. Returns false if the bridge has left a round unanswered for [ANSWER_S] s. */
     fun goOn(bridge: Bridge): Boolean {
         val now = clock.nanos()
         if (isUnderWay) return now - beganNanos <= ANSWER_NANOS
@@ -36,7 +34,7 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
 
     private fun send(bridge: Bridge, messages: List<Outgoing>) {
         if (messages.isEmpty()) return bridge.ping()
-        messages.last().left.whenComplete { _, _ -> bridge.ping() } // the ping goes out behind all messages
+        messages.last().left.whenComplete { _, _ -> bridge.ping() } // so the ping goes out behind all messages
         messages.forEach(bridge::queue)
         bridge.flush()
     }
@@ -48,7 +46,6 @@ internal class MessageRounds(private val topics: Topics, private val clock: Line
         return listOf(operation("advertise", "topic" to news.name, "type" to news.type, "latch" to true)) + publications
     }
 
-    /** Notes that the bridge has answered the ping of the round. */
     fun answered() {
         isUnderWay = false
     }

@@ -10,14 +10,12 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * The ways in which a graph has a participant act, on one connection to its bridge: a service and a topic for each action, a service, a
- * topic and an action for any command. [hear] is for one thread at a time, [renew] for another.
- *
- * @param send sends an operation to the bridge
- * @param warn takes reports of actions that the graph is not told, each text once
+ * A participant's services, topics and action on one connection to a bridge, through which the graph sends it commands. Each action of the
+ * participant has a service and a topic; a further service, topic and ROS action take any command. One thread at a time may call [hear],
+ * another one [renew]. [warn] takes reports of actions that the graph is not told, each text once.
  */
 internal class Offers(private val participant: Participant, private val send: (String) -> Unit, private val warn: (String) -> Unit) {
-    /** @property action its name; null: any command, as text */
+    /** @property action the action's name; null: any command, as text */
     private data class Offer(val action: String?, val arities: Set<Int>) {
         val isPlain get() = arities.singleOrNull() == 0
         val serviceType get() = if (action == null) ACT_TYPE else if (isPlain) "std_srvs/Trigger" else "argo_msgs/Command"
@@ -31,17 +29,15 @@ internal class Offers(private val participant: Participant, private val send: (S
 
     private val base = "/${participant.name}"
     private val action = "$base/$ACT"
-    private val offers = ConcurrentHashMap<String, Offer>() // by the name of the offer's service
+    private val offers = ConcurrentHashMap<String, Offer>() // by service name
     private val underWay = AtomicInteger()
     private val goals = ActGoals(action, send)
 
-    /** The services that the graph should have, with their types. */
     val services: Map<String, String> get() = offers.mapValues { it.value.serviceType }
 
-    /** The topics that the graph should have, with their types. */
     val topics: Map<String, String> get() = offers.entries.associate { (name, offer) -> topicOf(name) to offer.topicType }
 
-    /** Advertises the actions that have become known, and takes back those that are gone; true: something is new. */
+    /** Advertises newly known actions and withdraws the actions that are gone. Returns true if an offer is new. */
     fun renew(): Boolean {
         val wanted = wanted()
         (offers.keys - wanted.keys).forEach(::takeBack)
@@ -58,7 +54,7 @@ internal class Offers(private val participant: Participant, private val send: (S
     fun announceAction(isRos2: Boolean) =
         if (isRos2) send(operation("advertise_action", "action" to action, "type" to "argo_msgs/action/Act")) else goals.announce()
 
-    /** Takes all services back: a bridge of ROS 1 keeps the services of a client that has gone, and their callers would wait for ever. */
+    /** Withdraws all services. A ROS 1 bridge keeps the services of a client that has gone, and their callers would wait for ever. */
     fun takeAllBack() = offers.keys.forEach(::takeBack)
 
     private fun takeBack(name: String) {
@@ -81,7 +77,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         return named.toMap() + (action to Offer(null, emptySet()))
     }
 
-    /** Takes in an operation of the bridge; false: it is not about an offer. */
+    /** Handles an operation of the bridge; returns false if it is not about an offer. */
     fun hear(operation: JsonObject): Boolean {
         when (operation.text("op")) {
             "call_service" -> called(operation)
@@ -123,11 +119,11 @@ internal class Offers(private val participant: Participant, private val send: (S
     private fun goalSent(operation: JsonObject) = act(offers[action], action, operation.part("args"), SendOptions.defaults()) {
         val status = if (it.error == null) SUCCEEDED else ABORTED
         val (id, name) = operation.text("id") to operation.text("action")
-        // with a result that is false, the bridge would drop the values
+        // the bridge would drop the values with a result of false
         send(operation("action_result", "id" to id, "action" to name, "values" to it.response, "status" to status, "result" to true))
     }
 
-    /** Has the participant act, and calls [done] once with the outcome. */
+    /** Passes the command to the participant, and calls [done] once with the outcome. */
     private fun act(offer: Offer?, name: String, request: JsonObject?, options: SendOptions, done: (Outcome) -> Unit) {
         val command = try {
             offer ?: throw RefusedRequest("there is no $name any more")
@@ -145,7 +141,7 @@ internal class Offers(private val participant: Participant, private val send: (S
     }
 
     private companion object {
-        /** The service and the action that take any command. */
+        /** The name of the service and of the action that take any command. */
         const val ACT = "act"
         const val ACT_TYPE = "argo_msgs/Act"
 
@@ -157,7 +153,7 @@ internal class Offers(private val participant: Participant, private val send: (S
         const val SUCCEEDED = 4
         const val ABORTED = 6
 
-        /** Options by which the newest command of a topic replaces the commands that wait. */
+        /** Has the newest command of a topic replace its waiting commands. */
         val NEWEST = SendOptions(false, 0, true)
     }
 }

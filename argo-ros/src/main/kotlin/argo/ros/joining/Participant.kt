@@ -9,10 +9,10 @@ import kotlinx.serialization.json.JsonPrimitive
 
 /** A board or an agent that takes part in a graph. Any thread may call; no function waits. */
 internal interface Participant {
-    /** The name below which its topics and services are, without the slash. */
+    /** The prefix of the participant's topics and services, without the slash. */
     val name: String
 
-    /** The actions that it has; null: they are not known. */
+    /** The participant's actions; null: they are not known. */
     val actions: List<BoardAction>?
 
     /** Sends [command] and calls [done] once with its outcome, on any thread. */
@@ -22,11 +22,11 @@ internal interface Participant {
 /**
  * The outcome of a command.
  *
- * @property error the atom of the failure, as `act_failed`; null: it was carried out
- * @property message the reason of the failure, for a person
+ * @param error the atom of the failure, such as `act_failed`; null: the command was carried out
+ * @param message the reason of the failure, for the user
  */
 internal data class Outcome(val error: String?, val message: String) {
-    /** This as the response of a service, which is also the result of an action. */
+    /** The outcome as the response of a service, or as the result of an action. */
     val response get() = JsonObject(
         mapOf("success" to JsonPrimitive(error == null), "message" to JsonPrimitive(if (error == null) "" else inWords)),
     )
@@ -36,7 +36,6 @@ internal data class Outcome(val error: String?, val message: String) {
     companion object {
         val DONE = Outcome(null, "")
 
-        /** The error of a command that is not carried out. */
         const val REFUSED = "act_refused"
     }
 }
@@ -44,7 +43,7 @@ internal data class Outcome(val error: String?, val message: String) {
 /**
  * Publishes a participant's percepts. For one thread at a time.
  *
- * @param base the name of the participant, and of the board's namespace if it has one: `/uno`
+ * @param base the name of the participant, with the board's namespace if it has one: `/uno`
  * @param warn takes reports of percepts without a topic of their own, each text once
  */
 internal class PerceptPublisher(private val base: String, private val topics: Topics, private val warn: (String) -> Unit) {
@@ -53,7 +52,7 @@ internal class PerceptPublisher(private val base: String, private val topics: To
     /** Publishes the board's message [text]: each percept on its topic, and the whole message on `percepts`. */
     fun publish(text: String) = publish(perceptsOf(text))
 
-    /** Like the other [publish], for a message that has been split into its percepts. */
+    /** Publishes a message that has been split into its [percepts]. */
     fun publish(percepts: List<String>) {
         val samples = percepts.mapNotNull { percept -> sampleOf(percept) ?: null.also { leftOut(percept) } }.groupBy { it.topic to it.type }
         val now = samples.keys.filter { it.second == BOOL }.map { it.first }.toSet()

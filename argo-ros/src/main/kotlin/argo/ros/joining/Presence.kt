@@ -4,13 +4,13 @@ import argo.ros.bridge.RosApi
 import argo.ros.mapping.rosType
 
 /**
- * Looks in a graph for what was advertised, since a bridge reports no refusal to its clients.
+ * Checks that the graph has the advertised topics and services, since a bridge reports no refusal to its clients.
  *
  * @param warn takes reports of things that the graph does not have, each text once
- * @param lost called if the graph had a participant's topics and has none of them any more, as after a restart of `roscore`
+ * @param lost called if the graph has lost all of a participant's topics and services, as after a restart of `roscore`
  */
 internal class Presence(private val api: RosApi, private val warn: (String) -> Unit, private val lost: () -> Unit) {
-    private var wasSeen = false // used by the bridge's thread only
+    private var wasSeen = false // only the bridge's thread uses it
 
     /** Asks for the graph, and compares it with [topics] and [services], each with its type. */
     fun check(topics: Map<String, String>, services: Map<String, String>) {

@@ -65,7 +65,7 @@ internal class RosJoinCommand : ToolCommand() {
         return 0
     }
 
-    /** Begins to have the board called [name] take part; ended by what is returned. */
+    /** Puts the board called [name] into the graph. Closing the result takes the board out. */
     private fun join(name: String, port: String, bridge: BridgeAddress): AutoCloseable {
         val warn = OnceEach { tell("/$name: $it") }
         val topics = Topics(warn)
@@ -98,7 +98,6 @@ internal class RosJoinCommand : ToolCommand() {
     }
 }
 
-/** Adds `ros-join` to the tools. */
 class RosJoinProvider : ToolProvider {
     override fun command(): Any = RosJoinCommand()
 }

@@ -15,9 +15,9 @@ import kotlinx.serialization.json.JsonPrimitive
 internal data class Sample(val topic: String, val type: String, val message: JsonObject)
 
 /**
- * Makes a message of the percept [text]; null: it is no literal without variables.
+ * Returns the percept [text] as a message; null: it is no literal without variables.
  *
- * Its functor and the atoms before its last argument are the topic's name, and the rest is the value: `dist(front,38)` is 38 on
+ * The functor and the atoms before the last argument form the topic's name, and the rest is the value: `dist(front,38)` is 38 on
  * `dist/front`. A percept without arguments is `true`.
  */
 internal fun sampleOf(text: String): Sample? {
@@ -45,7 +45,7 @@ internal const val NUMBER = "std_msgs/Float64"
 internal const val NUMBERS = "std_msgs/Float64MultiArray"
 internal const val STRING = "std_msgs/String"
 
-/** Makes a message of a type whose only field is `data`. */
+/** Returns a message of a type whose only field is `data`. */
 internal fun data(value: JsonElement) = JsonObject(mapOf("data" to value))
 
 private fun numbers(values: List<Double>) = JsonObject(
@@ -55,7 +55,7 @@ private fun numbers(values: List<Double>) = JsonObject(
     ),
 )
 
-/** Returns [text] as a part of a name on the graph, which has letters, digits and `_`, and begins with a letter. */
+/** Returns [text] as part of a name in the graph. A name in the graph has letters, digits and `_`, and begins with a letter. */
 internal fun graphName(text: String): String {
     val name = text.removeSurrounding("'").map { if (it in 'a'..'z' || it in 'A'..'Z' || it in '0'..'9') it else '_' }.joinToString("")
     return if (name.firstOrNull()?.isLetter() == true) name else "x$name"

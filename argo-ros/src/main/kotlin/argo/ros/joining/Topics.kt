@@ -3,10 +3,9 @@ package argo.ros.joining
 import kotlinx.serialization.json.JsonObject
 
 /**
- * The topics of a participant: the type of each, and its newest messages, which wait until the bridge has read the earlier ones. So a slow
- * bridge holds up nobody, and gets no old messages. Safe for use by several threads; no function waits.
- *
- * @param warn takes warnings for a person, each text once
+ * A participant's topics: the type of each, and its newest messages. A new message waits until the bridge has read the earlier ones, so a
+ * slow bridge delays nobody and gets no old messages. Safe for use by several threads; no function waits. [warn] takes warnings for the
+ * user, each text once.
  */
 internal class Topics(private val warn: (String) -> Unit) {
     private class Topic(val type: String) {
@@ -18,14 +17,13 @@ internal class Topics(private val warn: (String) -> Unit) {
 
     private val topics = LinkedHashMap<String, Topic>() // guarded by this
 
-    /** Called by the publishing thread when messages wait. */
+    /** The publishing thread calls this when messages wait. */
     @Volatile
     var onNews: () -> Unit = {}
 
-    /** The types of all topics, by their names. */
     val types: Map<String, String> get() = synchronized(this) { topics.mapValues { it.value.type } }
 
-    /** Publishes [messages] of one moment. A topic keeps the type of its first message, and there are [MAX_TOPICS] topics. */
+    /** Publishes [messages] of one moment. A topic keeps the type of its first message. There are at most [MAX_TOPICS] topics. */
     fun publish(name: String, type: String, messages: List<JsonObject>) {
         synchronized(this) {
             val topic = topics[name] ?: Topic(type).takeIf { topics.size < MAX_TOPICS }?.also { topics[name] = it }
@@ -37,7 +35,7 @@ internal class Topics(private val warn: (String) -> Unit) {
         onNews()
     }
 
-    /** Returns the messages that wait; they do not wait any more. */
+    /** Returns the waiting messages and removes them. */
     fun takeNews(): List<News> = synchronized(this) {
         topics.filterValues { it.isWaiting }.map { (name, topic) ->
             topic.isWaiting = false
@@ -45,11 +43,11 @@ internal class Topics(private val warn: (String) -> Unit) {
         }
     }
 
-    /** Makes the newest messages of all topics wait again, for a graph that does not have them. */
+    /** Makes the newest messages of all topics wait again, for a graph without them. */
     fun renew() = synchronized(this) { topics.values.forEach { it.isWaiting = true } }
 
     companion object {
-        /** The largest number of topics: a board may make up names. */
+        /** The largest number of topics, since a board may invent names. */
         const val MAX_TOPICS = 1_000
     }
 }

@@ -1,14 +1,9 @@
 package argo.ros.mapping
 
-/** A line has text at [place] that a mapping may not have there. */
+/** A mapping's line has wrong text at [place]. */
 internal class Refusal(val place: Place, message: String) : Exception(message)
 
-/**
- * Reads a rule from its beginning to its end.
- *
- * @param text the rule
- * @param start the beginning of the text in its file
- */
+/** Reads a rule from its beginning to its end. [start] is the place of [text] in its file. */
 internal class Cursor(private val text: String, private val start: Place) {
     private var at = 0
 
@@ -20,10 +15,9 @@ internal class Cursor(private val text: String, private val start: Place) {
 
     val isAtEnd: Boolean get() = at == text.length
 
-    /** The rest up to the next blank, for messages. */
     val found: String get() = if (isAtEnd) "the end of the line" else "'${text.substring(at).substringBefore(' ').take(MAX_QUOTED)}'"
 
-    /** Takes [symbol] if it is next; a word only if it ends there. */
+    /** Takes [symbol] if it is next. If [symbol] is a word, the text's word must end there too. */
     fun take(symbol: String): Boolean {
         val isThere = text.startsWith(symbol, at) && !(symbol.last().isWordPart() && text.getOrNull(at + symbol.length).isWordPart())
         if (isThere) advance(symbol.length)

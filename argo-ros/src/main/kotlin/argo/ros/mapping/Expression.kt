@@ -2,7 +2,7 @@ package argo.ros.mapping
 
 import kotlinx.serialization.json.JsonObject
 
-/** An expression over the fields of a message, or over the arguments of a command. Values are looked up by a [Scope]. */
+/** An expression over the fields of a message or the arguments of a command. A [Scope] contains their values. */
 internal sealed interface Expression {
     /** The expressions that it consists of. */
     val parts: List<Expression> get() = emptyList()

@@ -165,7 +165,7 @@ internal class ExpressionReader(
         private val QUOTED = Regex("'[^'\\\\]+'")
         private val ZERO = Expression.Constant(Value.Number(0.0))
 
-        /** Returns the atom, without its quotes if it needs none. */
+        /** Returns the atom [quoted] without its quotes if it needs none. */
         private fun plain(quoted: String): String =
             quoted.removeSurrounding("'").takeIf { Regex("[a-z][A-Za-z0-9_]*").matches(it) && GroundTerm.ofOrNull(it) != null } ?: quoted
     }

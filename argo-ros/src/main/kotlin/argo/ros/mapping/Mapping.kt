@@ -20,10 +20,8 @@ internal class Mapping(val source: String, val percepts: List<PerceptRule>, val 
 internal data class Place(val line: Int, val column: Int)
 
 /**
- * A rule that makes a percept of a topic's messages:
- * `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
+ * A rule that makes percepts of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property topic the topic's name
  * @property type the type of its messages, as written
  * @property percept the literal, with fields of the message for its arguments
  * @property condition a message has this percept if it is true; null: always
@@ -55,12 +53,9 @@ internal data class Frames(val parent: String, val child: String) {
 }
 
 /**
- * A command, and the message, request or goal that a robot gets for it:
- * `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
+ * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property name the command's functor
  * @property parameters the variables for its arguments
- * @property kind the kind of [target]
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
@@ -80,15 +75,15 @@ internal class CommandRule(
     val answer: Expression? = null,
     val feedback: PerceptRule? = null,
 ) {
-    /** The way in which a command is carried out. [defaultMs] is the time in ms that it may take if its rule has none. */
+    /** The way in which a command is carried out. [defaultMs] is its time limit in ms if the rule has none. */
     enum class Kind(val defaultMs: Long) {
-        /** The subscribers of the topic act; the command is over when it has left. */
+        /** The subscribers of the topic act. The command ends when it has left. */
         TOPIC(TimeUnit.SECONDS.toMillis(5)),
 
-        /** The command is over with the response. */
+        /** The command ends with the response. */
         SERVICE(TimeUnit.SECONDS.toMillis(5)),
 
-        /** The command is over with the result. */
+        /** The command ends with the result. */
         ACTION(TimeUnit.SECONDS.toMillis(60)),
     }
 }
@@ -98,5 +93,5 @@ internal class FieldValue(val place: Place, val path: List<String>, val value: E
     val steps: Path get() = path.map(Step::Name)
 }
 
-/** A mapping's file was refused. The message has all [problems], one a line. */
+/** A mapping's file was refused. The message contains all [problems], one a line. */
 internal class MappingException(val problems: List<Problem>) : Exception(problems.joinToString("\n"))

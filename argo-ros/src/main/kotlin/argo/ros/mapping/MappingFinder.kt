@@ -9,15 +9,15 @@ import java.nio.file.Path
 
 private val NAME = Regex("[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
 
-/** The characters that a header of HTTP takes. */
+/** The characters that are valid in an HTTP header. */
 private val TOKEN = Regex("[!-~]+")
 
 internal const val SUFFIX = ".ros.yaml"
 
 /**
- * Reads the mapping [name], which may begin with folders, anew from [directory] or, if there is none, from the class path.
+ * Reads the mapping [name] anew from [directory], or from the class path if [directory] does not have it. The name may begin with folders.
  *
- * @throws MappingException if it is refused, or not found
+ * @throws MappingException if the mapping is refused, or not found
  */
 internal fun findMapping(name: String, directory: Path = Path.of("").toAbsolutePath()): Mapping {
     val fileName = "$name$SUFFIX"

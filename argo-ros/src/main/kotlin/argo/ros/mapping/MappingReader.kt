@@ -5,10 +5,9 @@ import argo.filters.Problem
 private const val FORM = "expected 'percepts:' or 'commands:', and below them lines that begin with '- '"
 
 /**
- * Reads a mapping. It uses a part of YAML: the keys `percepts` and `commands`, each with a list whose items are plain texts of one line,
- * and comments.
+ * Reads a mapping. The syntax of mappings is a part of YAML: comments, and the keys `percepts` and `commands`, each with a list of plain
+ * texts of one line.
  *
- * @param source the file, for messages
  * @throws MappingException with all problems, if there are any
  */
 internal fun mappingOf(text: String, source: String): Mapping {
@@ -48,12 +47,12 @@ internal fun mappingOf(text: String, source: String): Mapping {
 
 private class Item(val text: String, val place: Place)
 
-/** A comment may hold tabulators, and follow them. */
+/** A comment may contain tabulators, or stand behind them. */
 private val COMMENT = Regex("(^|[ \t]+)#.*")
 private val ITEM = Regex("( *)- +(.*)")
 private val KEY = Regex("([A-Za-z_]+) *:(.*)")
 
-/** Returns the item in [line], without a comment; null: it has none. */
+/** Returns the item in [line] without its comment; null: there is no item. */
 private fun itemIn(line: String, start: Place): Item? {
     val tabulator = line.replace(COMMENT, "").indexOf('\t')
     if (tabulator >= 0) {
@@ -73,7 +72,6 @@ private fun itemIn(line: String, start: Place): Item? {
     }
 }
 
-/** Returns the key in [line]; null: it is blank. */
 private fun sectionIn(line: String, place: Place): String? {
     val plain = line.replace(COMMENT, "").trimEnd()
     if (plain.isEmpty() || plain == "---") return null

@@ -8,17 +8,17 @@ import java.math.BigDecimal
 import java.math.BigInteger
 import java.util.Base64
 
-/** A path leads to no field, or a field cannot have a value; [message] says which. */
+/** A path leads to no field, or a field cannot have a value; [message] names the fault. */
 internal class Unfit(message: String) : Exception(message)
 
 /**
  * The type of a field.
  *
  * @property name a type of ROS 1 or of ROS 2: `float64`, `double`, `geometry_msgs/Vector3`
- * @property length the number of items if it is a list, [ANY] if that is open; [SINGLE] if it is no list
+ * @property length the number of items of a list, [ANY] if it is open; [SINGLE] if the field is no list
  */
 internal data class FieldType(val name: String, val length: Int) {
-    /** True if bridges write it as text in base64. */
+    /** True if bridges write the field as text in base64. */
     val isBytes: Boolean get() = length != SINGLE && name in BYTES
 
     override fun toString() = name + if (length == SINGLE) "" else if (length == ANY) "[]" else "[$length]"
@@ -86,16 +86,16 @@ internal class MessageType private constructor(
     private fun bytesIn(path: Path): Path? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
-        null // refused, or reported, when the type became known
+        null // the wrong path was reported when the type became known
     }
 
     /** Returns the beginnings of the paths of [read] that lead to bytes. */
     fun bytesAmong(read: List<Expression.Field>): Set<Path> = read.mapNotNull { bytesIn(it.path) }.toSet()
 
     /**
-     * Returns [value] in the form of the field at [path].
+     * Returns [value] in the form for the field at [path].
      *
-     * @throws Unfit if there is no such field, or it cannot have this value: then ROS drops the whole message
+     * @throws Unfit if there is no such field, or it cannot have this value; ROS would drop the whole message
      */
     fun fit(path: Path, value: JsonElement): JsonElement {
         val type = typeAt(path) ?: return value
@@ -160,7 +160,6 @@ internal class MessageType private constructor(
             listOf("int$bits" to -half..half - BigInteger.ONE, "uint$bits" to BigInteger.ZERO..half + half - BigInteger.ONE)
         }.toMap().let { it + mapOf("byte" to it.getValue("int8"), "char" to it.getValue("uint8"), "octet" to it.getValue("uint8")) }
 
-        /** Reads the type [name] from [answer], a description by `rosapi`; null: it has none. */
         fun of(answer: JsonObject, name: String): MessageType? {
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
@@ -190,10 +189,13 @@ internal class MessageType private constructor(
     }
 }
 
-/** Returns [type] without the part that ROS 2 has between package and name. */
+/** Returns [type] without the `/msg` that ROS 2 writes between package and name. */
 internal fun rosType(type: String) = type.replace("/msg/", "/")
 
-/** Returns the bytes that a message has as text in base64, as a list of numbers; null: it is no such text, or has more than [MAX_ITEMS]. */
+/**
+ * Returns a text in base64 as a list of its bytes, and any other value unchanged. Null: the text is not in base64, or has more than
+ * [MAX_ITEMS] bytes.
+ */
 internal fun bytesOf(value: JsonElement): JsonElement? {
     if (value !is JsonPrimitive || !value.isString) return value
     if (value.content.length > MAX_BASE64) return null

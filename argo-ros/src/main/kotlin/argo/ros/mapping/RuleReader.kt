@@ -131,7 +131,6 @@ private fun feedbackOf(percept: Expression.Compound, kind: Kind, target: String,
     return PerceptRule(place, "the feedback of $target", feedbackType, percept, null, null)
 }
 
-/** Returns true if [type] is written as an action of ROS 2. */
 internal fun isRos2Action(type: String) = "/action/" in type
 
 private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action")

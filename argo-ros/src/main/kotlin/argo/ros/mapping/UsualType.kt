@@ -1,11 +1,10 @@
 package argo.ros.mapping
 
 /**
- * A type of messages whose fields are known here, so that it has a short form, and other names in a rule on it are atoms.
+ * A message type with fields that ARGO knows. Rules on it have a short form, and other names in them are atoms.
  *
- * @property fields the names of its outermost fields
- * @property percept the arguments of a percept whose rule gives none
- * @property command the fields that the arguments of a command are for, in their order; empty: there is no short form
+ * @property percept the default arguments of a percept
+ * @property command the fields for a command's arguments, in their order; empty: there is no short form
  */
 internal class UsualType(val fields: Set<String>, val percept: List<String>, val command: List<String>) {
     companion object {
@@ -48,7 +47,6 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
          */
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
-        /** The names of the usual types, for messages. */
         val names: Set<String> get() = TYPES.keys
 
         /** The pose of a frame in another one. */

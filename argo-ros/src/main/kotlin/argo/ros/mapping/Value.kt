@@ -13,27 +13,27 @@ internal sealed interface Value {
     /** A finite number, never NaN. */
     data class Number(val value: Double) : Value
 
-    /** Text in a message, a string to the agent. */
+    /** Text in a message, a string for the agent. */
     data class Text(val value: String) : Value
 
-    /** An atom, or a literal, as it is written. `true` and `false` are booleans in a message. */
+    /** An atom or another literal, as written. `true` and `false` are booleans in a message. */
     data class Symbol(val text: String) : Value
 
-    /** A part of a message that is none of these. */
+    /** Any other part of a message. */
     data class Part(val json: JsonElement) : Value
 
-    /** There is no value, because of [why]. */
+    /** The value is missing; [why] tells the reason. */
     data class None(val why: String) : Value
 
     companion object {
         val TRUE = Symbol("true")
         val FALSE = Symbol("false")
 
-        /** Makes the value of [number]; none if it is NaN or infinite: then a robot has not measured. */
+        /** Returns the value of [number]; [None] if it is NaN or infinite, which a robot sends if it has not measured. */
         fun of(number: Double): Value =
             if (number.isFinite()) Number(number) else None("a number is infinite, or the result of no calculation")
 
-        /** Makes the value of a field. A bridge writes NaN and infinite numbers as `null`. */
+        /** Returns the value of a field. A bridge writes NaN and infinite numbers as `null`. */
         fun of(json: JsonElement): Value = when (json) {
             JsonNull -> None("it is null; bridges write so for a number that is infinite or NaN")
             is JsonPrimitive -> when {
@@ -52,16 +52,16 @@ internal sealed interface Value {
     }
 }
 
-/** The length of the longest list in an argument. Jason compares lists by recursion, and 2,000 items end its stack. */
+/** The longest list in an argument. Jason compares lists by recursion, and 2,000 items exhaust its stack. */
 internal const val MAX_ITEMS = 1_000
 
-/** From this number on, some whole numbers are no doubles; Jason's numbers are doubles. */
+/** From this number on, a double cannot hold every whole number; Jason's numbers are doubles. */
 private const val EXACT = 9007199254740992.0
 
-/** Up to here whole numbers are written without a fraction: no integer of ROS is larger. */
+/** Whole numbers up to this one are written without a fraction. No integer of ROS is larger. */
 private const val MAX_INTEGER = 18446744073709551615.0
 
-/** Returns the text of this as an argument of a percept, or the reason why an agent cannot have it. */
+/** Returns the text of this value as an argument of a percept, or the reason why an agent cannot have it. */
 internal fun Value.asTerm(): Value = when (this) {
     is Value.Number -> Value.Symbol("${GroundTerm.Number(value)}")
     is Value.Text -> Value.Symbol("${GroundTerm.Text(value)}")
@@ -100,21 +100,20 @@ internal fun functorOf(name: String) = if (GroundTerm.ofOrNull("$name(0)") is Gr
 /** An item or a field that is infinite or no number: an atom, so that the others keep their places. */
 private val NOT_MEASURED = Value.Symbol("null")
 
-/** Returns the number that this is, rounded to a double; null: it is none. */
+/** Returns this value's number, rounded to a double; null: it is no number. */
 internal fun Value.number(): Double? = when (this) {
     is Value.Number -> value
     is Value.Part -> (json as? JsonPrimitive)?.doubleOrNull
     else -> null
 }
 
-/** Returns the text of a string or an atom, without quotes; null: it is neither. */
+/** Returns the text of a string or an atom, without quotes; null: the value is neither. */
 internal fun Value.plainText(): String? = when (this) {
     is Value.Text -> value
     is Value.Symbol -> text.removeSurrounding("'")
     else -> null
 }
 
-/** Describes this for a message to a person. */
 internal fun Value.inWords(): String = when (this) {
     is Value.Number -> "the number ${GroundTerm.Number(value)}"
     is Value.Text -> "the text \"${value.take(SHOWN)}\""
@@ -129,7 +128,7 @@ internal fun Value.inWords(): String = when (this) {
 
 private const val SHOWN = 40
 
-/** Returns this as a part of a message that is sent. Whole numbers are written without a fraction, since a field may be an integer. */
+/** Returns this value as part of a message to send. Whole numbers have no fraction, since a field may be an integer. */
 internal fun Value.asJson(): JsonElement = when (this) {
     is Value.Number -> when {
         value != Math.rint(value) || Math.abs(value) > MAX_INTEGER -> JsonPrimitive(value)

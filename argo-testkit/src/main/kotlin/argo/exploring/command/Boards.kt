@@ -8,7 +8,7 @@ import java.lang.reflect.Modifier
 /**
  * Describes a board by [text]: its port, followed by the percepts of each sensor, as in `ttyACM0 dist(front,5..200) line(on)|line(off)|`.
  *
- * @throws IllegalArgumentException if that is no board
+ * @throws IllegalArgumentException if [text] describes no board
  */
 internal fun Exploration.described(text: String, isVersion2: Boolean) {
     val words = text.trim().split(Regex("\\s+"))
@@ -44,8 +44,8 @@ private const val MOST_NUMBERS = 100_000
 private val RANGE = Regex("(-?\\d+)\\.\\.(-?\\d+)")
 
 /**
- * Calls the functions of the class [name] that describe an exploration: static, with an [Exploration] as their argument. In Kotlin they are
- * `fun Exploration.boards()` of a file.
+ * Calls the functions of the class [name] that describe an exploration. The functions are static and take an [Exploration]; in Kotlin, a
+ * file contains `fun Exploration.boards()`.
  *
  * @throws IllegalArgumentException if there is no such class, or it has no such function
  */

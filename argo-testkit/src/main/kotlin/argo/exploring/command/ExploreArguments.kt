@@ -6,9 +6,9 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * The program's arguments.
+ * The program's arguments: a file and options.
  *
- * @throws IllegalArgumentException if they are not a file and options
+ * @throws IllegalArgumentException if they are something else
  */
 internal class ExploreArguments(arguments: List<String>) {
     val source: String = requireNotNull(arguments.firstOrNull()) { "name the file of an agent or of a system" }
@@ -45,7 +45,6 @@ internal class ExploreArguments(arguments: List<String>) {
     }
 }
 
-/** Describes boards, faults and rules as [options] demand. */
 internal fun Exploration.describedBy(options: ExploreArguments) {
     options.described?.let { describedIn(it) }
     options.boards.forEach { described(it, options.isVersion2) }
@@ -59,7 +58,7 @@ internal fun Exploration.describedBy(options: ExploreArguments) {
     options.time?.let { time = it }
 }
 
-/** Adds the message in [text]: the agent, the sender, the performative and the content, which may have blanks. */
+/** Adds the message in [text]: the agent, the sender, the performative and the content, which may contain blanks. */
 private fun Exploration.message(text: String) {
     val words = text.trim().split(Regex("\\s+"), limit = MESSAGE_WORDS)
     require(words.size == MESSAGE_WORDS) {

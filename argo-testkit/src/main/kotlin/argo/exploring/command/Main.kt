@@ -12,16 +12,15 @@ import java.nio.file.Path
 import kotlin.io.path.writeText
 import kotlin.system.exitProcess
 
-/** The program that the tool `explore` runs: see [explored]. */
+/** The program behind the tool `explore`: see [explored]. */
 fun main(arguments: Array<String>): Unit = exitProcess(explored(arguments.toList(), System.out, System.err))
 
 /**
- * Explores the agents in the file that the first argument names, with the others as options: `--NAME=VALUE`, those of the tool `explore`.
+ * Explores the agents in the file of the first argument. The other arguments are options of the tool `explore`, as `--NAME=VALUE`.
  *
- * @param out takes the report
  * @param err takes the reason if nothing is explored
- * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken; a Java
- * machine that cannot start never ends with 4
+ * @return the exit status: 0 no rule was broken, 2 the arguments are wrong, 3 the exploration could not decide, 4 a rule was broken. A Java
+ *   machine that cannot start never ends with 4.
  */
 internal fun explored(arguments: List<String>, out: PrintStream, err: PrintStream): Int {
     val outcome = try {

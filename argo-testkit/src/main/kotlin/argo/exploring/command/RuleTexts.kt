@@ -23,18 +23,18 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 
-/** The form of a rule as an argument: [usage], and [make], which returns the rule for its arguments, or null if it does not take them. */
+/** The form of a rule as an argument, [usage]. [make] returns the rule for its arguments, or null if it does not accept them. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }
 
-/** A form with whole numbers as arguments, or with none. */
+/** A form with whole numbers as arguments, or without arguments. */
 private fun numbers(usage: String, make: (List<Int>) -> Rule?) = RuleText(usage) { terms ->
     val numbers = terms.mapNotNull { (it as? NumberTerm)?.solve()?.toInt() }
     if (numbers.size == terms.size) make(numbers) else null
 }
 
-/** A form with a list of commands as its argument, or with none. */
+/** A form with a list of commands as its argument, or without arguments. */
 private fun except(usage: String, make: (List<String>) -> Rule) = RuleText(usage) { terms ->
     when (terms.size) {
         0 -> make(emptyList())
@@ -66,7 +66,7 @@ private val RULES: Map<String, RuleText> = listOf(
 ).associateBy { it.usage.substringBefore('(') }
 
 /**
- * Makes the rule that [text], a term of Jason, calls: `stopsWhenBlind(stop,[front])`.
+ * Makes the rule in [text], a term of Jason: `stopsWhenBlind(stop,[front])`.
  *
  * @throws IllegalArgumentException if there is no such rule
  */
@@ -84,8 +84,6 @@ internal fun noSuchRule(text: String) = "there is no rule $text; there are ${RUL
 
 private fun pair(terms: List<Term>, make: (Term, Term) -> Rule?): Rule? = if (terms.size == 2) make(terms[0], terms[1]) else null
 
-/** Returns a command or a condition as text: an atom, a literal, or a text in quotes. */
 private fun word(term: Term) = if (term is StringTerm) term.string else "$term"
 
-/** Returns the commands in the list [term]; null: it is none. */
 private fun words(term: Term): List<String>? = (term as? ListTerm)?.map(::word)

@@ -22,12 +22,11 @@ internal interface Description {
 /**
  * The known facts about a board on a line.
  *
- * @property actions `ledOn`, `speed/1` with an argument, a star in place of 1 for any number of them; null: the board does not describe
- * itself
- * @property percepts the board's answer to one request
- * @property described its answer to the question for the kinds of its percepts
- * @property lost the number of its sketch's actions that found no room in its memory
- * @property rules the number of critical rules that it holds; null: it is of version 1
+ * @property actions `ledOn`, `speed/1` with an argument, and a star in place of 1 for any number of arguments; null: the board does not
+ *   describe itself
+ * @property described the board's answer to the question for the kinds of its percepts
+ * @property lost the number of the sketch's actions without room in the board's memory
+ * @property rules the number of critical rules that fit on the board; null: the board speaks version 1
  */
 internal class BoardDescription(
     private val protocol: Protocol,
@@ -71,7 +70,7 @@ internal class BoardDescription(
         private const val SLICE_MS = 20
         private val VOCABULARY_NANOS = TimeUnit.SECONDS.toNanos(3)
 
-        /** Asks the board on [link] for its percepts once, and for its description. Throws as [Link.request] does. */
+        /** Asks the board on [link] for its percepts once, and for its description. Throws like [Link.request]. */
         fun of(link: Link): BoardDescription {
             val welcome = Welcome()
             link.onBoardEvents(welcome)

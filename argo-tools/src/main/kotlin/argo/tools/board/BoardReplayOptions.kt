@@ -3,7 +3,6 @@ package argo.tools.board
 import picocli.CommandLine.Option
 import java.nio.file.Path
 
-/** The options of `replay` for a recording of a board. */
 internal class BoardReplayOptions {
     @Option(names = ["--loop"], description = ["restarts at the end of the recording"])
     var loop = false

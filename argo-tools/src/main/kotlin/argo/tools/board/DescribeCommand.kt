@@ -51,7 +51,7 @@ internal class DescribeCommand : ToolCommand() {
 
     override fun call(): Int {
         spec.requireWithin("--seconds", seconds, 1..MAX_SECONDS)
-        requireNew(file) // before the port is opened, which resets the board
+        requireNew(file) // checked first, since opening the port resets the board
         return try {
             Interruption().use { line.open(port).use(::describe) }
         } catch (_: PortInterruptedException) {
@@ -84,11 +84,11 @@ internal class DescribeCommand : ToolCommand() {
     private fun message(link: Link) =
         (if (listens) link.listen(line.timeoutMs) else link.request(PerceptsRequest.ALL, line.timeoutMs)).text()
 
-    /** Writes the file, and tells where its [kinds] come from and what is missing, there and to the user. */
+    /** Writes the file. Reports the origin of its [kinds] and the missing ones, in the file and to the user. */
     private fun write(origin: String, kinds: List<String>, missing: List<String>) {
         val notes = missing.map(::printable)
         val head = listOf("# Percepts of the board at $port, $origin") + notes.map { "# $it" }
-        Thread.interrupted() // Ctrl-C does not keep the file from being written
+        Thread.interrupted() // the file is written even after Ctrl-C
         making(file) { Files.write(it, head + kinds, StandardOpenOption.CREATE_NEW) }
         out.println("$file has ${counted(kinds.size, "kind")} of percepts, $origin")
         notes.forEach { out.println(paint.doubtful(it)) }

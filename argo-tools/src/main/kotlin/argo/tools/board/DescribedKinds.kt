@@ -6,14 +6,13 @@ import javino.PortTimeoutException
 import javino.link.Link
 
 /**
- * A board's answer to the question for the kinds of its percepts.
- *
- * @property description the answer, empty if the board describes none; null: a board of version 2 gave no answer in time
+ * A board's answer to the question for the kinds of its percepts. [description] is the answer, empty if the board describes none; null: a
+ * board of version 2 gave no answer in time.
  */
 internal class DescribedKinds(val description: PerceptDescription?) {
     val kinds: List<PerceptKind> get() = description?.kinds().orEmpty()
 
-    /** The reason why kinds that the board describes, or may describe, are missing, in words; null: none are missing. */
+    /** The reason why some of the board's kinds are missing, in words; null: none are missing. */
     val trouble: String?
         get() {
             val problems = (description ?: return "unknown; the board did not describe them in time").problems()

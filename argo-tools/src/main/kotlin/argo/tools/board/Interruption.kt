@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * Lets a command finish in order after Ctrl-C: interrupts the thread that made this, and delays the end of the program until [close], for
- * at most [LIMIT_S] seconds.
+ * Lets a command finish properly after Ctrl-C. Interrupts the thread that made this object, and delays the end of the program until
+ * [close], for at most [LIMIT_S] seconds.
  */
 internal class Interruption : AutoCloseable {
     private val worker = Thread.currentThread()
@@ -22,8 +22,8 @@ internal class Interruption : AutoCloseable {
     }
 
     /**
-     * Returns true if the program is ending, or begins to within [LATE_MS]: a signal to all programs of a terminal may end those that a
-     * command has started before this one. For the thread that made this, whose interruption it clears then.
+     * Returns true if the program is ending, or begins to end within [LATE_MS]. A signal to all programs of a terminal may end a command's
+     * child programs before this one. Call it on the thread that made this object. If true, it clears that thread's interruption.
      */
     fun isEnding(): Boolean = try {
         ending.await(LATE_MS, TimeUnit.MILLISECONDS).also { if (it) Thread.interrupted() }

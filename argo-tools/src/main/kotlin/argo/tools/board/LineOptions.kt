@@ -31,7 +31,7 @@ class LineOptions {
     )
     private lateinit var protocol: String
 
-    /** The time that an answer may take, in ms. */
+    /** The longest time for an answer, in ms. */
     @Option(
         names = ["--timeout"], paramLabel = "MS", defaultValue = "500",
         description = ["how long an answer may take, milliseconds (\${DEFAULT-VALUE})"],
@@ -45,11 +45,11 @@ class LineOptions {
     )
     private var boot = 0
 
-    /** Opens the bare line at [port], after a check of all options. */
+    /** Checks all options and opens the bare line at [port]. */
     fun openRaw(port: String): Transport = Transports.open(inJavino(port), settings().line())
 
     /**
-     * Opens [port], after a check of all options.
+     * Checks all options and opens [port].
      *
      * @throws javino.PortException if it cannot be opened
      */
@@ -78,14 +78,12 @@ class LineOptions {
     }
 
     companion object {
-        /** The accepted rates, bits a second. */
         val BAUDS = 1..20_000_000
         private val PROTOCOLS = mapOf("1" to Protocol.V1, "2" to Protocol.V2, "auto" to Protocol.AUTO)
         private const val MAX_MS = 600_000
     }
 }
 
-/** Names the version that a link speaks. */
 internal fun versionSpoken(protocol: Protocol): String = when (protocol) {
     Protocol.AUTO -> "an unknown version"
     Protocol.V1 -> "version 1"

@@ -17,7 +17,6 @@ import picocli.CommandLine.Mixin
 import picocli.CommandLine.Parameters
 import java.util.concurrent.ExecutionException
 
-/** A command that sends one message to a board. */
 @Command
 internal abstract class MessageCommand : DataCommand() {
     @Mixin
@@ -33,11 +32,10 @@ internal abstract class MessageCommand : DataCommand() {
         check()
         exchange()
         ExitStatus.DONE
-    } catch (unsendable: IllegalArgumentException) { // a message that fits into no frame
+    } catch (unsendable: IllegalArgumentException) { // the message fits into no frame
         throw ToolException(unsendable.message.orEmpty())
     }
 
-    /** Refuses a message that this command is not for. */
     protected open fun check() = Unit
 
     /** Opens the port, and sends the message. */
@@ -94,7 +92,7 @@ internal class SendCommand : MessageCommand() {
     }
 
     private companion object {
-        /** The sender cannot tell a silent port from a board of version 1. */
+        /** The sender cannot distinguish a silent port from a board of version 1. */
         const val UNCONFIRMED = "sent; no board of version 2 has answered, and one of version 1 does not report whether it acted. " +
             "\"request PORT getPercepts\" shows whether there is one"
     }

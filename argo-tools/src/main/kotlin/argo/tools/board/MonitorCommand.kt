@@ -201,7 +201,7 @@ internal class MonitorCommand : DataCommand() {
         )
     }
 
-    /** The percept [text] and the problem with it, if there is one; the board describes these [kinds], or none. */
+    /** The percept [text] and the problem with it, if any. The board describes these [kinds], or none. */
     private class Shown(val text: String, kinds: List<PerceptKind>) {
         private val term = PerceptTerm.of(text)
         val whyUnbelieved = whyUnbelieved(text)

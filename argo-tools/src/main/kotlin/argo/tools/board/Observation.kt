@@ -11,24 +11,19 @@ import javino.PortInterruptedException
 import javino.PortTimeoutException
 import java.util.concurrent.TimeUnit
 
-/**
- * The percepts of a board, observed for some [seconds] from now on.
- *
- * @param mayBeSilent whether the board sends only when it has news
- */
+/** Observes the percepts of a board for some [seconds] from now on. [mayBeSilent] tells whether the board sends only when it has news. */
 internal class Observation(private val seconds: Int, private val mayBeSilent: Boolean) {
     private val observed = ObservedKinds()
-    private val unreadable = LinkedHashSet<String>() // MAX_TEXTS at most
+    private val unreadable = LinkedHashSet<String>() // at most MAX_TEXTS
     private val begun = System.nanoTime()
     private val own = LinkedHashSet<String>()
     private var heard = begun
     private var end: String? = null
 
-    /** Whether the port was lost. */
     var isLost = false
         private set
 
-    /** Takes in the message [first], and those that [next] waits for; ends early if the port is lost or the thread interrupted. */
+    /** Reads the message [first], and the messages from [next]. Ends early if the port is lost or the thread interrupted. */
     fun run(first: String, next: () -> String) {
         add(first)
         try {
@@ -64,10 +59,9 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
         }
     }
 
-    /** Returns the kinds in the order in which they were first observed. */
     fun kinds(): List<PerceptKind> = observed.kinds()
 
-    /** Returns what is missing from [kinds], a sentence each. */
+    /** Returns the reasons why [kinds] are incomplete, a sentence each. */
     fun notes(): List<String> = listOfNotNull(
         end,
         unreadable.firstOrNull()?.let {
@@ -83,6 +77,6 @@ internal class Observation(private val seconds: Int, private val mayBeSilent: Bo
     }
 }
 
-/** Tells that the kinds [own], functors with numbers of arguments, are left out; null: there are none. */
+/** Reports that the kinds [own], functors with numbers of arguments, are left out; null: there are none. */
 internal fun ownLeftOut(own: Collection<String>): String? =
     if (own.isEmpty()) null else "left out: ${own.distinct().joinToString()}, of beliefs of ARGO's own, which no board can claim"

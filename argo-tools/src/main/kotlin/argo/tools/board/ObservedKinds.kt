@@ -7,9 +7,9 @@ import java.math.BigDecimal
 import java.util.Optional
 
 /**
- * The kinds of the percepts that were observed: percepts with the same functor and number of arguments are a kind. An argument that was
- * always a number has the range of its numbers; one that was always one of a few atoms has these as choices. Functors that need quotes, and
- * kinds beyond [MAX_KINDS], count only as [others].
+ * The kinds of the observed percepts. Percepts with the same functor and number of arguments are of one kind. An argument that was always a
+ * number has the range of its numbers. An argument that was always one of a few atoms has these as choices. Functors in quotes, and kinds
+ * beyond [MAX_KINDS], count only as [others].
  */
 internal class ObservedKinds {
     private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // functor and arguments, by functor and number of arguments
@@ -18,7 +18,6 @@ internal class ObservedKinds {
     var others = 0L
         private set
 
-    /** Takes in [percept], which agents can read. */
     fun add(percept: String) {
         val term = PerceptTerm.of(percept)
         val kind = kinds[term.indicator()] ?: begin(term)
@@ -29,10 +28,8 @@ internal class ObservedKinds {
         if (kinds.size == MAX_KINDS || !FUNCTOR.matches(term.functor())) null
         else (term.functor() to term.arguments().map { Argument() }).also { kinds[term.indicator()] = it }
 
-    /** Returns the kinds in the order in which they were first observed. */
     fun kinds(): List<PerceptKind> = kinds.values.map { (functor, arguments) -> PerceptKind(functor, arguments.map { it.observed() }) }
 
-    /** The values of one argument. */
     private class Argument {
         private var range: ClosedRange<BigDecimal>? = null
         private val atoms = LinkedHashSet<String>()

@@ -68,7 +68,7 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Returns true if the system has no such device; a file or a folder is none. */
+    /** Returns true if the system has no such device. A file or a folder is no device. */
     private fun isMissing(path: String) = SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none(::isDevice)
 
     private fun isDevice(path: String) = try {
@@ -85,7 +85,7 @@ internal class PortsCommand : DataCommand() {
         return names.map { name -> present.find { name == it.name() || name == it.path() } ?: unlisted(name) }
     }
 
-    /** A port that the system does not list: a pseudo-terminal, a simulated board, or a missing one. */
+    /** Returns a port that the system does not list: a pseudo-terminal, a simulated board, or a missing port. */
     private fun unlisted(name: String) =
         SerialPortInfo(name, name, Optional.empty(), Optional.empty(), OptionalInt.empty(), OptionalInt.empty(), Optional.empty())
 
@@ -111,7 +111,6 @@ private data class Row(val info: SerialPortInfo, val holders: List<String>, val 
     private val usb: String? = if (info.vendorId().isEmpty || info.productId().isEmpty) null
     else "%04x:%04x".format(info.vendorId().asInt, info.productId().asInt)
 
-    /** The row of the table. */
     fun cells(): List<String> {
         val product = listOfNotNull(info.product().orElse(null), info.manufacturer().orElse(null)?.let { "($it)" }).joinToString(" ")
         val cells = listOf(info.name(), usb.orEmpty(), info.serialNumber().orElse(""), product, holders.joinToString())

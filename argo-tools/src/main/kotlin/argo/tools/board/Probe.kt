@@ -15,7 +15,7 @@ import javino.link.StrayBytes
  * The result of probing a port, in words.
  *
  * @property answers true if a Javino board answers; null: unknown
- * @property description null: it was not asked for, or there is none
+ * @property description null: it was not requested, or there is none
  */
 internal data class ProbedBoard(
     val result: String,
@@ -28,10 +28,10 @@ internal data class ProbedBoard(
  * Finds out whether a Javino board answers at a port, at one rate after the other. Opening a port resets most boards.
  *
  * @param rates bits a second, at least one; for a port without rates, such as `sim:robot`, only the first counts
- * @param describes whether the board is asked for its description too
+ * @param describes whether the board is also asked for its description
  */
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
-    /** Probes the port [name]; takes up to four seconds for each rate while nothing answers. */
+    /** Probes the port [name]. Takes up to four seconds for each rate without an answer. */
     fun of(name: String): ProbedBoard {
         BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
@@ -39,7 +39,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         for (rate in tried) {
             val board = at(name, rate, strays)
             if (board != null) return board
-            if (strays.last().run { count > 0 && isText }) break // the rate is right, and it is no board of Javino
+            if (strays.last().run { count > 0 && isText }) break // the rate is right, but this is no Javino board
         }
         val telling = strays.maxWith(compareBy({ it.count > 0 && it.isText }, { it.count }))
         val rates = strays.map { it.baud }.joinToString(" and ", postfix = " baud")
@@ -86,7 +86,7 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
     }
 
     companion object {
-        /** The rates that sketches usually have, the usual one first. */
+        /** The usual rates of sketches, the most frequent one first. */
         val USUAL = listOf(9600, 115200, 57600)
         private val SCHEMES = listOf("sim:", "replay:", "tcp:")
         private const val ANSWER_MS = 1_000

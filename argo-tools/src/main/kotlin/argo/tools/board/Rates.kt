@@ -4,9 +4,8 @@ import argo.tools.command.counted
 import java.util.Locale
 
 /**
- * The rates of messages and of the percepts in them. Times are milliseconds since monitoring began.
- *
- * Percepts that differ in numbers only are one kind. At most [MAX_KINDS] kinds are counted singly.
+ * The rates of messages and of their percepts. Times are milliseconds since monitoring began. Percepts that differ only in numbers are of
+ * one kind. At most [MAX_KINDS] kinds are counted separately.
  */
 internal class Rates {
     private val kinds = LinkedHashMap<String, Kind>()
@@ -20,7 +19,6 @@ internal class Rates {
 
     private class Kind(var count: Long, var last: String)
 
-    /** Counts a message that arrived at [ms]. */
     fun count(ms: Long, percepts: List<String>) {
         if (messages++ == 0L) firstMs = ms
         lastMs = ms
@@ -36,7 +34,7 @@ internal class Rates {
         kind?.last = percept
     }
 
-    /** Returns the messages a second over the last [RECENT]; null before the second. */
+    /** Returns the messages a second over the last [RECENT] messages; null before the second message. */
     fun now(): Double? = perSecond(recent.size.toLong(), recent.firstOrNull() ?: 0, recent.lastOrNull() ?: 0)
 
     /** Returns a line for the messages, and one for each kind of percepts. */
@@ -62,7 +60,6 @@ internal class Rates {
         /** Returns [percept] with `_` for its numbers: `dist(front,_)`. */
         fun kindOf(percept: String): String = NUMBER_ARGUMENT.replace(percept, "_")
 
-        /** Writes milliseconds as seconds: `12.345`. */
         fun seconds(ms: Long): String = String.format(Locale.ROOT, "%.3f", ms / MS_PER_S)
 
         fun decimal(value: Double): String = String.format(Locale.ROOT, "%.1f", value)

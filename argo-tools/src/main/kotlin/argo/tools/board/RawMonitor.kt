@@ -8,7 +8,7 @@ import javino.Transport
 import java.io.PrintWriter
 import java.util.concurrent.TimeUnit
 
-/** Shows all bytes that come on [line]: a line of output for each line of text, or for the bytes before a pause. */
+/** Shows all bytes from [line]. Each line of text, or the bytes before a pause, make one line of output. */
 internal class RawMonitor(private val line: Transport, private val out: PrintWriter, private val paint: Paint) {
     private val start = System.nanoTime()
     private val buffer = ByteArray(BUFFER)

@@ -114,7 +114,7 @@ internal class ReplayCommand : JasonCommand() {
         return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
-    /** Calls [serve] with the name of the port. If a link was asked for, the name is the link's, which exists while [serve] runs. */
+    /** Calls [serve] with the name of the port. With the option --link, that is the link's name, and the link exists while [serve] runs. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
         val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
@@ -133,7 +133,7 @@ internal class ReplayCommand : JasonCommand() {
             if (waits) awaitListener(pair)
             Transports.open(pair.board().path, LineSettings.defaults()).use(board::run)
         } catch (_: PortInterruptedException) {
-            Thread.interrupted() // the terminals are still to be removed
+            Thread.interrupted() // so that the terminals can be removed
         } catch (_: InterruptedException) {
             // interrupted while it waited for a listener
         } catch (gone: PortException) {
@@ -142,7 +142,7 @@ internal class ReplayCommand : JasonCommand() {
         return ExitStatus.DONE
     }
 
-    /** Waits until the far end is open before a board that sends unasked starts; returns at once if the system does not reveal that. */
+    /** Waits until the far end is open, before a board starts that sends unasked. Returns at once if the system does not reveal that. */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)
@@ -152,10 +152,10 @@ internal class ReplayCommand : JasonCommand() {
     private companion object {
         const val POLL_MS = 100L
 
-        /** The time that a board takes to start when its port is opened: a serial driver empties the port meanwhile. */
+        /** The time after the opening of the port before a board starts. In that time a serial driver empties the port. */
         const val START_MS = 500L
 
-        /** The time by which a command may be earlier or later, unless an option gives another. */
+        /** The default time by which a command may be earlier or later. */
         const val WITHIN_MS = 100L
     }
 }

@@ -60,7 +60,6 @@ internal class CheckCommand : DataCommand() {
         return if (limit != null && findings.any { it.level <= limit }) ExitStatus.FAILED else ExitStatus.DONE
     }
 
-    /** Returns the number of checked files of [place], and the findings in them. */
     private fun checked(place: Path): Pair<Int, List<Finding>> {
         if (!Files.exists(place)) throw ToolException("there is no file $place")
         val isFolder = Files.isDirectory(place)
@@ -110,7 +109,7 @@ internal class CheckCommand : DataCommand() {
     }
 }
 
-/** Returns the file of [finding], relative to the working directory if it is in it. */
+/** Returns the file of [finding]; relative to the working directory if the directory contains it. */
 internal fun fileOf(finding: Finding): Path {
     val here = Path.of("").toAbsolutePath()
     val file = finding.place.file.toAbsolutePath().normalize()

@@ -1,10 +1,12 @@
 package argo.tools.command
 
-/** Returns the name in [names] that [word] probably means: it differs by a letter or two, or only by case; null: there is none. */
+/**
+ * Returns the name in [names] that [word] is probably a slip of; null: there is none. A slip differs by a letter or two, or only by case.
+ */
 internal fun closest(word: String, names: Collection<String>): String? =
     names.minByOrNull { distance(word, it) }?.takeIf { distance(word, it) <= if (word.length > LONG) 2 else 1 }
 
-/** Returns how many letters must be added, removed or replaced to make [b] of [a], whatever their case. */
+/** Returns how many letters must be added, removed or replaced to turn [a] into [b], without regard to case. */
 private fun distance(a: String, b: String): Int {
     var row = IntArray(b.length + 1) { it }
     for (i in a.indices) {
@@ -19,5 +21,4 @@ private fun distance(a: String, b: String): Int {
     return row[b.length]
 }
 
-/** Words with more letters may differ by two. */
 private const val LONG = 4

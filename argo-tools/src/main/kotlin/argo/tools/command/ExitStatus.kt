@@ -16,10 +16,10 @@ object ExitStatus {
     const val FAILED = 1
 }
 
-/** A command fails; [message] gives a person the reason. */
+/** A command fails; [message] tells the user why. */
 class ToolException(message: String) : Exception(message)
 
-/** Returns the message of [failure] for a person; null for an unexpected failure. */
+/** Returns the message of [failure] for the user; null for an unexpected failure. */
 internal fun messageOf(failure: Throwable): String? = when (failure) {
     is ToolException, is FilterException -> failure.message
     is NoSuchFileException -> "there is no file ${failure.file}"

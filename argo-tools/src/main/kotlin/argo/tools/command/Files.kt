@@ -10,7 +10,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 
 /**
- * Checks before any work that [file] does not exist and that its folder does.
+ * Checks, before any work, that [file] does not exist but its folder does.
  *
  * @throws ToolException if [file] cannot be made
  */
@@ -24,7 +24,7 @@ internal fun requireNew(file: Path) {
 }
 
 /**
- * Returns the result of [make] for the new name [file].
+ * Returns the result of [make] for the new file [file].
  *
  * @throws ToolException if [file] cannot be made; the message names the folder if that is the cause
  */
@@ -36,7 +36,7 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
         throw ToolException("$file exists already, and is not overwritten")
     } catch (_: AccessDeniedException) {
         throw ToolException("this user may make no files in the folder ${folderOf(file)}")
-    } catch (refused: FileSystemException) { // thrown for example in /proc, or on a disk that is full or read-only
+    } catch (refused: FileSystemException) { // for example in /proc, or on a full or read-only disk
         throw ToolException("no files can be made in the folder ${folderOf(file)}${refused.reason?.let { ": $it" }.orEmpty()}")
     }
 }
@@ -44,9 +44,9 @@ internal fun <T> making(file: Path, make: (Path) -> T): T {
 private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().parent ?: file
 
 /**
- * Checks that [file] is a regular file: reading a pipe without a writer never ends.
+ * Checks that [file] is a regular file, since reading a pipe without a writer never ends.
  *
- * @throws ToolException if not
+ * @throws ToolException if [file] is not
  */
 fun requireFile(file: Path) {
     if (!Files.exists(file)) throw ToolException("there is no file $file")
@@ -54,7 +54,7 @@ fun requireFile(file: Path) {
     if (!Files.isRegularFile(file)) throw ToolException("$file is no regular file; copy its content into one")
 }
 
-/** Returns the files below [folder] with one of these [extensions], sorted; without hidden files and outputs of builds. */
+/** Returns the files below [folder] with one of these [extensions], sorted, without hidden files and outputs of builds. */
 internal fun sourcesIn(folder: Path, extensions: Set<String>): List<Path> = Files.walk(folder).use { found ->
     found.filter { it.extension in extensions && Files.isRegularFile(it) && !isBuilt(folder.relativize(it)) }.sorted().toList()
 }

@@ -9,16 +9,19 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 import kotlin.io.path.toPath
 
-/** The parts of ARGO around [jar], its `argo.jar`: beside it in a release, or in Maven's outputs in the source tree that has built it. */
+/**
+ * The parts of ARGO around [jar], its `argo.jar`. In a release, the parts are beside the jar; in a source tree, they are in the outputs of
+ * Maven.
+ */
 internal class Installation(jar: Path) {
     private val file = jar.toAbsolutePath().normalize()
     private val release = file.resolveSibling("samples")
     private val releasedJars = if (release.isDirectory()) release.listDirectoryEntries("*.jar") else emptyList()
 
     /**
-     * Returns the class path of [module], the samples or the experiment, which are not in `argo.jar`, since they need Jason.
+     * Returns the class path of [module], the samples or the experiment. These modules are not in `argo.jar`, since they need Jason.
      *
-     * @throws ToolException if it is not there
+     * @throws ToolException if the module is missing
      */
     fun classPathOf(module: String): String {
         if (releasedJars.isNotEmpty()) return allReleased()
@@ -29,11 +32,10 @@ internal class Installation(jar: Path) {
         return outputOf(module).resolve("classes").toString() + File.pathSeparator + libraries
     }
 
-    /** Returns a class path that holds Jason and its libraries, the class path of the samples; null: it is not there. */
+    /** Returns a class path with Jason and its libraries, which is that of the samples; null: it is missing. */
     fun jason(): String? =
         if (releasedJars.any { it.name.startsWith(JASON) }) allReleased() else librariesOf("samples")?.takeIf { JASON in it }
 
-    /** Returns the jar of the test kit; null: it is not there. */
     fun testKit(): Path? {
         val built = outputOf("argo-testkit").takeIf { it.isDirectory() }?.listDirectoryEntries("argo-testkit-*.jar").orEmpty()
         return file.resolveSibling("argo-testkit.jar").takeIf { it.isRegularFile() }

@@ -2,17 +2,20 @@ package argo.tools.command
 
 import java.nio.file.Path
 
-/** Runs the Java of this program with [arguments], on its terminal, and returns the exit status. If this program ends, so does that one. */
+/**
+ * Runs this program's Java with [arguments] on the same terminal, and returns its exit status. If this program ends, the started program
+ * ends too.
+ */
 internal fun runJava(arguments: List<String>): Int = java(arguments).inheritIO().start().awaitEnd()
 
-/** Prepares the Java of this program with [arguments], to be started. */
+/** Prepares this program's Java with [arguments] for starting. */
 internal fun java(arguments: List<String>): ProcessBuilder {
     val java = ProcessHandle.current().info().command().orElseGet { Path.of(System.getProperty("java.home"), "bin", "java").toString() }
     // jSerialComm loads a native library; newer Java machines warn about that
     return ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments)
 }
 
-/** Waits until this process has ended, and returns its exit status. If this program ends, so does the process. */
+/** Waits until this process has ended, and returns its exit status. If this program ends, it also ends the process. */
 internal fun Process.awaitEnd(): Int {
     val ending = Thread {
         destroy()

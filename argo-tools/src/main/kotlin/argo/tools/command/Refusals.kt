@@ -12,10 +12,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Makes the commands of this line report failures in words, with exit status 1, and wrong arguments with a reference to the help and exit
+ * Makes the commands of this line report failures in words, with exit status 1. For wrong arguments they refer to the help, with exit
  * status 2.
  *
- * @param kind the commands' kind in one word: `command`, `sample`
+ * @param kind a word for such a command: `command`, `sample`
  */
 fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
@@ -47,7 +47,7 @@ private fun file(name: String): Path = try {
 private fun reason(wrong: ParameterException, kind: String): String? {
     val surplus = (wrong as? UnmatchedArgumentException)?.takeUnless { it.isUnknownOption }?.unmatched?.firstOrNull()
     val commands = wrong.commandLine.subcommands.keys
-    // the missing argument may be the one that was read as an option
+    // The missing argument may have been read as an option.
     val isUnknownOption = wrong is MissingParameterException || wrong is UnmatchedArgumentException && wrong.isUnknownOption
     val unknown = if (isUnknownOption) wrong.commandLine.unmatchedArguments.find { it.startsWith("-") } else null
     return when {
@@ -65,13 +65,13 @@ private fun reason(wrong: ParameterException, kind: String): String? {
     }
 }
 
-/** Ends this command, because its arguments are wrong for [reason]. */
+/** Ends this command, since its arguments are wrong for [reason]. */
 fun CommandSpec.refuse(reason: String): Nothing = throw ParameterException(commandLine(), reason)
 
-/** Refuses a [value] of [option] outside [range]; [unit] is appended to the range in the message. */
+/** Refuses a [value] of [option] outside of [range]. In the message [unit] stands behind the range. */
 fun CommandSpec.requireWithin(option: String, value: Int, range: IntRange, unit: String = "") {
     if (value !in range) refuse("$option is from ${range.first} to ${range.last}${if (unit.isEmpty()) "" else " $unit"}, not $value")
 }
 
-/** Refuses a call without one of the subcommands, each of which is a [kind]. */
+/** Refuses a call without one of the subcommands. Each of these is a [kind]. */
 fun CommandSpec.refuseWithout(kind: String): Nothing = refuse("name a $kind: ${subcommands().keys.joinToString()}")

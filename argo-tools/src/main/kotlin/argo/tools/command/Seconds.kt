@@ -2,7 +2,6 @@ package argo.tools.command
 
 import java.math.BigDecimal
 
-/** Returns [seconds] in ns; null if they are negative or too many for a Long. */
 internal fun nanosOf(seconds: BigDecimal): Long? {
     val ns = seconds.movePointRight(NANO_DIGITS).toBigInteger()
     return if (ns.signum() < 0 || ns.bitLength() >= Long.SIZE_BITS - 1) null else ns.toLong()

@@ -7,10 +7,10 @@ import picocli.CommandLine.Spec
 import java.io.PrintWriter
 import java.util.concurrent.Callable
 
-/** The base of all tools, also of tools that a [ToolProvider] adds. The result is the exit status; a [ToolException] fails the command. */
+/** The base of all tools, including those of a [ToolProvider]. The result is the exit status. A [ToolException] fails the command. */
 @Command
 abstract class ToolCommand : Callable<Int> {
-    /** The command as picocli has it. */
+    /** The command in picocli's form. */
     @Spec
     protected lateinit var spec: CommandSpec
 
@@ -26,10 +26,10 @@ abstract class ToolCommand : Callable<Int> {
     /** Colours; none if `NO_COLOR` is set, or on a terminal without colours. */
     internal val paint: Paint get() = Paint(spec.commandLine().colorScheme.ansi().enabled())
 
-    /** Ends the command, because its arguments are wrong, with exit status 2. */
+    /** Ends the command with exit status 2, since its arguments are wrong for [reason]. */
     protected fun misuse(reason: String): Nothing = spec.refuse(reason)
 
-    /** Returns the options that the user has given, except the options called [left], as arguments for another program. */
+    /** Returns the user's options, except those called [left], as arguments for another program. */
     internal fun givenWithout(vararg left: String): List<String> =
         spec.commandLine().parseResult.matchedOptions().filter { it.longestName() !in left }.flatMap { option ->
             val name = option.longestName()
@@ -37,7 +37,7 @@ abstract class ToolCommand : Callable<Int> {
         }
 }
 
-/** The place of --help where a command shows its options in the order of their declaration. */
+/** Puts --help last if a command shows its options in the order of their declaration. */
 private const val LAST = 100
 
 /** A tool whose results are data. */
@@ -47,7 +47,6 @@ internal abstract class DataCommand : ToolCommand() {
     protected var json = false
 }
 
-/** Colours text if [enabled]. */
 internal class Paint(private val enabled: Boolean) {
     fun good(text: String) = paint("32", text)
 

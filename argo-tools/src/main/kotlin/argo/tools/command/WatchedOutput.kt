@@ -4,13 +4,13 @@ import java.io.FilterOutputStream
 import java.io.IOException
 import java.io.OutputStream
 
-/** Records why a write to [target] failed; neither a [java.io.PrintWriter] on it nor `System.out` reports that. */
+/** Records why a write to [target] failed. Neither a [java.io.PrintWriter] nor `System.out` reports that. */
 internal class WatchedOutput(private val target: OutputStream) : FilterOutputStream(target) {
-    /** The first failure; null without one. */
+    /** The first failure; null: none. */
     var trouble: IOException? = null
         private set
 
-    /** True if it failed because the reader has gone, as in `monitor PORT | head`; the system's message contains "pipe". */
+    /** True if the reader has gone, as in `monitor PORT | head`. The system's message then contains "pipe". */
     val hasReaderGone: Boolean get() = trouble?.message.orEmpty().contains("pipe", ignoreCase = true)
 
     override fun write(byte: Int) = watched { target.write(byte) }

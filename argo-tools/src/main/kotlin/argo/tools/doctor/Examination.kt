@@ -5,12 +5,12 @@ import argo.tools.doctor.Finding.Level.GOOD
 import argo.tools.doctor.Finding.Level.PROBLEM
 import argo.tools.doctor.Finding.Level.WARNING
 
-/** Checks the causes that have kept users from their boards. */
+/** Checks for the usual causes that keep users from their boards. */
 internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    /** Makes all checks and returns their results; also probes boards if [probe], which opens the port of a name, is given. */
+    /** Makes all checks and returns their results. Also probes boards if [probe] is given, which opens the port of a name. */
     fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
         listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 
@@ -45,7 +45,7 @@ internal class Examination(private val machine: Machine) {
         else -> ""
     }
 
-    /** Checks the groups with which the user has logged in: a change takes effect with the next login. */
+    /** Checks the groups of the user's present login. A change takes effect with the next login. */
     private fun group(devices: List<Device>): Finding? {
         val groups = machine.groups
         if (!linux || groups == null || machine.user == "root") return null
@@ -104,16 +104,12 @@ internal class Examination(private val machine: Machine) {
     }
 }
 
-/**
- * The result of one check.
- *
- * @property remedy null: none is needed
- */
+/** The result of one check. */
 internal data class Finding(val level: Level, val what: String, val remedy: String? = null) {
     enum class Level {
         GOOD,
 
-        /** Something may fail that not everybody needs. */
+        /** Something may fail that only some users need. */
         WARNING,
 
         /** Boards will not work. */

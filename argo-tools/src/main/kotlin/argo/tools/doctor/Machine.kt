@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit
 
 /** The facts about a machine that matter for boards. */
 internal interface Machine {
-    /** The operating system, as Java names it: `Linux`, `Mac OS X`, `Windows 11`. */
+    /** The operating system in Java's words: `Linux`, `Mac OS X`, `Windows 11`. */
     val system: String
 
     /** Java's feature version, such as 17. */
@@ -18,7 +18,7 @@ internal interface Machine {
 
     val user: String
 
-    /** The user's groups in this login; null if unknown. */
+    /** The user's groups in this login; null: unknown. */
     val groups: List<String>?
 
     /** The names of the running programs, without folders. */
@@ -33,13 +33,12 @@ internal interface Machine {
 /**
  * A serial device.
  *
- * @property isUsb whether it is on USB, as boards are
- * @property remedy how this user gets permission to open it; null: it has permission
- * @property holders the programs that hold it open
+ * @property isUsb whether the device is on USB, like boards
+ * @property remedy how this user gets permission to open it; null: the user has permission
+ * @property holders the programs that hold the device open
  */
 internal data class Device(val name: String, val isUsb: Boolean, val remedy: String?, val holders: List<String>)
 
-/** The machine that this program runs on. */
 internal object ThisMachine : Machine {
     private const val COMMAND_LIMIT_S = 10L
 
@@ -65,7 +64,6 @@ internal object ThisMachine : Machine {
         Result.failure(trouble)
     }
 
-    /** Returns the output of a program; null if it does not exist or fails. */
     private fun output(vararg command: String): String? = try {
         val process = ProcessBuilder(*command).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         val text = process.inputStream.bufferedReader().readText().trim()

@@ -14,9 +14,9 @@ import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readLines
 
 /**
- * Returns [classPath] with the test kit, which a release has beside `argo.jar` and the source tree where Maven builds it.
+ * Returns [classPath] with the test kit. The kit lies beside `argo.jar` in a release, and in Maven's output in the source tree.
  *
- * @throws ToolException if it is neither there nor on [classPath]
+ * @throws ToolException if the kit is neither there nor on [classPath]
  */
 internal fun withTestKit(classPath: String): String {
     if (filesOn(classPath).any { it.name.startsWith("argo-testkit") || it.resolve("argo/exploring/Exploration.class").isRegularFile() }) {
@@ -27,7 +27,7 @@ internal fun withTestKit(classPath: String): String {
     return "$classPath${File.pathSeparator}$kit"
 }
 
-/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java knows and Kotlin's compiler does not. */
+/** Returns the folders and jars on [classPath]. Expands `folder/`+`*`, which Java understands but Kotlin's compiler does not. */
 internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathSeparator).filter { it.isNotEmpty() }.flatMap { entry ->
     val folder = entry.removeSuffix("*")
     if (entry == folder) listOf(Path.of(entry))
@@ -35,7 +35,7 @@ internal fun filesOn(classPath: String): List<Path> = classPath.split(File.pathS
 }
 
 /**
- * Compiles [file] into [classes] with `kotlinc`, and returns the name of the class with the functions of the file.
+ * Compiles [file] into [classes] with `kotlinc`. Returns the name of the class with the file's functions.
  *
  * @throws ToolException if there is no compiler, or it refuses the file
  */
@@ -54,7 +54,6 @@ internal fun compiled(file: Path, classPath: String, classes: Path): String {
     return className(file)
 }
 
-/** Returns the name of the class that holds the functions of the Kotlin file [file]. */
 private fun className(file: Path): String {
     val inside = file.readLines().firstNotNullOfOrNull { PACKAGE.find(it)?.groupValues?.get(1) }
     return listOfNotNull(inside, "${file.nameWithoutExtension.replaceFirstChar(Char::uppercase)}Kt").joinToString(".")

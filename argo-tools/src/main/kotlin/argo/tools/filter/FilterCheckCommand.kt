@@ -31,7 +31,6 @@ internal class FilterCheckCommand : DataCommand() {
         return if (checks.all { it.filter != null }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
-    /** @property filter null if it is refused */
     private class Check(val file: Path, val filter: PerceptionFilter?, val problems: List<Problem>) {
         val warnings = filter?.warnings().orEmpty()
     }

@@ -13,9 +13,9 @@ import kotlin.io.path.inputStream
 import kotlin.io.path.readText
 
 /**
- * Reads the filter in [file]; the suffix of the name selects XML or JSON.
+ * Reads the filter in [file]. The suffix of the name selects XML or JSON.
  *
- * @throws argo.filters.FilterException if it is refused
+ * @throws argo.filters.FilterException if the filter is refused
  */
 internal fun filterIn(file: Path): PerceptionFilter {
     val name = "$file"
@@ -29,7 +29,7 @@ internal fun filterIn(file: Path): PerceptionFilter {
 }
 
 /**
- * Returns the files below [folder] that are filters, or meant to be, and the other XML and JSON files, which hold neither
+ * Returns the files below [folder] that are filters, or meant to be, and the other XML and JSON files. The others contain neither
  * `<PerceptionFilter` nor `"rules"`.
  */
 internal fun filtersIn(folder: Path): Pair<List<Path>, List<Path>> = sourcesIn(folder, MARKS.keys).partition { file ->

@@ -3,8 +3,8 @@ package argo.tools.project
 /**
  * Returns the text files of a new project, by their paths in it.
  *
- * @param withTestKit whether the test kit is in its `lib/`
- * @param boards the number of boards that its agent perceives, 1 or 2
+ * @param withTestKit whether the project's `lib/` contains the test kit
+ * @param boards the number of boards that the agent perceives, 1 or 2
  */
 internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: Int = 1): Map<String, String> {
     val words = mapOf(
@@ -20,7 +20,6 @@ internal fun projectFiles(project: ProjectName, withTestKit: Boolean, boards: In
 private const val AGENT = "src/agt/robot.asl"
 private const val AGENT_TEST = "src/test/kotlin/RobotSpec.kt"
 
-/** The files of every project, with their resources. */
 private val COMMON = mapOf(
     "README.md" to "README.md",
     ".gitignore" to "gitignore",
@@ -57,7 +56,7 @@ private fun wordsOfTwo(project: ProjectName) = mapOf(
     "WRITE" to "Write the ports into `$AGENT`: `boards([port(ttyACM0,[as(eyes)]), port(ttyACM1,[as(lamp)])]).`",
 )
 
-/** The versions for a new project, equal to those in pom.xml. */
+/** The versions for a new project. The same versions stand in pom.xml. */
 internal const val JASON_VERSION = "3.2.1"
 internal const val KOTLIN_VERSION = "2.4.10"
 internal const val KOTEST_VERSION = "6.2.4"

@@ -1,11 +1,6 @@
 package argo.tools.project
 
-/**
- * A project's name.
- *
- * @property name the folder's name
- * @property id the name for Jason and Arduino, with `_` for `-` and a lower-case first letter
- */
+/** A project's name, which is also its folder's. [id] is the name for Jason and Arduino, with `_` for `-` and a lower-case first letter. */
 internal data class ProjectName(val name: String) {
     val id: String get() = name.replace('-', '_').replaceFirstChar(Char::lowercase)
 
@@ -17,7 +12,6 @@ internal data class ProjectName(val name: String) {
         private val TAKEN = setOf("con", "prn", "aux", "nul") + (1..9).flatMap { listOf("com$it", "lpt$it") } +
             setOf("agents", "environment", "infrastructure", "mas")
 
-        /** Returns the problem with [name]; null: none. */
         fun problem(name: String): String? = when {
             !PATTERN.matches(name) -> "a project's name begins with a letter and has ASCII letters, digits, - and _, unlike \"$name\""
             name.length > MAX_LENGTH -> "a project's name has at most $MAX_LENGTH characters, not ${name.length}"

@@ -98,10 +98,9 @@ internal class RecordingCommand : DataCommand() {
     private fun parsed(message: McapMessage): JsonElement = try {
         Json.parseToJsonElement(message.text)
     } catch (_: SerializationException) {
-        JsonPrimitive(message.text) // another program's recording need not hold JSON
+        JsonPrimitive(message.text) // another program's recording may contain other formats
     }
 
-    /** Returns the time [seconds] after this one; null if [seconds] is null. */
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
         val ns = nanosOf(it) ?: misuse("$it is no second of a recording")
         this + minOf(ns, Long.MAX_VALUE - this)

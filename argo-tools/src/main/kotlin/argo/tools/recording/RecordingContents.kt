@@ -10,7 +10,7 @@ import argo.tools.command.table
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** A channel with the number of its messages, and the times of the first and the last, in seconds since the recording's first message. */
+/** A channel with the number of its messages. [first] and [last] are their times in seconds since the recording's first message. */
 private class ChannelContents(val channel: McapChannel, val messages: Long, val first: Double?, val last: Double?)
 
 internal class RecordingContents(private val recording: McapReader) {
@@ -33,7 +33,6 @@ internal class RecordingContents(private val recording: McapReader) {
         }
     }
 
-    /** Returns lines for a person on a recording in the file [name]. */
     fun lines(name: String): List<String> = buildList {
         val state = if (recording.isComplete) "complete" else "not complete"
         val library = recording.library.ifEmpty { "an unknown program" }

@@ -9,9 +9,9 @@ import java.nio.file.Path
 /**
  * Replays the agents of the recording [file].
  *
- * @param from the moment from which their cycles are shown; null: none is shown
+ * @param from the moment from which cycles are shown; null: none is shown
  * @param until the moment at which the replay ends; null: at the end
- * @param shownAgents the agents that are shown; none: all
+ * @param shownAgents the agents to show; empty: all
  * @param isChecking whether the project's own actions and functions are carried out again
  */
 internal class AgentReplay(
@@ -21,7 +21,7 @@ internal class AgentReplay(
     private val shownAgents: Set<String>,
     private val isChecking: Boolean,
 ) {
-    /** @throws RecordingException if none of it can be replayed */
+    /** @throws RecordingException if no part of the recording can be replayed */
     fun run(): ReplayReport = Recording(file).use { recording ->
         val unknown = shownAgents - recording.agents.keys
         if (unknown.isNotEmpty()) {
@@ -54,7 +54,6 @@ internal class AgentReplay(
         )
     }
 
-    /** Returns the beginnings of the agents whose first cycles are missing. */
     private fun beginnings(recording: Recording) =
         recording.agents.keys.mapNotNull { agent -> recording.start(agent)?.let { Beginning(agent, it.number, it.ns) } }
 
@@ -65,7 +64,6 @@ internal class AgentReplay(
         }.sortedBy { it.cycle.ns }
     }
 
-    /** Returns the time of [moment], in ns of the agents' clock. */
     private fun nsOf(moment: Moment, recording: Recording, firstNs: Long): Long = when (moment) {
         is Moment.Time -> firstNs + minOf(moment.ns, Long.MAX_VALUE - firstNs)
         is Moment.OfCycle -> {
@@ -75,7 +73,7 @@ internal class AgentReplay(
         }
     }
 
-    /** Does [work] and returns the reason if it could not be done to its end; null: it was done. */
+    /** Does [work]. Returns the reason if it could not be finished; null: it was finished. */
     private fun stopping(work: () -> Unit): String? = try {
         work()
         null

@@ -3,7 +3,6 @@ package argo.tools.replay
 import picocli.CommandLine.Option
 import java.nio.file.Path
 
-/** The options of `replay` for a recording of agents. */
 internal class AgentReplayOptions {
     @Option(
         names = ["--check"],
@@ -52,7 +51,7 @@ internal class AgentReplayOptions {
     var filter: Path? = null
         private set
 
-    /** True if agents are run with other programs or another filter than recorded. */
+    /** True if agents run with other programs or another filter than recorded. */
     val isWhatIf: Boolean get() = programs.isNotEmpty() || filter != null
 
     @Option(

@@ -19,9 +19,9 @@ import java.time.Duration
 /**
  * Runs agents of the recording [file] with other programs or another filter, one after the other.
  *
- * @param programs each `AGENT=FILE`, or only a file, if there is only one agent
- * @param filter the filter in place of the recorded ones, for all agents if there are no programs; null: the recorded ones
- * @param within the time by which the same command may be earlier or later
+ * @param programs each `AGENT=FILE`, or only a file if there is only one agent
+ * @param filter the filter in place of the recorded filters, for all agents if there are no programs; null: the recorded filters
+ * @param within the largest difference in time between equal commands
  */
 internal class AgentWhatIf(
     private val file: Path,
@@ -74,9 +74,8 @@ internal class AgentWhatIf(
 /**
  * The result of [agent] with [what]: another program, another filter.
  *
- * @property recorded the number of recorded commands
- * @property now the number of commands that it sent
- * @property problem the reason why it could not be run to the end, for a person; null: it was run
+ * @property now the number of commands in this run
+ * @property problem the reason why the run could not be finished, in words; null: it was finished
  */
 internal class WhatIfResult(
     val agent: String,
@@ -119,12 +118,12 @@ internal class WhatIfResult(
     private fun seconds(ns: Long) = secondsIn(ns - firstNs)
 }
 
-/** The results of all agents; [damage] names the parts of the file that cannot be read. */
+/** The results of all agents. [damage] names the unreadable parts of the file. */
 internal class WhatIfReport(private val results: List<WhatIfResult>, private val damage: List<String>) {
     /** The parts that could not be run or read, a sentence for each. */
     val problems: List<String> get() = damage + results.mapNotNull { it.problem }
 
-    /** True if all send the commands that were recorded. */
+    /** True if all agents send the recorded commands. */
     val isIdentical: Boolean get() = results.all { it.difference == null }
 
     fun lines(): List<String> = results.flatMap { it.lines() }

@@ -6,7 +6,7 @@ import argo.tools.command.runJava
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
 
-/** A tool that runs Jason: in another program, unless this one has Jason and all that the tool needs. */
+/** A tool that runs Jason: in another program, unless this one has Jason and everything else that the tool needs. */
 @Command
 internal abstract class JasonCommand : DataCommand() {
     @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
@@ -16,7 +16,7 @@ internal abstract class JasonCommand : DataCommand() {
     protected val runsHere: Boolean get() = classPath == null && hasJason()
 
     /**
-     * Runs this tool with its options and [operands] in another program, and returns its exit status.
+     * Runs this tool with its options and [operands] in another program, and returns that program's exit status.
      *
      * @throws ToolException if there is no Jason
      */

@@ -8,7 +8,6 @@ import java.io.PrintWriter
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 
-/** Returns true if Jason is on the class path of this program. */
 internal fun hasJason(): Boolean = try {
     Class.forName("jason.asSemantics.Agent", false, ToolException::class.java.classLoader)
     true
@@ -17,20 +16,20 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program that runs for seconds: it ends before a better compilation pays, and needs no threads that
- * collect garbage. A Java machine ignores those that it does not have.
+ * Options of a Java machine for a program that runs for seconds. Such a program ends before better compilation pays, and needs no threads
+ * for garbage collection. A Java machine ignores unknown options among these.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")
 
-/** Tells a person which parts of the option's [classPath] do not exist, since Java ignores them. */
+/** Tells the user which parts of the option's [classPath] do not exist, since Java ignores them. */
 internal fun tellAbsent(classPath: String?, err: PrintWriter) {
     val absent = classPath.orEmpty().split(File.pathSeparator).filterNot { it.isEmpty() || File(it.removeSuffix("*")).exists() }
     if (absent.isNotEmpty()) err.println("of --class-path there is no ${absent.joinToString(" and no ")}")
 }
 
 /**
- * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` stands for the jars of
- * a folder.
+ * Returns the class path of this program with [classPath] and Jason; null: there is no Jason. A part that ends in `*` means the jars of a
+ * folder.
  */
 fun classPathWithJason(classPath: String?): String? {
     val jason = if (hasJason()) null else ownJar()?.let { Installation(it).jason() }
@@ -38,7 +37,7 @@ fun classPathWithJason(classPath: String?): String? {
     return listOfNotNull(System.getProperty("java.class.path"), classPath, jason).joinToString(File.pathSeparator)
 }
 
-/** Explains to a person that there is no [work] without Jason. Names the folders of classes in [project]. */
+/** Explains to the user that [work] needs Jason. Names the folders of classes in [project]. */
 internal fun missingJason(work: String = "a replay", project: Path = Path.of("")): String {
     val built = listOf("target/classes" to "Maven", "build/classes/java/main" to "Gradle")
     val there = built.filter { (folder, _) -> project.resolve(folder).isDirectory() }

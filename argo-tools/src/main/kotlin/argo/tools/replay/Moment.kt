@@ -7,7 +7,6 @@ import java.math.BigDecimal
 
 /** A moment of a recording: a number of seconds after its first cycle, or a cycle of an agent. */
 internal sealed interface Moment {
-    /** [ns] after the first cycle. */
     data class Time(val ns: Long) : Moment {
         override fun toString() = "${BigDecimal.valueOf(ns, NANO_DIGITS)}"
     }

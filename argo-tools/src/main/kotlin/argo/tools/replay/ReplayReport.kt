@@ -7,18 +7,16 @@ import argo.tools.command.jsonOf
 import argo.tools.command.secondsIn
 import kotlinx.serialization.json.JsonObject
 
-/** The beginning of the replay of an [agent] whose first cycles are missing: after the [cycle] that began at [ns]. */
+/** The beginning of the replay of an [agent] without its first cycles: after the [cycle] that began at [ns]. */
 internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
 
 /**
  * The result of a replay.
  *
  * @property beginnings those of the agents whose first cycles are missing
- * @property recordedNs the time from the first cycle to the last one that was replayed
- * @property elapsedNs the time that the replay took
- * @property refusals the cycles before which the replay of their agents has ended, since no replay can have them
- * @property beliefs the beliefs of the agents that were asked about
- * @property shown the cycles that are shown
+ * @property recordedNs the time from the first cycle to the last replayed one
+ * @property refusals the cycles that no replay can have; the replay of their agents has ended before them
+ * @property beliefs the beliefs of the requested agents
  * @property problems the parts that could not be replayed, a sentence for each
  */
 internal class ReplayReport(
@@ -42,13 +40,12 @@ internal class ReplayReport(
     /** True if the agents acted as recorded. */
     val isIdentical: Boolean get() = course.isEmpty()
 
-    /** True if no cycle was refused. */
     val isWhole: Boolean get() = refusals.isEmpty()
 
-    /** True if nothing gave another result. */
+    /** True if no action or function gave another result. */
     val isDeterministic: Boolean get() = isIdentical && results.isEmpty()
 
-    /** Returns lines for a person on the recording [name]; with [isCheck], on everything that is not deterministic. */
+    /** Returns lines for the user about the recording [name]; with [isCheck], about everything that is not deterministic. */
     fun lines(name: String, isCheck: Boolean): List<String> = buildList {
         add("$name: ${if (agents.size == 1) "agent" else "agents"} ${agents.joinToString()}")
         beginnings.forEach {

@@ -7,7 +7,6 @@ import kotlinx.serialization.json.JsonObject
 internal class ShownCycle(private val agent: String, val cycle: Cycle) {
     private val commands = cycle.input.calls.flatMap { it.commands }
 
-    /** Describes its course in a line. */
     fun words(): String = cycle.course.run {
         val words = listOfNotNull(
             event?.let { "event $it" },
@@ -19,7 +18,7 @@ internal class ShownCycle(private val agent: String, val cycle: Cycle) {
         "$agent, cycle ${cycle.number}: ${words.joinToString().ifEmpty { "only input" }}"
     }
 
-    /** Returns its course, [seconds] after the first cycle, as JSON. */
+    /** Returns the cycle's course as JSON, [seconds] after the first cycle. */
     fun json(seconds: Double): JsonObject = cycle.course.run {
         jsonOf(
             "agent" to agent, "cycle" to cycle.number, "seconds" to seconds, "event" to event,

@@ -13,20 +13,20 @@ import java.util.concurrent.TimeUnit
 /**
  * The answer of the tool `why`.
  *
- * @property lines its sentences, each indented by two blanks for each cause that it is behind. Empty: there is no answer
+ * @property lines its sentences, each indented by two blanks for each cause before it. Empty: there is no answer.
  * @property trouble the reason why there is no answer, or the missing parts of the recording; empty: none
  */
 class Told(val lines: List<String>, val trouble: String)
 
 /**
- * Asks the tool `why` in a Java machine of its own. A program whose agents run cannot replay one of them: the replay sets counters of Jason
- * that all of them share, and takes memory and processor time. One question is answered at a time; any thread may ask.
+ * Asks the tool `why` in a Java machine of its own. The program of running agents cannot replay one of them, since a replay sets Jason's
+ * counters for all of them, and takes memory and processor time. Answers one question at a time; any thread may ask.
  *
- * @param patienceS the time that an answer may take, in s
+ * @param patienceS the longest time for an answer, in s
  */
 class WhyProgram(private val patienceS: Long) {
     /**
-     * Asks why [agent] sent its command [number], counted over those to boards, in the recording [file]. Waits for the answer.
+     * Asks why [agent] sent its command [number], counted among those to boards, in the recording [file]. Waits for the answer.
      * @throws java.io.IOException if no other program can be started
      */
     @Synchronized
@@ -53,7 +53,7 @@ class WhyProgram(private val patienceS: Long) {
         /** The options for output in UTF-8, whatever the language of this computer. */
         val IN_UNICODE = listOf("file", "stdout", "stderr").map { "-D$it.encoding=UTF-8" }
 
-        /** The exit status of a program that was ended by SIGKILL. */
+        /** The exit status of a program that SIGKILL has ended. */
         const val KILLED = 137
     }
 }

@@ -24,7 +24,6 @@ import argo.tools.command.counted
 internal class WhyText {
     private val lines = ArrayList<String>()
 
-    /** Says why a command was sent. */
     fun of(answer: Answer): List<String> {
         val command = answer.command
         val to = command.port?.let { " to $it" }.orEmpty()
@@ -52,7 +51,6 @@ internal class WhyText {
         Sender.OUTSIDE -> "because a person or another program wanted it, as by the live view; no plan did"
     }
 
-    /** Says why a command was not sent. */
     fun of(answer: NotAnswer): List<String> {
         lines += "agent ${answer.agent} did not send ${answer.command} up to ${at(answer.seconds)} because of its plans:"
         if (answer.plans.isEmpty()) line(1, "none has a step that sends it")

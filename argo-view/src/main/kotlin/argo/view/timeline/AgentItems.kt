@@ -8,7 +8,7 @@ import argo.recording.Sent
 import argo.recording.Step
 
 /**
- * Makes the items of one agent from its cycles, in their order, and links each item with those of its causes that the recording has.
+ * Makes the items of one agent from its cycles, in order, and links each item with its recorded causes.
  *
  * @param agent the place of the agent among those of the recording
  * @param zeroNs the beginning of the recording, in ns of the agents' clock
@@ -127,7 +127,6 @@ internal class AgentItems(
         val GOAL = Regex("^[+-][!?]")
         val SOURCE = Regex("source\\(([^()]*)\\)")
 
-        /** Returns [literal] without its annotations and blanks. */
         fun bare(literal: String) = literal.substringBeforeLast("[source").filterNot(Char::isWhitespace)
 
         fun inMs(ns: Long) = "%.1f ms".format(ns / 1e6)

@@ -4,10 +4,10 @@ import kotlinx.serialization.Serializable
 
 /** A row of the timeline of an agent, from top to bottom. */
 internal enum class Lane {
-    /** The traffic of the line: messages of boards, and commands when they had left or the board had acted. */
+    /** The traffic of the line: messages of boards, and commands at the time when they had left or the board had acted. */
     LINE,
 
-    /** The agent's percepts, when its cycle took them. */
+    /** The agent's percepts, at the time of the perceiving cycle. */
     PERCEPTS,
 
     /** The events that the agent chose. */
@@ -16,7 +16,7 @@ internal enum class Lane {
     /** The steps of the agent's intentions. */
     INTENTIONS,
 
-    /** The agent's commands, from being issued to their outcome. */
+    /** The agent's commands, from their issue to their outcome. */
     COMMANDS,
 
     /** The lines that the agent printed. */
@@ -24,7 +24,7 @@ internal enum class Lane {
 }
 
 /**
- * An event in the recording of an agent. It does not change once the timeline is made.
+ * An event in the recording of an agent. Immutable.
  *
  * @property id the item's place in [Timeline.items]
  * @property agent the place of its agent in [Timeline.agents]
@@ -34,7 +34,7 @@ internal enum class Lane {
  * @property detail the details, one a line
  * @property isBad whether it is a failure
  * @property causes the ids of its causes
- * @property command which of the agent's commands it is, counted from 1; null: it is none
+ * @property command the number of the agent's command, from 1; null: the item is no command
  */
 @Serializable
 internal class Item(

@@ -10,8 +10,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * The timeline of the last minutes of [agent], which runs. It is read from the agent's recording when a page is opened or asks anew. Only
- * the newest timeline is kept, and it costs no work while no page asks.
+ * The timeline of the last minutes of the running [agent]. It is read from the agent's recording when a page is opened or asks anew. Only
+ * the newest timeline is kept. It costs no work while no page asks.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0
@@ -33,7 +33,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
     }
 
-    /** Takes the present recording, for one page at a time, so that many pages cost no more memory. */
+    /** Takes the present recording, for one page at a time: many pages cost no more memory. */
     @Synchronized
     private fun taken(): HttpResponse {
         val recording = try {
@@ -47,7 +47,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
             routes.also { newest = it }.respond("/recording", emptyMap())
         } catch (unreadable: IOException) {
             unreadable(unreadable)
-        } catch (unreadable: IllegalArgumentException) { // thrown by a message that cannot be read
+        } catch (unreadable: IllegalArgumentException) { // thrown by an unreadable message
             unreadable(unreadable)
         }
     }
@@ -56,7 +56,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers: a longer one would cost the robot's computer time and memory. The recording has more. */
+        /** The time that the timeline covers. A longer one would cost the robot's computer time and memory. The recording has more. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }

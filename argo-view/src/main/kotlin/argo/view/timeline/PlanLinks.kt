@@ -4,11 +4,11 @@ import argo.recording.Place
 import argo.recording.Step
 
 /**
- * Links each step of an agent's intentions with the event that caused it, and each goal with the step that posed it. A recording has
- * neither link.
+ * Links each step of an agent's intentions with the event that caused it, and each goal with the step that posed it. A recording has no
+ * such links.
  */
 internal class PlanLinks {
-    /** A plan that was chosen for an event and has made no step yet; [intention] is its intention, if that existed then. */
+    /** A plan that was chosen for an event and has made no step yet. [intention] is its intention, if that existed by then. */
     private class Chosen(val event: Int, val plan: Place, val intention: Int?)
 
     private val waiting = ArrayDeque<Chosen>()
@@ -17,10 +17,10 @@ internal class PlanLinks {
     private val intentions = HashMap<Int, Int>()
     private val seen = HashSet<Int>()
 
-    /** The last step that failed; null: none has. */
+    /** The last failed step; null: none. */
     var failed: Int? = null
 
-    /** Returns the step that caused the event of a goal, [trigger]; null: the agent began with the goal, or it came from outside. */
+    /** Returns the step that caused the event of a goal, [trigger]; null: the agent began with the goal, or the goal came from outside. */
     fun posing(trigger: String): Int? = if (trigger.startsWith('-')) failed else posing[functor(trigger.drop(2))]
 
     /** Returns the number of the intention of [step]; null: the goal began an intention. */
@@ -31,7 +31,7 @@ internal class PlanLinks {
         if (waiting.size > MOST_WAITING) waiting.removeFirst()
     }
 
-    /** Returns the event for which the plan of [step] was chosen; null: it is not known. */
+    /** Returns the event for which the plan of [step] was chosen; null: not known. */
     fun causeOf(step: Step): Int? {
         val key = step.intention to step.depth
         val found = waiting.find {
@@ -45,14 +45,14 @@ internal class PlanLinks {
         return events[key]
     }
 
-    /** Notes that [step], whose item is [id], was carried out. */
+    /** Notes that [step], with the item [id], was carried out. */
     fun stepped(id: Int, step: Step, text: String) {
         if (!text.startsWith("!!")) intentions[id] = step.intention
         if (text.startsWith('!') || text.startsWith('?')) posing[functor(text.trimStart('!', '?'))] = id
     }
 
     private companion object {
-        /** The most plans that wait for their first step. Plans without a body never make one. */
+        /** The most plans that wait for their first step. Plans without a body never make a step. */
         const val MOST_WAITING = 100
     }
 }

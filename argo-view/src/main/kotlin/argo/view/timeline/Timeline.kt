@@ -4,11 +4,11 @@ import argo.recording.replay.Recording
 import kotlinx.serialization.Serializable
 import java.time.Duration
 
-/** The part of a lane between two times that the page draws: [items], or, if they are too many, [heaps]. */
+/** The part of a lane between two times, for the page: [items] or, if there are too many, [heaps]. */
 @Serializable
 internal class LanePart(val agent: Int, val lane: Lane, val items: List<Item> = emptyList(), val heaps: List<Heap> = emptyList())
 
-/** [count] items that are too near to each other to be drawn; [id] is the first one, or the first failure. */
+/** [count] items too close together to be drawn. [id] is the first failure or, without a failure, the first item. */
 @Serializable
 internal class Heap(val from: Double, val until: Double, val count: Int, val isBad: Boolean, val id: Int)
 
@@ -21,7 +21,7 @@ internal class Related(val item: Item, val causes: List<Item>, val effects: List
  *
  * @property agents the names of the agents
  * @property seconds the length of the recording
- * @property items all events; the place of each is its id
+ * @property items all events; the place of an event is its id
  */
 internal class Timeline(val agents: List<String>, val seconds: Double, val items: List<Item>) {
     private val lanes: Map<Pair<Int, Lane>, List<Item>> =
@@ -48,19 +48,19 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         }
     }
 
-    /** Returns the item [id] with its links, at most [most] in each direction; null: there is no such item. */
+    /** Returns the item [id] with at most [most] links in each direction; null: there is no such item. */
     fun related(id: Int, most: Int): Related? {
         val item = items.getOrNull(id) ?: return null
         return Related(item, reached(id, most) { items[it].causes }, reached(id, most) { effects[it].orEmpty() })
     }
 
-    /** Returns the id of the item for command [number] of [agent]; null: the timeline does not have it. */
+    /** Returns the id of the item for command [number] of [agent]; null: the timeline has none. */
     fun command(agent: String, number: Long): Int? {
         val place = agents.indexOf(agent)
         return lanes[place to Lane.COMMANDS]?.find { it.command == number }?.id
     }
 
-    /** Returns the item before or after [id] in its lane; [id] itself if there is none. */
+    /** Returns the item before or after [id] in its lane; [id] itself if none is there. */
     fun beside(id: Int, isAfter: Boolean): Int? {
         val item = items.getOrNull(id) ?: return null
         val lane = lanes.getValue(item.agent to item.lane)
@@ -81,10 +81,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
     companion object {
-        /**
-         * Reads [recording], or only the [last] time of it if that is given.
-         * @throws IllegalArgumentException if a message in it cannot be read
-         */
+        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a message in it cannot be read. */
         fun of(recording: Recording, last: Duration? = null): Timeline {
             val agents = recording.agents.keys.sorted()
             val zeroNs = agents.mapNotNull { recording.cycles(it, last).firstOrNull()?.ns }.minOrNull() ?: 0

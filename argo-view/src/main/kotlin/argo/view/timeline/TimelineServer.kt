@@ -13,11 +13,11 @@ import java.nio.file.Path
 import java.util.concurrent.Executors
 
 /**
- * Serves the page of [timeline], and the pieces that it draws, to browsers on this computer.
+ * Serves the page of [timeline], and the pieces for its drawing, to browsers on this computer.
  *
  * @param file the recording; its name is the title
  * @param problems the parts of the recording that cannot be read
- * @param port 0 to 65535; 0: any that is free
+ * @param port 0 to 65535; 0: any free port
  * @throws IOException if the port cannot be opened
  */
 internal class TimelineServer(
@@ -47,7 +47,6 @@ internal class TimelineServer(
         exchange.send(response)
     }
 
-    /** Frees the port. */
     override fun close() {
         server.stop(0)
         threads.shutdownNow()

@@ -9,17 +9,17 @@ import java.nio.file.Path
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * Explains why a command was sent, in the sentences of the tool `why`. Answers one question at a time and refuses others meanwhile: they
- * would block threads that respond to pages. Any thread may ask.
+ * Explains why a command was sent, in the sentences of the tool `why`. It answers one question at a time and refuses others: they would
+ * block threads that respond to pages. Any thread may ask.
  *
- * @param reading calls its argument with the file of the agents' recording, or returns null if there is none
+ * @param reading calls its argument with the file of the agents' recording; returns null if there is none
  */
 internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val program = WhyProgram(PATIENCE_S)
     private val isBusy = AtomicBoolean()
 
     /**
-     * Returns the response to a request for `why` with these [parameters]: the `agent` and the number of its `command`. Waits for the
+     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the
      * answer.
      */
     fun respond(parameters: Map<String, String>): HttpResponse {
