@@ -35,12 +35,13 @@ internal class CommandRouter(private val boards: AgentBoards) {
      * Sends [command], a literal or a string. The snapshots of one board wait for the command: of the board whose percept caused it, else
      * of the board that gets it.
      *
-     * @param module the namespace of the module in which the command is; null: it is in none
-     * @param cause returns the percept that made the agent send it, or null; called once it is under way, before [outcome]
-     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called once the command is under way, with
+     * @param module the namespace of the command's module; null: it is in no module
+     * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before
+     *     [outcome]
+     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way, with
      *     [Transmission.giveUp]
-     * @return null: it was sent; else the reason why there is no board for it
-     * @throws argo.calls.ArgumentException if its line cannot carry it
+     * @return null: the command was sent; else the reason why it has no board
+     * @throws argo.calls.ArgumentException if the line cannot carry the command
      */
     fun send(
         command: Term,

@@ -26,17 +26,16 @@ import jason.asSyntax.Term
  * - `latest`: the command replaces all commands of its functor that have not begun to go out, whatever their arguments. They are never sent
  *   and fail with `error(act_replaced)`; the new one takes the place of the first. So `argo.act(speed(V), [latest])` sends the newest speed
  *   when the line is free, however often it is called. With `urgent` it waits among the urgent commands
- *
  * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, as its mapping has it
  *
  * If the agent drops the intention while a robot carries the goal of an action out, the goal is cancelled.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` if no port is in use, `error(unknown_board)` if no board has the namespace
  * or the port, `error(ambiguous_action)` if the descriptions of several boards have the action, `error(port_gone)`, `error(port_timeout)`,
- * `error(port_failed)` or `error(not_argo)`; with a board of version 2 also with `error(act_refused)` for an action or arguments that it
- * does not know, and with `error(act_unconfirmed)` if it does not acknowledge the action, though it may have acted; with a robot that
- * speaks ROS also with `error(act_failed)` if the robot could not carry the command out; with `answer(R)` also with `error(no_answer)`, and
- * with `error(other_answer)` if the answer does not unify with R.
+ * `error(port_failed)` or `error(not_argo)`. With a board of version 2 it also fails with `error(act_refused)`, if the board does not know
+ * the action or its arguments, and with `error(act_unconfirmed)`, if the board does not acknowledge the action, though it may have acted.
+ * With a robot that speaks ROS it also fails with `error(act_failed)`, if the robot could not carry the command out. With `answer(R)` it
+ * also fails with `error(no_answer)`, and with `error(other_answer)`, if the answer does not unify with R.
  */
 @Suppress("ClassName")
 open class act : BoardInternalAction("argo.act", 1..2) {

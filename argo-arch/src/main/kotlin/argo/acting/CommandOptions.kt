@@ -12,7 +12,7 @@ import jason.asSyntax.Term
  * @property timeoutMs ms from the call after which the outcome is known in any case; null: no limit
  * @property urgent whether the command goes before waiting commands that are not urgent
  * @property latest whether it replaces waiting commands of the same functor
- * @property port the port of its board; null: it is not named
+ * @property port the port of the command's board; null: the options name none
  * @property answer the term with which the board's answer must unify; null: no answer is asked for
  */
 internal data class CommandOptions(

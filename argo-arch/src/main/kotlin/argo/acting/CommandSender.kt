@@ -32,7 +32,7 @@ internal class CommandSender(
 ) {
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
-    /** Queues [text], see [BoardLink.send], and writes it at once if the line is free for it. */
+    /** Queues [text], see [BoardLink.send]; writes it at once if the line is free. */
     fun send(text: String, options: CommandOptions): Transmission =
         transmission("\"$text\"", link.send(text, options.forLink()), options.answer != null)
 

@@ -3,11 +3,9 @@ package argo.acting
 import argo.calls.Failure
 
 /**
- * A command that has been given to a link.
+ * A command that a link has taken. The callbacks are attached after the write, so bookkeeping does not delay the first byte.
  *
- * The completion callback is attached after the write, so bookkeeping does not delay the first byte.
- *
- * @property giveUp ends it early, as far as that can be; null: the board cannot be stopped. Does not wait
+ * @property giveUp ends the command early, as far as possible, without waiting; null: the board cannot be stopped
  */
 internal class Transmission(
     val giveUp: (() -> Unit)? = null,
@@ -18,9 +16,9 @@ internal class Transmission(
      * with `act_timeout` if it has not begun to go out: it never will. If it has begun, it fails with `act_unconfirmed`. A replaced command
      * fails with `act_replaced`.
      *
-     * @param left is called once, by any thread, when the command is no longer under way to the board; before [outcome]
-     * @param outcome is called once, by any thread, with null when the command's last byte has left the line or, in version 2, the board
-     *     has acted, else with the reason of the failure; and with the text of the board's answer if one was asked for
+     * @param left called once, by any thread, when the command is no longer under way to the board; before [outcome]
+     * @param outcome called once, by any thread: with null when the last byte has left the line or, in version 2, the board has acted; else
+     *     with the reason of the failure. It also gets the text of the board's answer, if the options asked for one
      */
     fun follow(left: () -> Unit, outcome: (failure: Failure?, answer: String?) -> Unit) = following(left, outcome)
 }

@@ -87,7 +87,7 @@ interface BoardLink : AutoCloseable {
     /** Returns true if the outcome of the command [text] brings an [Answer]. */
     fun answers(text: String): Boolean = false
 
-    /** Sends [text] as a command, and does not wait. */
+    /** Sends [text] as a command without waiting. */
     fun send(text: String, options: SendOptions): SentCommand
 
     /** Sends a command that changes the board's critical rules, without waiting. Only for boards that have reported room for rules. */
@@ -141,10 +141,9 @@ class BoardMessage(
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
  * @property outcome the outcome of the command: an [Answer], if the far end [answers][BoardLink.answers] such commands
- * @property left the end of its way to the board. The agent gets no new snapshot until then, so it is another future if the outcome takes
- * long, as that of a robot's journey. It completes no later than [outcome]
- * @property giveUp ends the command early if it is not over: it is withdrawn, or the far end is told to stop; null: neither can be. Does
- * not wait
+ * @property left the end of the command's way to the board; completes no later than [outcome]. The agent gets no new snapshot before it. So
+ * it is a second future if the outcome takes long, as for a robot's journey
+ * @property giveUp ends the command early, without waiting: withdraws it, or tells the far end to stop; null: neither is possible
  */
 class SentCommand(
     val outcome: CompletableFuture<*>,

@@ -36,17 +36,18 @@ internal interface HandOver {
 }
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [backlog] of the last one handed over is done.
+ * Keeps only the newest snapshot, and hands it over when the [backlog] of the last hand-over is done.
  *
- * A snapshot with a critical percept that the last one did not have is handed over at once. Until then a newer snapshot replaces it only if
- * that meets the same critical rules, so there are never more such snapshots than rules. A board that is critical all the time must not
- * make events pile up: when [MANY_EVENTS] wait, each critical rule lets one more snapshot pass at once, until the backlog is done.
+ * A snapshot is handed over at once if it has a critical percept that the last one did not have. Until then a newer snapshot replaces it
+ * only if the newer one meets the same critical rules. So there are never more such snapshots than rules. A board that is always critical
+ * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the backlog
+ * is done.
  *
- * Snapshots that are [events][Snapshot.isEvent] are all handed over, one each time, before the newest. Of more than [MAX_EVENTS] the oldest
- * are lost.
+ * Snapshots that are [events][Snapshot.isEvent] are handed over one by one, before the newest. Of more than [MAX_EVENTS] the oldest are
+ * lost.
  *
- * @param tellLost is called with the number of events that have been lost, each time when one is
- * @param tellLate is called, without the lock, when snapshots have waited for longer than [LATE_MS], with the work that they wait for
+ * @param tellLost called at each loss, with the number of lost events
+ * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
 internal class FreshHandOver(
     private val backlog: Backlog,
@@ -54,12 +55,12 @@ internal class FreshHandOver(
     private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
 ) : HandOver {
     private val lock = ReentrantLock()
-    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in their order
+    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
     private val events = ConcurrentLinkedQueue<Snapshot>() // changed under the lock only, as their number
     private var eventCount = 0
     private var lost = 0L
-    private var known: Set<Literal> = emptySet() // the critical percepts of the snapshot that was taken last
-    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since one was taken in its turn
+    private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
+    private val earlyRules = HashSet<CriticalRule>() // rules that have let a snapshot pass early since the last one in turn
 
     private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
 

@@ -15,8 +15,8 @@ import jason.asSyntax.Literal
  * @property receivedNanos the time of the message's last byte, by the platform's clock
  * @property critical the percepts that meet critical rules of the filter, once for each rule
  * @property unreadable the percepts in [kept] that cannot be believed
- * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock, or null if only an older message had
- * it. Without this function all were seen at [receivedNanos]
+ * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message had it.
+ * Without this function, all were seen at [receivedNanos]
  * @property isEvent see [argo.links.BoardMessage.isEvent]
  */
 internal class Snapshot(

@@ -157,9 +157,10 @@ class Board internal constructor(private val time: VirtualTime) {
     fun playsItsMapping(): Board = apply { isMapped = true }
 
     /**
-     * It publishes [message], in JSON, on [topic], if its port is open and the agent wants that topic. If [topic] is a service or an
-     * action of the mapping, [message] is its response to all further commands. For a board that [plays its mapping][playsItsMapping].
-     * @throws IllegalArgumentException if [message] is no object of JSON
+     * The board publishes [message], in JSON, on [topic], if its port is open and the agent subscribes to that topic. If [topic] is a
+     * service or an action of the mapping, [message] is its response to all further commands. Only for a board that
+     * [plays its mapping][playsItsMapping].
+     * @throws IllegalArgumentException if [message] is no JSON object
      * @throws IllegalStateException if the board is not mapped
      */
     fun publishes(topic: String, message: String): Board = apply {
