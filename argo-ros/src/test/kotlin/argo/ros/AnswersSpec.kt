@@ -1,5 +1,7 @@
 package argo.ros
 
+import argo.recording.replay.Recording
+import argo.recording.replay.Replay
 import argo.ros.bridge.part
 import argo.ros.bridge.text
 import argo.ros.mapping.mappingOf
@@ -7,7 +9,9 @@ import argo.testkit.agentOf
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
+import io.kotest.matchers.longs.shouldBeGreaterThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.LineClock
@@ -51,6 +55,26 @@ class AnswersSpec : FunSpec({
                     it.printed.joinToString() shouldContain reason
                     it.board.published.none { sent -> "/go" in sent } shouldBe true
                 }
+            }
+        }
+    }
+
+    test("a recording has answers, and a replay gives them again") {
+        val file = tempdir().toPath().resolve("drive.mcap")
+        val program = """!start. +!start <- argo.port("$PORT"); .wait(100); argo.act(add(1,2), [answer(S)]); +sum(S); .print(S)."""
+        agentOf(program) {
+            board(PORT).playsItsMapping()
+            options("argo_record" to "$file")
+        }.use {
+            it.shouldBelieve("port(\"$PORT\",on)")
+            it.board.publishes("/add", """{"sum": 3}""")
+            it.shouldBelieve("sum(3)")
+        }
+        Recording(file).use { recording ->
+            Replay(recording, false).use { replay ->
+                replay.run()
+                replay.differences.shouldBeEmpty()
+                replay.cyclesRun shouldBeGreaterThan 0L
             }
         }
     }

@@ -17,11 +17,11 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.fields
 import argo.ros.mapping.isRos2Action
+import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
-import kotlinx.serialization.json.JsonObject
 
 /**
  * The types of the robot's topics, services and actions, as `rosapi` describes them. Checks a mapping against them. Safe for use by several

@@ -97,7 +97,7 @@ internal class TopicMessages(
 
     /** Returns the time of the next news without a message; null: never. */
     fun dueNanos(): Long? {
-        val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.first().receivedNanos else null
+        val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.firstOrNull()?.receivedNanos else null
         return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }
     }
 
@@ -142,12 +142,10 @@ internal class TopicMessages(
 
     private fun nanosOf(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
 
-    private fun textOf(rule: PerceptRule, message: JsonObject): String? {
-        return when (val percept = rule.perceptIn(scopeOf(rule, message))) {
-            is Value.Symbol -> percept.text
-            is Value.None -> null.also { leftOut(rule, percept.why) }
-            else -> null
-        }
+    private fun textOf(rule: PerceptRule, message: JsonObject): String? = when (val percept = rule.perceptIn(scopeOf(rule, message))) {
+        is Value.Symbol -> percept.text
+        is Value.None -> null.also { leftOut(rule, percept.why) }
+        else -> null
     }
 
     private fun scopeOf(rule: PerceptRule, message: JsonObject): Scope {
