@@ -41,9 +41,8 @@ internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: 
 
     private fun Pose.after(seconds: Double): Pose {
         val now = heading + turn * seconds
-        return copy(
-            x = (x + cos(now) * speed * seconds).coerceIn(0.0, WINDOW), y = (y + sin(now) * speed * seconds).coerceIn(0.0, WINDOW), heading = now,
-        )
+        val way = speed * seconds
+        return copy(x = (x + cos(now) * way).coerceIn(0.0, WINDOW), y = (y + sin(now) * way).coerceIn(0.0, WINDOW), heading = now)
     }
 
     companion object {

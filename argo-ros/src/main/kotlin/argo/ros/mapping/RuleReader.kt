@@ -113,7 +113,9 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val isWritten = cursor.take("(")
     val fields = if (isWritten) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
     val used = fields.flatMap { it.value.fields() }.map { written(it.path) }
-    parameters.find { it !in used }?.let { throw Refusal(start, "the argument $it of ${literal.functor} is used nowhere; write FIELD = $it") }
+    parameters.find { it !in used }?.let {
+        throw Refusal(start, "the argument $it of ${literal.functor} is used nowhere; write FIELD = $it")
+    }
     val withinMs = if (cursor.take("within")) duration(cursor) else kind.defaultMs.toInt()
     val inResponse = ExpressionReader(cursor)
     val feedbackPlace = cursor.place
