@@ -4,11 +4,8 @@ import javino.NoSuchPortException
 import java.net.URI
 
 /**
- * The address of a bridge and the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`, and with encryption
- * `wss://robot.example/rosbridge#left`.
- *
- * @property socket the address of its WebSocket
- * @property mapping the name of the mapping, `robot` unless a name follows `#`
+ * The address of a bridge with the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`; with encryption
+ * `wss://robot.example/rosbridge#left`. [mapping] is the name of the mapping; `robot` unless a name follows `#`.
  */
 internal data class RosAddress(val socket: URI, val mapping: String) {
     companion object {

@@ -277,7 +277,6 @@ internal class RosLink private constructor(
         /**
          * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.
          *
-         * @param credentials what the bridge may want to know
          * @throws PortException if there is no bridge, or a field does not exist
          */
         fun open(

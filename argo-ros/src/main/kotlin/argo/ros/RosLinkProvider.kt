@@ -12,7 +12,7 @@ import argo.ros.mapping.findMapping
 import javino.LineClock
 import javino.PortFaultException
 
-/** Opens `ros://host:9090`: a robot that speaks ROS, behind a bridge of the rosbridge protocol, version 2. */
+/** Opens `ros://host:9090`: a ROS robot behind a bridge of the rosbridge protocol, version 2. */
 open class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 

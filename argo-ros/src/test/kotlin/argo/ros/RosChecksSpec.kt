@@ -39,6 +39,8 @@ private val TYPES = mapOf(
     "geometry_msgs/Pose" to "position geometry_msgs/Vector3",
     "my_msgs/Arm" to "joints float64[3], names string[], raw uint8[], at time, on bool, poses geometry_msgs/Pose[]",
     "my_msgs/Mode" to "mode uint8",
+    "sensor_msgs/Range" to "header std_msgs/Header, min_range float32, max_range float32, range float32",
+    "std_msgs/Header" to "frame_id string", "std_msgs/Float64" to "data float64",
     "my_msgs/DockGoal" to "station string", "std_srvs/SetBool" to "data bool", "time" to "secs int32, nsecs int32",
 )
 
@@ -57,6 +59,18 @@ private fun details(type: String): String {
         before.flatMap { TYPES.getValue(it).split(Regex("[ ,\\[]")) }.filter { it in TYPES }.ifEmpty { null }
     }.flatten().distinct()
     return all.joinToString(",", """{"typedefs": [""", "]}", transform = ::definition)
+}
+
+/** Has `rosapi` describe all types of [TYPES]. */
+internal fun TestBridge.describeTypes() {
+    val service: Service = { arguments ->
+        val type = arguments.text("type").orEmpty()
+        if (type in TYPES) true to Json.parseToJsonElement(details(type))
+        else false to JsonPrimitive("service [/rosapi/message_details] responded with an error: b'error processing request: " +
+            "Unable to load the manifest for package gripper_msgs. Caused by: gripper_msgs'")
+    }
+    serve("/rosapi/message_details", service)
+    serve("/rosapi/service_request_details", service)
 }
 
 private val COMMANDS = """
@@ -91,16 +105,7 @@ class RosChecksSpec : FunSpec({
         log.close()
     }
 
-    fun describe() {
-        val service: Service = { arguments ->
-            val type = arguments.text("type").orEmpty()
-            if (type in TYPES) true to Json.parseToJsonElement(details(type))
-            else false to JsonPrimitive("service [/rosapi/message_details] responded with an error: b'error processing request: " +
-                "Unable to load the manifest for package gripper_msgs. Caused by: gripper_msgs'")
-        }
-        bridge.serve("/rosapi/message_details", service)
-        bridge.serve("/rosapi/service_request_details", service)
-    }
+    fun describe() = bridge.describeTypes()
 
     fun open(mapping: String): RosLink {
         val clock = LineClock { System.nanoTime() + ahead.get() }

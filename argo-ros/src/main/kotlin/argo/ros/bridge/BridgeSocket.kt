@@ -177,9 +177,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /**
          * Connects to the bridge at [address].
          *
-         * @param port the port's name, for messages
-         * @param credentials what the bridge may want to know
-         * @throws NoSuchPortException if there is no such host, or nothing answers there
+         * @throws NoSuchPortException if the host does not exist, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
          * @throws PortFaultException if a server answers that is no bridge
          */

@@ -121,7 +121,7 @@ internal class Commands(
     private fun refused(reason: String) =
         SentCommand(CompletableFuture.failedFuture<Answer>(ActionRefusedException(port, "$reason (port $port)")))
 
-    /** Completes without an error as soon as one of the two has ended in any way. */
+    /** Completes without an error as soon as [left] or [outcome] has ended in any way. */
     private fun eitherOf(left: CompletableFuture<*>, outcome: CompletableFuture<*>): CompletableFuture<Unit> {
         val either = CompletableFuture<Unit>()
         left.whenComplete { _, _ -> either.complete(Unit) }

@@ -7,10 +7,9 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A bridge in this program for tests: it answers at once, on the thread that asks it. Services and goals succeed, with the response that
- * the test has set, and there is no `rosapi`.
- *
- * @param heard takes each message that goes to a topic, and the request or goal of each service and action, with its name
+ * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed, with the
+ * response that the test has set. There is no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and
+ * action, with its name.
  */
 internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
     private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action

@@ -44,7 +44,7 @@ internal class RobotGraph(
 
     private fun bareType(type: String) = type.replace("/srv/", "/")
 
-    /** Returns the topic on which [rule] publishes, and its type; null: on none. */
+    /** Returns the topic on which [rule] publishes, and its type; null: [rule] does not publish. */
     private fun topicOf(rule: CommandRule): Pair<String, String>? = when {
         rule.kind == Kind.TOPIC -> rule.target to rule.type
         rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> "${rule.target}/goal" to "${rule.type}Goal"

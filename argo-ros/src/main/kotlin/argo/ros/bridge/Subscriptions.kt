@@ -13,11 +13,9 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic.
- *
- * @property throttleMs the least time between two messages that the bridge sends, in ms
- * @property queueLength the number of messages that the bridge keeps in between. With 1 no message comes older than the time between two,
- * and those in between cost no time here; with 0, and no least time, the bridge sends each message at once
+ * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
+ * [queueLength] messages for that time. With 1, no message comes older, and skipped messages cost no time here. With 0 and no least time,
+ * the bridge sends each message at once.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 

@@ -13,18 +13,17 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, those of which each counts, and their percepts. Not safe for use by several threads at once.
+ * The newest message of each topic, and the percepts of all. Not safe for use by several threads at once.
  *
- * @param rules turn messages into percepts
- * @param typeOf returns the type of a rule's messages; null: it is not known
- * @property intervalNanos the time between two messages of a robot whose topics are not throttled
- * @param warn takes the reason if a message has no percept of a rule although its conditions may hold, each reason once
+ * @param typeOf returns the type of a rule's messages; null: the type is not known
+ * @param warn takes, once each, the reasons why a message gives no percept of a rule whose conditions may hold
  */
 internal class TopicMessages(
     private val rules: List<PerceptRule>,
     private val typeOf: (PerceptRule) -> MessageType?,
     private val warn: (String) -> Unit,
 ) {
+    /** The least time between two messages from topics that the bridge does not throttle, in ns. */
     var intervalNanos = 0L
 
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
@@ -91,11 +90,11 @@ internal class TopicMessages(
         expiryNanos = null
     }
 
-    /** Returns true if [take] has something new at [nowNanos]. */
+    /** Returns true if [take] would return new percepts at [nowNanos]. */
     fun hasNews(nowNanos: Long): Boolean =
         isNew || events.isNotEmpty() || lastEvent != null || dueNanos()?.let { it - nowNanos <= 0 } == true
 
-    /** Returns the time of the next news without a message; null: never. */
+    /** Returns when the percepts change without a new message, by the platform's clock; null: never. */
     fun dueNanos(): Long? {
         val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.firstOrNull()?.receivedNanos else null
         return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }
@@ -117,7 +116,7 @@ internal class TopicMessages(
         return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, isEvent)
     }
 
-    /** Takes the next event; null: there is none, or it is as the last one, so that a message without it must come between them. */
+    /** Takes the next event; null: there is none, or it equals the last one, so that a message without it must come between them. */
     private fun nextEvent(): Made? {
         val next = events.firstOrNull()?.takeIf { it.text != lastEvent }
         lastEvent = next?.text

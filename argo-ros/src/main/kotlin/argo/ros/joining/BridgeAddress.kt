@@ -9,12 +9,7 @@ import javino.NoSuchPortException
 /** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/**
- * The bridge to a graph.
- *
- * @property ros the bridge's address
- * @property credentials what it may want to know
- */
+/** The bridge to a graph. */
 internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) {
     companion object {
         private val NUMBER = Regex("[0-9]+")

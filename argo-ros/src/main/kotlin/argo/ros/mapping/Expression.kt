@@ -4,10 +4,10 @@ import kotlinx.serialization.json.JsonObject
 
 /** An expression over the fields of a message or the arguments of a command. A [Scope] contains their values. */
 internal sealed interface Expression {
-    /** The expressions that it consists of. */
+    /** The expressions within this one. */
     val parts: List<Expression> get() = emptyList()
 
-    /** Returns the value; [Value.None] if a field has none, or one with which the expression cannot calculate. */
+    /** Returns the value; [Value.None] if a field has none, or if it does not suit the calculation. */
     fun valueIn(scope: Scope): Value
 
     data class Constant(val value: Value) : Expression {

@@ -3,17 +3,12 @@ package argo.ros.mapping
 import argo.filters.GroundTerm
 import java.math.BigDecimal
 
-/**
- * Reads expressions.
- *
- * @param cursor the rule that they are in
- * @param nameOf returns the meaning of a bare name at a place, as an argument of a literal
- */
+/** Reads expressions. [nameOf] returns the meaning of a bare name that is an argument of a literal. */
 internal class ExpressionReader(
     private val cursor: Cursor,
     private val nameOf: (String, Place) -> Expression = { name, place -> Expression.Field(place, listOf(Step.Name(name))) },
 ) {
-    /** Reads an expression. A bare name is a field or a parameter; as an argument of a literal, [nameOf] decides. */
+    /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression = several("or", Value.TRUE, isArgument) { one ->
         several("and", Value.FALSE, one, ::negation)
     }
@@ -80,7 +75,7 @@ internal class ExpressionReader(
         throw Refusal(place, "a condition compares values by ${Condition.OPERATORS.joinToString(" ")}, or is a field that is true or false")
     }
 
-    /** Returns [expression] if one can calculate with it; refuses an atom or a string. */
+    /** Returns [expression] if it suits a calculation; refuses an atom or a string. */
     private fun calculable(expression: Expression): Expression = when {
         expression is Condition -> throw cursor.refusal("only numbers and fields can be calculated with, and no conditions")
         expression !is Expression.Constant || expression.value is Value.Number -> usable(expression, cursor.place)

@@ -2,12 +2,7 @@ package argo.ros.mapping
 
 import kotlinx.serialization.json.JsonArray
 
-/**
- * The functions that a mapping may use.
- *
- * @property taken the function's arguments, in words
- * @property of returns the function's value; null: the function does not take the arguments
- */
+/** The functions of mappings. [of] returns the function's value; null: the function does not accept the arguments. */
 internal enum class Function(val taken: String, val of: (List<Value>) -> Value?) {
     ROUND(A_NUMBER, ofNumber(Math::rint)),
     FLOOR(A_NUMBER, ofNumber(Math::floor)),
