@@ -8,7 +8,6 @@ import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
-import argo.ros.bridge.Credentials
 import argo.ros.bridge.FrameTree
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.OnceEach
@@ -27,6 +26,7 @@ import argo.ros.bridge.part
 import argo.ros.bridge.rosNanos
 import argo.ros.bridge.subscriptions
 import argo.ros.bridge.text
+import argo.ros.mapping.Credentials
 import argo.ros.mapping.Frames
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException

@@ -1,8 +1,8 @@
 package argo.ros
 
-import argo.ros.bridge.Credentials
 import argo.ros.bridge.login
 import argo.ros.bridge.operationIn
+import argo.ros.mapping.Credentials
 import argo.ros.mapping.MappingException
 import argo.ros.mapping.findCredentials
 import argo.ros.mapping.mappingOf

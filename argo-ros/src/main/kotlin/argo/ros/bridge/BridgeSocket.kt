@@ -1,5 +1,6 @@
 package argo.ros.bridge
 
+import argo.ros.mapping.Credentials
 import javino.NoSuchPortException
 import javino.PortException
 import javino.PortFaultException

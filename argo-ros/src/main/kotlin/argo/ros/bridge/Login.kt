@@ -4,14 +4,6 @@ import java.security.MessageDigest
 import java.util.UUID
 
 /**
- * What a bridge or a server in front of it may want to know of its clients.
- *
- * @property token shown as `Authorization: Bearer …`; null: none
- * @property secret known to the bridge too, which `rosbridge_server` of ROS 1 has with `authenticate`; null: none
- */
-internal class Credentials(val token: String? = null, val secret: String? = null)
-
-/**
  * Returns the operation by which a client logs in, for [LASTING_S] from [nowSeconds] on, the seconds since 1970. As the package `rosauth`
  * has it, the bridge knows the client by a SHA-512 over [secret] and the operation's other fields, and its clock may differ by 5 s.
  */

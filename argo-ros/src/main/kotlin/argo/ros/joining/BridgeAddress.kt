@@ -1,7 +1,7 @@
 package argo.ros.joining
 
 import argo.ros.RosAddress
-import argo.ros.bridge.Credentials
+import argo.ros.mapping.Credentials
 import argo.ros.mapping.MappingException
 import argo.ros.mapping.findCredentials
 import javino.NoSuchPortException

@@ -1,7 +1,6 @@
 package argo.ros.mapping
 
 import argo.filters.Problem
-import argo.ros.bridge.Credentials
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Files
