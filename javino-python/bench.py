@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Measures a board in Python on a pseudo-terminal: requests a second for twelve percepts, each sent after the answer to the request before;
-for MicroPython also the memory.
+"""Measures a board in Python on a pseudo-terminal: requests a second for twelve percepts, each sent after the previous answer. With
+MicroPython it also measures memory.
 
-    bench.py [PYTHON...]    measures with these interpreters; without any, with python3
+    bench.py [PYTHON...] measures with these interpreters; python3 by default
 """
 import os
 import pathlib

@@ -1,5 +1,5 @@
-"""Makes the wheel and the source archive, for pip and other build front ends (PEP 517). Needs no package and no network, and the same
-sources always make the same files."""
+"""Makes the wheel and the source archive for pip and other build front ends (PEP 517). It needs no package and no network. The same sources
+always make the same files."""
 import base64
 import gzip
 import hashlib
@@ -36,7 +36,7 @@ def get_requires_for_build_wheel(config_settings=None):
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """Writes the wheel into the directory; returns its name."""
+    """Writes the wheel into the directory. Returns the wheel's file name."""
     info = f"{NAME}-{_version()}.dist-info"
     files = {f"{NAME}/{path.name}": path.read_bytes() for path in _sources()}
     files[f"{info}/METADATA"] = _metadata().encode()
@@ -55,7 +55,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    """Writes the source archive into the directory; returns its name."""
+    """Writes the source archive into the directory. Returns the archive's file name."""
     top = f"{NAME}-{_version()}"
     files = {path.relative_to(HERE).as_posix(): path.read_bytes()
              for path in _sources() + [HERE / each for each in _BESIDES]}

@@ -23,10 +23,13 @@ enum {
     UBRR0H = 0xC5
 };
 
-/* The cycles between two looks at the pins: a quarter of a millisecond. */
+/* How many cycles pass between two checks of the pins: a quarter of a millisecond. */
 #define LOOK_CYCLES (BOARD_HZ / 4000)
 
-/* The pins that timers drive: the place of the bit that connects the pin, and the register with the duty. */
+/*
+ * The pins that timers drive. Each row holds the pin, the register and the bit that connect it to its timer, and the register with the
+ * duty.
+ */
 static const struct {
     int pin;
     uint16_t control;
@@ -108,7 +111,7 @@ static void report(board *b, int pin)
     b->watcher(b->context, pin, state, board_ms(b));
 }
 
-/* Looks a few cycles later, since the register has not been written yet when simavr reports the write. */
+/* Runs a few cycles after a write, since simavr reports a write before the register changes. */
 static avr_cycle_count_t look(avr_t *avr, avr_cycle_count_t when, void *context)
 {
     int pin;
@@ -148,7 +151,7 @@ static bool has_bit(const board *board, uint16_t address, int pin)
     return board->avr->data[address] >> (pin - PORTS[port_of(pin)].first) & 1;
 }
 
-/* The register of a port's inputs lies directly below the register of its directions. */
+/* Reads the register of a port's inputs. That register lies directly below the register of the port's directions. */
 bool board_level(const board *board, int pin)
 {
     return has_bit(board, (uint16_t)(PORTS[port_of(pin)].ddr - 1), pin);
@@ -159,7 +162,10 @@ bool board_pulls_up(const board *board, int pin)
     return has_bit(board, PORTS[port_of(pin)].port, pin);
 }
 
-/* Sets the outside pull of each input of a port. Without one, simavr gives an input its pull-up's level with each write to the port. */
+/*
+ * Tells simavr which level the outside puts on each pin of a port. Otherwise simavr resets an input to the level of its pull-up with each
+ * write to the port.
+ */
 static void pull_from_outside(board *board, int port)
 {
     avr_ioport_external_t outside = {0};
@@ -180,7 +186,7 @@ void board_set_level(board *board, int pin, bool high)
     avr_raise_irq(board_irq(board, pin), high);
 }
 
-/* A reset clears the registers of inputs, and simavr hands on only levels that change. */
+/* A reset clears the registers of inputs, and simavr reports only levels that change. So this function sets the bits of high inputs. */
 static void restore_levels(board *board)
 {
     int pin;
@@ -213,7 +219,7 @@ static void drive_inputs(board *b)
         drive_input(b, input);
 }
 
-/* At the beginning of a conversion, sets the converter's input to the level of the input that is selected then. */
+/* Runs when a conversion begins. Puts the voltage of the selected channel on each analogue input. */
 static void conversion(avr_irq_t *irq, uint32_t value, void *context)
 {
     board *b = (board *)context;
@@ -249,7 +255,7 @@ static avr_uart_t *uart(const board *b)
     return (avr_uart_t *)io;
 }
 
-/* A byte takes the time of ten bits. simavr assumes eleven, so this corrects simavr's value with every byte. */
+/* A byte takes the time of ten bits, but simavr assumes eleven. So this function corrects simavr's value with every byte. */
 static avr_cycle_count_t byte_cycles(const board *b)
 {
     const uint8_t *data = b->avr->data;
@@ -280,8 +286,8 @@ static avr_cycle_count_t feed(avr_t *avr, avr_cycle_count_t when, void *context)
     return b->in_begin != b->in_end && b->in_at[b->in_begin] ? b->in_at[b->in_begin] : when + byte;
 }
 
-/* Bytes wait here since simavr's receiver hands them on more slowly than the line brings them, and drops those that do not
- * fit its queue. */
+/* Bytes for the board wait here while simavr's receiver is full. simavr hands bytes on more slowly than the line brings them, and drops
+ * bytes that do not fit its queue. */
 static void receiver_changed(avr_irq_t *irq, uint32_t value, void *context)
 {
     (void)value;
@@ -309,7 +315,7 @@ void board_receive(board *board, uint8_t byte)
     put(board, byte, 0, byte_cycles(board));
 }
 
-/* simavr hands a byte over one byte time after it got the byte. */
+/* simavr hands over a byte one byte time after it has received the byte. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle)
 {
     uint64_t now = board->avr->cycle;
@@ -357,7 +363,6 @@ static void no_log(avr_t *avr, const int level, const char *format, va_list argu
         vfprintf(stderr, format, arguments);
 }
 
-/* Simulated time is paced by the main program. */
 static void no_sleep(avr_t *avr, avr_cycle_count_t cycles)
 {
     (void)avr;
@@ -439,7 +444,7 @@ static bool run(board *b, uint64_t cycle)
     return true;
 }
 
-/* A write to a timer's compare register causes no call, so the pins are looked at in between. */
+/* The loop checks the pins every LOOK_CYCLES, since simavr does not report a write to a timer's compare register. */
 bool board_run(board *board, uint64_t cycle)
 {
     int pin;

@@ -1,4 +1,4 @@
-/** @file An Arduino Uno: an ATmega328P at 16 MHz, with its pins as the Arduino names them. */
+/** @file An Arduino Uno: an ATmega328P at 16 MHz. Its pins have Arduino's names. */
 #ifndef BOARD_H
 #define BOARD_H
 
@@ -13,38 +13,37 @@
 #define BOARD_SELECTS 4
 #define BOARD_CHANNELS (1 << BOARD_SELECTS)
 
-/** The state of a pin. */
 typedef struct {
     enum { PIN_INPUT, PIN_LOW, PIN_HIGH, PIN_PWM } kind;
-    uint8_t duty; /**< Of 255, for PIN_PWM. */
+    uint8_t duty; /**< 0 to 255, for PIN_PWM. */
 } pin_state;
 
 typedef struct board board;
 
-/** Called when a watched pin changes. */
+/** Called when a watched pin changes. The time is simulated time since power-on, in milliseconds. */
 typedef void (*pin_watcher)(void *context, int pin, pin_state state, double ms);
 
-/** Called with each byte that the board sends, at the moment at which the byte's last bit would have left. */
+/** Called with each byte that the board sends, when the byte's last bit has left. */
 typedef void (*byte_sink)(void *context, uint8_t byte);
 
-/** Called when the board begins to send a byte, with the cycle at which the byte's last bit will have left. */
+/** Called when the board begins to send a byte. `cycle` is when the byte's last bit will have left. */
 typedef void (*byte_forecast)(void *context, uint8_t byte, uint64_t cycle);
 
-/** The board. The members are private except avr. */
+/** The board. All members but avr are private. */
 struct board {
     avr_t *avr;
     void *context;
     pin_watcher watcher;
     byte_sink sink;
-    byte_forecast forecast; /* called in place of sink; may be null */
+    byte_forecast forecast; /* if not null, called in place of sink */
     bool watched[BOARD_PINS];
     pin_state last[BOARD_PINS];
     uint16_t millivolts[BOARD_ANALOGUE][BOARD_CHANNELS];
-    bool converted[BOARD_ANALOGUE]; /* read since power-on */
-    uint8_t levels[BOARD_PINS];     /* level put on a pin from outside: 1 low, 2 high; 0: none */
+    bool converted[BOARD_ANALOGUE]; /* the sketch has read this input since power-on */
+    uint8_t levels[BOARD_PINS];     /* the level that the outside puts on a pin: 1 low, 2 high; 0: none */
     int select_pins[BOARD_ANALOGUE][BOARD_SELECTS]; /* -1: none */
     uint8_t in[4096];
-    uint64_t in_at[4096]; /* the cycle at which each byte begins; 0: behind the byte before */
+    uint64_t in_at[4096]; /* the cycle at which each byte begins; 0: directly behind the previous byte */
     unsigned in_begin;
     unsigned in_end;
     bool feeding;
@@ -53,64 +52,63 @@ struct board {
     unsigned out_begin;
     unsigned out_end;
     bool sending;
-    uint64_t out_free; /* the cycle at which the last byte of a forecast will have left */
+    uint64_t out_free; /* the cycle at which the last byte told to forecast will have left */
 };
 
 /**
  * Loads a sketch.
  *
  * @param firmware  an .elf or .hex file
- * @param sink takes the board's bytes; null: board_foretell gives a receiver
+ * @param sink takes the board's bytes; null if board_foretell sets a receiver
  * @return false, with a message on stderr, if the sketch cannot be loaded
  */
 bool board_load(board *board, const char *firmware, pin_watcher watcher, byte_sink sink, void *context);
 
-/** Runs until this number of cycles has passed since power-on. @return false if the sketch has crashed or ended */
+/** Runs the board up to this cycle, counted from power-on. @return false if the sketch has crashed or ended */
 bool board_run(board *board, uint64_t cycle);
 
-/** Presses the reset button. Time goes on; bytes on the line are lost. */
+/** Presses the reset button. Simulated time goes on; bytes on the line are lost. */
 void board_reset(board *board);
 
 /** @return how many bytes board_receive takes at present */
 unsigned board_room(const board *board);
 
-/** @return the rate of the board's serial line; 0 until the sketch has set one */
+/** @return the rate of the board's serial line in baud; 0 until the sketch has set a rate */
 unsigned board_baud(const board *board);
 
-/** Sends a byte to the board; it arrives by the rate that the board has set. */
+/** Sends a byte to the board. The byte arrives at the rate that the board has set. */
 void board_receive(board *board, uint8_t byte);
 
-/** Sends a byte to the board; its first bit comes at this cycle, which has not passed and is not before those of earlier bytes. */
+/** Sends a byte to the board, with its first bit at this cycle: in the future, and not before the cycles of earlier bytes. */
 void board_receive_at(board *board, uint8_t byte, uint64_t cycle);
 
-/** Hands the bytes that the board sends from now on to this instead of the sink. */
+/** From now on hands the board's bytes to this function in place of the sink. */
 void board_foretell(board *board, byte_forecast forecast);
 
-/** @return the number of a pin named 13, A0 or PB5; -1 if there is none of that name */
+/** @return the number of a pin named 13, A0 or PB5; -1 if no pin has that name */
 int board_pin(const char *name);
 
-/** @return the present state of a pin */
 pin_state board_state(const board *board, int pin);
 
-/** Watches a pin. */
+/** Watches a pin: reports its state now and with each change. */
 void board_watch(board *board, int pin);
 
-/** @return the line of simavr that carries the level of a pin, driven by the board or from outside */
+/** @return simavr's signal for the level of a pin, which the board or the outside drives */
 avr_irq_t *board_irq(const board *board, int pin);
 
-/** @return true if a pin that is an input is high */
+/** @return true if an input is high */
 bool board_level(const board *board, int pin);
 
-/** @return true if a pin that is an input has its pull-up resistor on */
+/** @return true if an input has its pull-up resistor on */
 bool board_pulls_up(const board *board, int pin);
 
-/** Puts a digital level on a pin. It stays there, whatever the pin's pull-up does, and over a reset. */
+/** Puts a digital level on a pin from outside. The level overrides the pin's pull-up, and stays over a reset. */
 void board_set_level(board *board, int pin, bool high);
 
-/** Puts a voltage on an analogue input, or on a channel of the multiplexer in front of it. */
+/** Puts a voltage on an analogue input, or on a channel of the input's multiplexer. */
 void board_set_millivolts(board *board, int input, int channel, uint16_t millivolts);
 
-/** Puts a multiplexer in front of an analogue input; the pins select its channel, the lowest bit first. */
+/** Puts a multiplexer in front of an analogue input. The select pins choose its channel; the first pin is the lowest bit. */
 void board_multiplex(board *board, int input, const int *select_pins, int count);
 
 /** @return milliseconds of simulated time since power-on */

@@ -22,7 +22,7 @@ static bool say_error(const char *what, const char *found)
     return true;
 }
 
-/* An analogue input such as A0, or a channel of a multiplexer such as A4.2. */
+/* Reads an analogue input such as A0, or a channel of a multiplexer such as A4.2. */
 static bool analogue(const char *name, int *input, int *channel)
 {
     char extra;

@@ -1,4 +1,4 @@
-/** @file The commands by which a test sets inputs and reads outputs. */
+/** @file Commands by which a test sets inputs and reads outputs. */
 #ifndef CONSOLE_H
 #define CONSOLE_H
 
@@ -6,15 +6,15 @@
 #include "sonar.h"
 
 /**
- * Carries out one command and prints its answer: one line that begins with ok, pin or error.
+ * Carries out one command and prints its answer. The answer is one line that begins with ok, pin or error.
  *
- * @param sonar    connected to the board
- * @param command  a line without its end; changed
- * @return false if it was quit
+ * @param sonar    the sensors of the board
+ * @param command  a line without its end; this function changes it
+ * @return false if the command was quit
  */
 bool console_do(board *board, sonar *sonar, char *command);
 
-/** A pin_watcher. Prints the state of a pin: `pin 13 high 1234.567`, the time being milliseconds since power-on. */
+/** A pin_watcher. Prints the state of a pin as `pin 13 high 1234.567`. The last number is milliseconds since power-on. */
 void console_pin(void *context, int pin, pin_state state, double ms);
 
 #endif

@@ -8,9 +8,9 @@
 
 /** The board's end of the line. */
 typedef struct {
-    int master;      /**< A descriptor for poll(), readable when the far end has written. */
-    int opens;       /**< A descriptor for poll(), readable when somebody has opened or closed the far end. */
-    int slave;       /* held open, so that the terminal's settings stay raw */
+    int master;      /**< A descriptor for poll(). It is readable when the far end has written. */
+    int opens;       /**< A descriptor for poll(). It is readable when a program has opened or closed the far end. */
+    int slave;       /* held open to keep the terminal's settings raw */
     int users;       /* how many programs have the far end open */
     char path[64];   /**< The far end's device. */
     const char *link; /* a symbolic link to the device, or null */
@@ -19,25 +19,26 @@ typedef struct {
 /**
  * Opens a line.
  *
- * @param link  the place for a symbolic link to the far end, which replaces a link that is there; may be null
- * @return false, with a message on stderr, if no pseudo-terminal can be had
+ * @param link  the path of a symbolic link to the far end, which may replace a stale link; may be null
+ * @return false, with a message on stderr, if the line cannot be opened
  */
 bool line_open(line *line, const char *link);
 
-/** Notes which programs have opened and closed the far end. @return true if one has just opened it */
+/** Notes which programs have opened and closed the far end. @return true if a program has just opened the far end */
 bool line_opened(line *line);
 
 /**
- * Reads the bytes that the far end has written, as the board receives them: other bytes, if a program has set another rate there.
+ * Reads the bytes that the far end has written, as the board receives them. If the far end has another rate, the board receives other
+ * bytes.
  *
- * @param baud  the board's rate; 0: the rate of the far end
+ * @param baud  the board's rate; 0 stands for the rate of the far end
  * @return the number of bytes, at most size
  */
 size_t line_read(line *line, uint8_t *bytes, size_t size, unsigned baud);
 
 /**
- * Puts one byte on the line, at the board's rate. If nobody has the far end open, or nobody reads, it is lost, as on a wire; a program that
- * has set another rate gets another byte.
+ * Puts one byte on the line, at the board's rate. As on a wire, the byte is lost if nobody has the far end open or nobody reads. A program
+ * that has set another rate gets another byte.
  */
 void line_write(line *line, uint8_t byte, unsigned baud);
 

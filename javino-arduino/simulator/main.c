@@ -1,7 +1,6 @@
 /**
- * @file
- * Runs an Arduino sketch on a simulated ATmega328P at the pace of real time, with its serial line as a
- * pseudo-terminal. Usage and commands: README.md.
+ * @file Runs an Arduino sketch on a simulated ATmega328P in real time. A pseudo-terminal stands for the serial line. README.md describes
+ * usage and commands.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -21,9 +20,9 @@
 #include "stepped.h"
 
 #define SLICE_NS 250000ull
-/* If the machine has kept the simulator waiting for longer, the lost time is not made up for. */
+/* The longest delay of the simulator that is made up for. A longer delay is skipped. */
 #define LAG_NS 50000000ull
-/* Time between two looks at the pins for a person. */
+/* How long the panel waits between two checks of the pins. */
 #define PANEL_NS 100000000ull
 
 static const char USAGE[] =
@@ -56,7 +55,7 @@ typedef struct {
     line line;
     line soft_line;
     soft soft;
-    uint64_t offset_ns;   /* the real time of power-on, plus the lost time that was not made up for */
+    uint64_t offset_ns;   /* the real time of power-on, plus all skipped delays */
     uint64_t boots_until_ns;
     char command[256];
     size_t command_length;
@@ -136,7 +135,7 @@ static void soft_byte_sent(void *context, uint8_t byte)
     line_write(&s->soft_line, byte, s->options.soft_baud);
 }
 
-/* Stands for the boot loader: takes its time, and drops the bytes that arrive meanwhile. */
+/* Begins the time of the boot loader, in which bytes that arrive are dropped. */
 static void boot(simulator *s)
 {
     if (s->options.boot_cycles)
@@ -191,7 +190,7 @@ static void take_soft_bytes(simulator *s)
         soft_receive(&s->soft, bytes[i]);
 }
 
-/* Takes a byte of a command. Returns true if the command ends there. A command that is too long is refused, and is then empty. */
+/* Takes a byte of a command. Returns true if the byte ends the command. Refuses a command that is too long and makes it empty. */
 static bool end_command(simulator *s, char byte)
 {
     if (byte != '\n') {
@@ -208,7 +207,7 @@ static bool end_command(simulator *s, char byte)
     return true;
 }
 
-/* Takes the commands that have come. Returns false when no more can come, or one of them was to quit. */
+/* Takes the commands that have come. Returns false if standard input has ended, or a command was quit. */
 static bool take_commands(simulator *s)
 {
     char bytes[256];
@@ -233,14 +232,14 @@ static void show(simulator *s)
     panel_look(&s->panel);
 }
 
-/* Waits for something to do, at most for a slice of time. */
+/* Waits for something to do, at most SLICE_NS. Returns false when the simulator has to end. */
 static bool wait_for_work(simulator *s, bool *has_input)
 {
     struct pollfd sources[] = {{s->line.master, POLLIN, 0}, {s->line.opens, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0},
                                {-1, POLLIN, 0}, {-1, POLLIN, 0}};
     struct timespec slice = {0, (long)SLICE_NS};
     int ready;
-    /* While the board has no room for more bytes, they wait in the terminal. */
+    /* While the board has no room, bytes wait in the terminal. */
     if (board_room(&s->board) < 256)
         sources[0].fd = -1;
     if (!*has_input)

@@ -28,7 +28,7 @@ static void name_of(int pin, char *name, size_t size)
         snprintf(name, size, "%d", pin);
 }
 
-/* The least voltage for which the converter gives this value. */
+/* The lowest voltage for which the converter gives this value. */
 static int millivolts_of(int value)
 {
     return (value * MILLIVOLTS + STEPS - 1) / STEPS;
@@ -44,7 +44,7 @@ static bool is_digital_input(const panel *p, int pin)
     return p->board->levels[pin] || board_pulls_up(p->board, pin);
 }
 
-/* The state of a pin in words; empty if neither the sketch nor a person uses it. */
+/* Writes the state of a pin in words. The text is empty if neither the sketch nor a person uses the pin. */
 static void describe(const panel *p, int pin, char *text, size_t size)
 {
     char name[8];
@@ -73,7 +73,7 @@ static size_t width(void)
     return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : USUAL_WIDTH;
 }
 
-/* Draws one line: as many pins as fit, and the text that is being typed. */
+/* Draws one line: as many pins as fit, followed by the text that is being typed. */
 static void draw(panel *p)
 {
     char line[sizeof p->line] = "";
@@ -102,7 +102,7 @@ static void draw(panel *p)
     fflush(stdout);
 }
 
-/* Prints a line above the one that is redrawn. */
+/* Prints a line above the redrawn line. */
 static void announce(panel *p, const char *text)
 {
     printf(p->is_drawn ? "\r\033[K%s\n" : "%s\n", text);
@@ -132,7 +132,7 @@ void panel_look(panel *p)
 
 /* ---- Input ---- */
 
-/* A6 and A7 come behind the pins, since they are no pins of an ATmega328P in its usual case. */
+/* A6 and A7 have numbers behind the pins, since an ATmega328P in its usual case has no such pins. */
 static int pin_of(const char *name)
 {
     if (strcasecmp(name, "A6") == 0 || strcasecmp(name, "A7") == 0)
@@ -170,7 +170,7 @@ static bool set_number(panel *p, const char *setting, int pin, long number, cons
     return true;
 }
 
-/* Sets an input, as 7=1 says. */
+/* Sets an input by a setting such as 7=1. */
 static void set(panel *p, char *setting)
 {
     char whole[64];
@@ -195,7 +195,7 @@ static void set(panel *p, char *setting)
         p->is_set[pin] = true;
 }
 
-/* False if it was quit. */
+/* Returns false if the person has quit. */
 static bool carry_out(panel *p, char *line)
 {
     char *rest = NULL;
@@ -251,7 +251,7 @@ static bool is_capable(void)
     return kind && strcmp(kind, "dumb") != 0;
 }
 
-/* The terminal hands over each key at once and does not show it; it still turns Ctrl-C into a signal. */
+/* Has the terminal hand over each key at once without showing it. Ctrl-C is still a signal. */
 static bool take_keys(struct termios *before)
 {
     struct termios keys;

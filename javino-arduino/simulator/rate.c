@@ -3,11 +3,11 @@
 #include <asm/termbits.h> /* instead of termios.h, which has only rates with a name */
 #include <sys/ioctl.h>
 
-/* A rate that nobody asks for; programs that set no rate leave it. */
+/* The mark of a terminal whose rate no program has set. Nobody asks for this rate. */
 #define NO_RATE B50
 #define TOLERANCE_PERCENT 3
 
-/* Places of a byte on the line: a start bit, the data, lowest first, then the idle line. */
+/* A byte on the line is a start bit, the data from the lowest bit on, and the idle line. */
 #define DATA_BITS 8
 
 unsigned rate_of(int terminal)
@@ -35,7 +35,10 @@ uint8_t rate_sampled(uint8_t byte, unsigned sent, unsigned received)
     if (!sent || !received || difference * 100 <= received * TOLERANCE_PERCENT)
         return byte;
     for (bit = 0; bit < DATA_BITS; bit++) {
-        /* The receiver samples this bit of the sender in the middle of its own bit, counted from behind the start bit. */
+        /*
+         * The receiver counts its bits from the start bit, and samples in the middle of each of them. This is the place in the sender's
+         * bits.
+         */
         unsigned long long place = (2 * bit + 3) * (unsigned long long)sent / (2ull * received);
         if (place > DATA_BITS || (place > 0 && byte >> (place - 1) & 1))
             sampled |= (uint8_t)(1 << bit);

@@ -1,10 +1,10 @@
-/** @file A serial line on two pins of the board, for sketches with SoftwareSerial: 8 data bits, no parity, one stop bit. */
+/** @file A serial line on two pins of the board, for sketches with SoftwareSerial. It has 8 data bits, no parity, one stop bit. */
 #ifndef SOFT_H
 #define SOFT_H
 
 #include "board.h"
 
-/** The state of the line. The members are private. */
+/** The state of the line. All members are private. */
 typedef struct {
     board *board;
     int receives; /* the board's pins */
@@ -15,9 +15,9 @@ typedef struct {
     uint8_t in[1024]; /* bytes to the board */
     unsigned in_begin;
     unsigned in_end;
-    unsigned bits; /* remaining bits of the byte on its way to the board; the next bit is the lowest */
+    unsigned bits; /* remaining bits of the byte that goes to the board; the lowest comes next */
     int bits_left;
-    int taken; /* number of bits received of the byte on its way from the board */
+    int taken; /* how many bits have come of the byte that the board sends */
     uint8_t byte;
 } soft;
 
@@ -25,9 +25,9 @@ typedef struct {
  * Connects the line.
  *
  * @param receives  the pin on which the board receives
- * @param sends     the pin on which it sends
- * @param baud      the rate, which is the sketch's
- * @param sink      called with each byte that the board has sent whole
+ * @param sends     the pin on which the board sends
+ * @param baud      the rate that the sketch has set
+ * @param sink      called with each complete byte from the board
  */
 void soft_connect(soft *soft, board *board, int receives, int sends, unsigned baud, byte_sink sink, void *context);
 

@@ -5,12 +5,12 @@
 #include "avr_ioport.h"
 
 #define CYCLES_PER_US (BOARD_HZ / 1000000)
-/* A trigger pulse lasts 10 us or more; a much longer pulse is something else. */
+/* A trigger pulse lasts 10 us or more. A pulse that is much longer is no trigger. */
 #define LEAST_TRIGGER (8 * CYCLES_PER_US)
 #define LONGEST_TRIGGER (200 * CYCLES_PER_US)
-/* The sensor sends eight periods of sound first. */
+/* The time from the trigger to the echo: the sensor sends eight periods of sound in it. */
 #define DELAY (450 * CYCLES_PER_US)
-/* Sound takes 58.3 us for a centimetre and back. */
+/* The time that sound takes for a centimetre there and back: 58.3 us. */
 #define CYCLES_PER_CM 933u
 #define NOTHING_IN_SIGHT (38000 * CYCLES_PER_US)
 

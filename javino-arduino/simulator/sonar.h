@@ -1,15 +1,15 @@
-/** @file Distance sensors of the kind HC-SR04 in front of the board. */
+/** @file HC-SR04 distance sensors in front of the board. */
 #ifndef SONAR_H
 #define SONAR_H
 
 #include "board.h"
 
-/** The range of a sonar, in centimetres. */
+/** The longest distance that a sensor measures, in centimetres. */
 #define SONAR_MAX_CM 400
 
 /**
- * The sensors and their distances. A sensor answers each trigger pulse with a pulse on the pin of its echo. All sensors answer a trigger
- * pulse on any pin: a sketch with several reads one after the other.
+ * The sensors and their distances. A sensor answers each trigger pulse with a pulse on its echo pin. All sensors answer a trigger pulse on
+ * any pin, since a sketch with several sensors reads them one by one.
  */
 typedef struct sonar {
     board *board;
@@ -17,18 +17,18 @@ typedef struct sonar {
         struct sonar *sonar;
         int number;
         bool is_echo;
-        int cm;              /* distance that the sensor of this echo measures; 0: nothing in sight */
-        uint64_t high_since; /* the cycle at which a trigger pulse may have begun; 0: none has */
+        int cm;              /* distance that this echo's sensor measures; 0: nothing in sight */
+        uint64_t high_since; /* the cycle at which a possible trigger pulse began; 0: no pulse */
     } pins[BOARD_PINS];
 } sonar;
 
-/** Connects a board. It has no sensors yet. */
+/** Connects a board. The board has no sensors yet. */
 void sonar_connect(sonar *sonar, board *board);
 
 /**
- * Adds a sensor whose echo is this pin, or sets its distance.
+ * Adds a sensor with its echo on this pin, or sets that sensor's distance.
  *
- * @param cm  the distance it measures, at most SONAR_MAX_CM; 0 for nothing in sight, which gives a pulse of 38 ms
+ * @param cm  the measured distance, at most SONAR_MAX_CM; 0 for nothing in sight, which gives a pulse of 38 ms
  */
 void sonar_set(sonar *sonar, int pin, int cm);
 

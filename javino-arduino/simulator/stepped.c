@@ -35,7 +35,7 @@ static bool send(board *board, const char *command)
     return true;
 }
 
-/* Carries out a command to run. Returns false if the sketch has ended. */
+/* Carries out a run command. Returns false if the sketch has ended. */
 static bool run(board *board, const char *command)
 {
     uint64_t cycle;
@@ -66,7 +66,7 @@ bool stepped_run(const char *sketch)
 {
     static board board;
     static sonar sonar;
-    static char command[16384]; /* a send of all bytes that the line holds */
+    static char command[16384]; /* holds a send command with as many bytes as the line holds */
     bool runs = true;
     if (!board_load(&board, sketch, console_pin, NULL, NULL))
         return false;

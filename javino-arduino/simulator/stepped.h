@@ -1,14 +1,14 @@
-/** @file A board whose time advances only when it is asked to. */
+/** @file A board whose time advances only by commands. */
 #ifndef STEPPED_H
 #define STEPPED_H
 
 #include <stdbool.h>
 
 /**
- * Runs a sketch step by step: commands on standard input, answers on standard output, as README.md describes them.
+ * Runs a sketch step by step. Commands come on standard input and answers go to standard output; README.md describes both.
  *
  * @param sketch  an .elf or .hex file
- * @return false with a message on stderr if the sketch cannot be loaded, or has crashed or ended
+ * @return false if the sketch cannot be loaded, which is told on stderr, or has crashed or ended
  */
 bool stepped_run(const char *sketch);
 

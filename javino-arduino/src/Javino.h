@@ -24,8 +24,8 @@
 #include "JavinoBoard.h"
 
 /**
- * A board with this many bytes of memory, for incoming bytes, for an answer and for the actions' table. At least JAVINO_MEMORY_MIN; a
- * message longer than the rest of the memory is not received.
+ * A board with this many bytes of memory: for incoming bytes, for an answer and for the table of actions. At least JAVINO_MEMORY_MIN. A
+ * message that is longer than the rest of the memory is not received.
  */
 template <uint16_t Bytes> class JavinoSized : public JavinoBoard {
 public:
@@ -33,18 +33,14 @@ public:
   JavinoSized() : JavinoBoard(Serial, NULL, memory_, USED) {}
 
   /**
-   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial, or on a stream that the sketch opens since it has no rate,
-   * such as a WiFiClient or a BluetoothSerial.
+   * A board on a port that start() opens, such as Serial1 or a SoftwareSerial. Or a board on a stream that has no rate and that the sketch
+   * opens, such as a WiFiClient or a BluetoothSerial.
    */
   template <typename Port> explicit JavinoSized(Port &port) : JavinoBoard(port, open<Port>, memory_, USED) {}
 
-  /**
-   * Opens the board's port, if it can be opened, and begins the conversation.
-   *
-   * @param baud  9600 and 115200 are common; the far end must use the same
-   */
+  /** Opens the board's port, if it can be opened, and begins the conversation. The far end must use the same rate, in baud. */
   void start(unsigned long baud = 9600) {
-    /* Serial by name, so that the compiler works out its settings for a constant rate. */
+    /* Serial by name: for a constant rate the compiler then computes its settings. */
     if (open_)
       open_(stream_, baud);
     else
@@ -52,7 +48,7 @@ public:
     setTimeLimit(JAVINO_TIMEOUT_MS(baud));
   }
 
-  /** Does the same as start(), under the name that other libraries use. */
+  /** Like start(), under the name in other libraries. */
   void begin(unsigned long baud = 9600) { start(baud); }
 
 private:
@@ -63,7 +59,7 @@ private:
   template <typename Port> static void open(Port &, unsigned long, long) {}
 
   static_assert(Bytes >= JAVINO_MEMORY_MIN, "JavinoSized: too few bytes");
-  /* The actions' table is at the end. */
+  /* The table of actions is at the end. */
   static const uint16_t USED = Bytes / sizeof(void *) * sizeof(void *);
   alignas(void *) uint8_t memory_[Bytes];
 };

@@ -1,10 +1,10 @@
-#ifdef ARDUINO /* elsewhere the core in C is all there is */
+#ifdef ARDUINO /* elsewhere there is only the core in C */
 
 #include "JavinoActions.h"
 
 #include "javino_literal.h"
 
-/** Returns true if a page of the vocabulary holds the name. */
+/** Returns true if a page of the vocabulary has room for the name. */
 static bool fits(const char *name) {
 #ifdef JAVINO_VERSION_1_ONLY
   (void)name;
@@ -76,7 +76,7 @@ static bool begins(const char *name, const char *text, uint8_t length) {
   return true;
 }
 
-/** Carries an action out, unless the text may be cut short and a longer action begins with it. */
+/** Carries an action out, unless the text may be cut and a longer action begins with it. */
 JavinoActions::Outcome JavinoActions::carryOut(const char *text, uint8_t length, bool certain) const {
   const Action *found = NULL;
   const Action *action = newest();

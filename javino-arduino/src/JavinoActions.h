@@ -10,44 +10,44 @@
 class JavinoBoard;
 
 /**
- * The actions that a board knows, by name. They lie in the board's memory, seven bytes each on AVR; the heap is used only for a name that
- * is a String. A name in flash, F("ledOn"), is copied into the board's memory, so give it before anything has arrived. Any other name is
- * not copied, so it must last.
+ * The actions that a board knows, by name. Actions lie in the board's memory, seven bytes each on AVR. Only a name that is a String takes
+ * heap. A name in flash, F("ledOn"), is copied into the board's memory, so give it before anything has arrived. Other names are not copied,
+ * so they must last.
  */
 class JavinoActions {
 public:
   /** An action without arguments. */
   typedef void (*Function)();
 
-  /** An action without arguments that is handed the board. */
+  /** An action without arguments that gets the board. */
   typedef void (*BoardFunction)(JavinoBoard &board);
 
   /** Any number of arguments. */
   static const uint8_t ANY = JAVINO_ANY;
 
-  /** `act["ledOn"]`: the place of one action. Its name is a text, a String, or a text in flash. */
+  /** `act["ledOn"]`: the place of one action. The name is a text, a String, or a text in flash. */
   template <typename Name> class Place {
   public:
     Place(JavinoActions &actions, Name name) : actions_(actions), name_(name) {}
 
-    /** Registers the function for the action whose whole text is the name. */
+    /** Registers the function for the action with exactly this name. */
     void operator=(Function function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
         actions_.add(name, function);
     }
 
-    /** The same for a function that is handed the board. It is a template so that NULL counts as a Function. */
+    /** The same for a function that gets the board. A template, so NULL counts as a Function. */
     template <typename = void> void operator=(BoardFunction function) {
       const char *name = function ? actions_.keep(name_) : NULL;
       if (name)
         actions_.addCalled(name, reinterpret_cast<Function>(function), callWithBoard<void>);
     }
 
-    /** Explains, at compile time, what to write for any other function. */
+    /** Says in a compile error what to write for any other function. */
     template <typename Result, typename... Given> void operator=(Result (*function)(Given...)) { explain(function); }
 
-    /** Carries the action out, if there is one of that name. */
+    /** Carries the action out, if it exists. */
     void operator()() const { actions_.carryOut(name_); }
 
   private:
@@ -67,8 +67,8 @@ public:
   uint8_t count() const { return count_; }
 
   /**
-   * Returns true if an action has been left out because the memory was full (JavinoSized has more), because there were
-   * JAVINO_ACTIONS_MAX before it, because its name is longer than JAVINO_NAME_MAX, or because percepts had already been written.
+   * Returns true if an action has been left out: the memory was full (JavinoSized has more), JAVINO_ACTIONS_MAX actions were there, its
+   * name is longer than JAVINO_NAME_MAX, or percepts had been written before.
    */
   bool full() const { return board_->link.actions_lost != 0; }
 
@@ -77,23 +77,23 @@ private:
 
   struct Action;
 
-  /** Calls an action's function. False: it refuses. */
+  /** Calls an action's function. False: the function refuses the action. */
   typedef bool (*Caller)(Function function, JavinoBoard &board, const JavinoArguments &arguments);
 
   struct Action {
     javino_action named;
     Function function;
-    Caller caller; /* null where the function takes neither the board nor arguments, and returns nothing */
+    Caller caller; /* null: the function takes neither the board nor arguments, and returns nothing */
   };
 
   enum Outcome : uint8_t {
     DONE,
-    REFUSED,  /* the action's function has refused it */
+    REFUSED,  /* the action's function has refused */
     UNKNOWN,  /* there is no such action, or it takes another number of arguments */
-    UNCERTAIN /* a longer text that begins with this one could be for another action */
+    UNCERTAIN /* a longer text that begins with this one could be another action */
   };
 
-  /** Does not compile, and says in the error what to write. */
+  /** Does not compile. The error says what to write. */
   template <typename Other> static bool explain(Other function) {
     static_assert(sizeof(function) == 0,
                   "the function does not fit. act[\"name\"] = function takes void function() or void function(JavinoBoard &). "
@@ -106,15 +106,13 @@ private:
   JavinoActions &operator=(const JavinoActions &);
 
   JAVINO_NOINLINE bool add(const char *name, Function function, Caller caller = NULL, uint8_t arguments = 0);
-  /** Counts an action that is left out. */
   void leaveOut();
 
-  /** Returns the name as a text that lasts: a String's on the heap, one in flash in the board's memory. Null: it is left out. */
+  /** Returns the name as a text that lasts: a String's on the heap, a name in flash in the board's memory. Null: the action is left out. */
   static const char *keep(const char *name) { return name; }
   const char *keep(const String &name);
   const char *keep(const __FlashStringHelper *name);
 
-  /** Adds a function that needs a caller. */
   bool addCalled(const char *name, Function function, Caller caller) {
     if (!function)
       return false;
@@ -126,7 +124,7 @@ private:
   bool addWithArguments(const char *name, Function function, Caller caller, uint8_t arguments) {
     if (!function)
       return false;
-    reader() = callByFunctor; /* which also finds an action by its functor */
+    reader() = callByFunctor; /* also finds an action by its functor */
     return add(name, function, caller, arguments);
   }
   Outcome carryOut(const char *text, uint8_t length, bool certain) const;
@@ -135,8 +133,8 @@ private:
   void carryOut(const __FlashStringHelper *name) const;
 
   /**
-   * Carries out an action. Null while all functions take neither the board nor arguments. `found` is the action with the whole text as its
-   * name, or null; `certain` is true if the text is known to be whole.
+   * Carries out an action. Null while no function takes the board or arguments. `found` is the action whose name is the whole text, or
+   * null; `certain`: the text is known to be whole.
    */
   typedef Outcome (*Reader)(const JavinoActions &actions, const Action *found, const char *text, uint8_t length, bool certain);
 
@@ -200,19 +198,19 @@ private:
     return REFUSED;
   }
 
-  /** Tells the link how far the actions are apart. */
+  /** Tells the link the distance between two actions. */
   void begin() { board_->link.action_size = sizeof(Action); }
 
-  /** The newest action; behind it are the older ones. */
+  /** The newest action; older ones lie behind it. */
   const Action *newest() const { return static_cast<const Action *>(board_->link.actions); }
 
   javino_board *board_;
-  /* Null until an action needs it, so that other sketches do not link the code. */
+  /* Null until an action needs it: other sketches do not link the code. */
   Reader reader_;
-  Reader known_;     /* Used in place of reader_, like unknown_, while the board does not describe itself. */
+  Reader known_;     /* Kept here, instead of in reader_, while unknown_ is set. */
   Function unknown_; /* Called for unknown actions. */
   uint8_t count_;
-  bool described_; /* Computers are told which actions there are. */
+  bool described_; /* Computers are told the actions. */
 };
 
 #endif

@@ -4,34 +4,31 @@
 #include <Arduino.h>
 #include <string.h>
 
-/** Declares a copy, on the stack, of a text in flash; such texts take no heap. */
+/** Declares a copy of a text in flash, on the stack: no heap is needed. */
 #define JAVINO_COPY(copy, in_flash) \
   char copy[strlen_P(reinterpret_cast<const char *>(in_flash)) + 1]; \
   memcpy_P(copy, reinterpret_cast<const char *>(in_flash), sizeof copy)
 
 /**
- * The arguments of an action, in the order the agent wrote them: in `move(left, 30)` argument 0 is the atom `left` and argument 1 the
- * number 30. Valid only while the action's function runs.
+ * The arguments of an action, in the agent's order: in `move(left, 30)` argument 0 is the atom `left`, and argument 1 is the number 30.
+ * Valid only while the action's function runs.
  */
 class JavinoArguments {
 public:
-  /** Reads the arguments of a literal that is well formed; the text is not copied. */
+  /** Reads the arguments of a well-formed literal; the text is not copied. */
   JavinoArguments(const char *literal, uint8_t length) : literal_(literal), length_(length) {}
 
   /** The number of arguments. */
   uint8_t count() const;
 
-  /** Returns true if there is such an argument and it is a whole number that a long holds. */
+  /** Returns true if the argument exists and is a whole number that fits into a long. */
   bool isNumber(uint8_t index) const;
 
-  /** Returns the whole number; `otherwise` if there is none. */
+  /** Returns the whole number; `otherwise`: there is none. */
   long number(uint8_t index, long otherwise = 0) const;
 
 #ifndef JAVINO_NO_DECIMALS
-  /**
-   * Returns the number, which may have decimals and an exponent; `otherwise` if there is none. Never an infinity or a NaN. A string is no
-   * number.
-   */
+  /** Returns the number, perhaps with decimals and exponent; `otherwise`: there is none. Never infinity or NaN; a string is no number. */
   double decimal(uint8_t index, double otherwise = 0) const;
 #endif
 
@@ -40,14 +37,14 @@ public:
   bool is(uint8_t index, const __FlashStringHelper *text) const;
 
   /**
-   * Copies an argument, a string without its quotes, and ends it with a zero.
+   * Copies an argument, and ends it with a zero. A string loses its quotes.
    *
    * @param size  the bytes that `to` holds; a longer text is cut off
-   * @return the bytes that the whole argument has, without the zero; 0 if there is none
+   * @return the length of the whole argument, without the zero; 0: there is none
    */
   size_t copy(uint8_t index, char *to, size_t size) const;
 
-  /** The argument's text, a string without its quotes. Uses the heap, as every String does. */
+  /** Returns the argument's text, a string without its quotes. Uses the heap. */
   String text(uint8_t index) const;
 
 private:

@@ -1,10 +1,10 @@
-#ifdef ARDUINO /* elsewhere the core in C is all there is */
+#ifdef ARDUINO /* elsewhere there is only the core in C */
 
 #include "JavinoBoard.h"
 
 #include "javino_literal.h"
 
-/** Messages that one run() handles, so that a flood cannot keep the sketch from the rest of its loop(). */
+/** Messages that one run() handles: a flood of them cannot stop the rest of loop(). */
 static const uint8_t MESSAGES_PER_RUN = 8;
 
 JavinoBoard::JavinoBoard(Stream &stream, Open open, void *memory, uint16_t size)
@@ -24,7 +24,7 @@ uint16_t JavinoBoard::receive() {
 
 void JavinoBoard::write(void *board, uint8_t byte) {
   JavinoBoard *self = static_cast<JavinoBoard *>(board);
-  /* Stops at the first byte that nobody takes, since a port on USB waits for each such byte. */
+  /* Stops at the first byte that the port does not take: a port on USB waits for each such byte. */
   if (!self->mute_)
     self->mute_ = self->stream_.write(byte) == 0;
   /* The port's receive buffer is short, and a write may have waited. */
@@ -137,10 +137,8 @@ void JavinoBoard::handle() {
 }
 
 /**
- * Carries out the action in hand; false if it has to wait.
- *
- * In version 1 the size may have been damaged, so that the text is only the beginning of a longer action. Such a beginning is mostly no
- * action: its brackets are open. If it can be one, the following bytes decide.
+ * Carries out the action in hand; false: the action has to wait. In version 1 the size may be damaged, and the text only the beginning of a
+ * longer action. Such a beginning is mostly no action: its brackets are open. If it can be an action, the bytes behind it decide.
  */
 bool JavinoBoard::carryOutAction() {
   const javino_link &link = board_.link;
@@ -224,7 +222,7 @@ void JavinoBoard::term(char value) {
   term(text);
 }
 
-/** Writes a number with at least `least` digits, filled up with zeros in front. */
+/** Writes a number with at least `least` digits, with zeros in front. */
 static void putDigits(javino_board *board, uint64_t number, uint8_t least) {
   char digits[20];
   uint8_t n = 0;
@@ -248,7 +246,7 @@ void JavinoBoard::term(const JavinoDecimals &number) {
     parts *= 10;
   bool negative = number.value < 0;
   double magnitude = negative ? -number.value : number.value;
-  if (!(magnitude < 4294967040.0)) { /* not >=, since NaN must enter here too */
+  if (!(magnitude < 4294967040.0)) { /* not >=, since NaN must come here too */
     term(number.value);
     return;
   }

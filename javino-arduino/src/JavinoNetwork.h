@@ -1,6 +1,5 @@
 /**
- * @file
- * A board on a network or on Bluetooth: on any Stream that the sketch opens, exchanges and loses, such as a WiFiClient, an
+ * @file A board on a network or on Bluetooth: on any Stream that the sketch may open, replace and lose, such as a WiFiClient, an
  * EthernetClient or a BluetoothSerial. No Serial is needed.
  *
  *     #include <JavinoNetwork.h>
@@ -18,19 +17,19 @@
  *       javino.run();
  *     }
  *
- * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so that a frame does not take a packet for each byte.
+ * Everything of JavinoBoard is here too. All bytes of a run() go out in one write, so a frame takes one packet, not one for each byte.
  */
 #ifndef JAVINO_NETWORK_H
 #define JAVINO_NETWORK_H
 
 #include "JavinoBoard.h"
 
-/** Bytes that are gathered for one write; longer answers take several writes. A packet of TCP over Ethernet holds 1,460 bytes. */
+/** Bytes that are gathered for one write; a longer answer takes several. A packet of TCP over Ethernet holds 1,460 bytes. */
 #ifndef JAVINO_GATHERED_BYTES
 #define JAVINO_GATHERED_BYTES 300
 #endif
 
-/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change, and there may be none. */
+/** For JavinoNetworkSized: gathers the bytes for a stream. The stream may change or be missing. */
 class JavinoGathering : public Stream {
 public:
   JavinoGathering() : to_(NULL), length_(0) {}
@@ -43,7 +42,7 @@ public:
 
   bool isOn(const Stream *stream) const { return to_ == stream; }
 
-  /** Writes the gathered bytes. Drops the bytes that the stream does not take: nobody is there any more. */
+  /** Writes the gathered bytes. Drops bytes that the stream does not take: nobody is there any more. */
   void send() {
     size_t sent = 0;
     while (to_ && sent < length_) {
@@ -74,7 +73,7 @@ private:
   uint8_t bytes_[JAVINO_GATHERED_BYTES];
 };
 
-/** For JavinoNetworkSized: constructed before the board that refers to it. */
+/** For JavinoNetworkSized: constructed before the board, which refers to it. */
 struct JavinoGatheringHolder {
   JavinoGathering gathering_;
 };
@@ -85,34 +84,32 @@ public:
   /** A board on no stream until setStream(). */
   JavinoNetworkSized() : JavinoBoard(gathering_, NULL, memory_, USED) { begin(); }
 
-  /** A board on this stream, which must last as long as it is used. */
+  /** A board on this stream, which must last while it is in use. */
   explicit JavinoNetworkSized(Stream &stream) : JavinoBoard(gathering_, NULL, memory_, USED) {
     begin();
     setStream(stream);
   }
 
-  /** Sets the time limit within a message to 2 s, as networks need it. The constructor does so too; see setTimeLimit(). */
+  /** Sets the time limit within a message to 2 s, for networks. The constructor does so too; see setTimeLimit(). */
   void begin() { setTimeLimit(2000); }
 
   /**
-   * Uses this stream from now on, such as the connection of a computer that has come. The part of a message that came through the old
-   * stream is forgotten. A command that a computer repeats through the new stream, since its outcome was lost, is still carried out only
-   * once. Do not call it within a callback.
-   *
-   * @param stream  an open stream, which must last until another one is set
+   * Uses this open stream from now on, such as a computer's new connection. The stream must last until another is set. A part of a message
+   * from the old stream is forgotten. If an outcome was lost and a computer repeats its command through the new stream, the command is
+   * still carried out only once. Do not call this within a callback.
    */
   void setStream(Stream &stream) {
     gathering_.setStream(&stream);
     forgetPart();
   }
 
-  /** Uses no stream any more. A lost link is still noticed in run(). */
+  /** Uses no stream any more. run() still notices a lost link. */
   void removeStream() { gathering_.setStream(NULL); }
 
   /** Returns true if a stream has been set. */
   bool hasStream() const { return !gathering_.isOn(NULL); }
 
-  /** @name As in JavinoBoard; sends the gathered bytes. */
+  /** @name As in JavinoBoard; these also send the gathered bytes. */
   ///@{
   void run() {
     JavinoBoard::run();

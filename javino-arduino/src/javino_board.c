@@ -10,13 +10,13 @@
 #define IS_OPEN(board) false
 #define HEADER 0
 #else
-/* True if parts of an answer have gone out, but not the last. */
+/* True if a part of an answer has gone out, but not the last. */
 #define IS_OPEN(board) ((board)->part != 0)
 #define HEADER JAVINO_ITEM_HEADER
 /* The most bytes of an answer in a frame, without the numbers of the request and the part. */
 #define PART_MAX (JAVINO_MAX_PAYLOAD - 2)
 #if JAVINO_TEXT_MAX > 255
-#define SPLITS /* a percept longer than the memory is sent in pieces */
+#define SPLITS /* a percept that is longer than the memory goes out in pieces */
 #endif
 #endif
 
@@ -40,7 +40,7 @@ JAVINO_OUTLINE void javino_board_place(javino_board *board, uint16_t base)
     javino_decoder *d = &b->link.decoder;
     uint8_t *place = d->bytes;
     uint16_t room = b->memory - base;
-    /* In version 1 a message is one frame. Bytes that arrive while an answer is written need room too. */
+    /* In version 1 a message is one frame. Bytes that arrive while an answer is being written need room too. */
 #if JAVINO_TEXT_MAX > 255
     if (!JAVINO_IS_2(&b->link))
         room = least(room, JAVINO_MAX_PAYLOAD + HEADER);
@@ -107,14 +107,14 @@ void *javino_board_take_front(javino_board *board, uint16_t size)
 }
 
 #ifndef JAVINO_NO_FUNCTOR_LISTS
-/* True if the request's list has this functor, or there is no list. */
+/* True if the request's list has this functor, or the request has no list. */
 static bool is_named(const javino_link *link, const char *functor, uint8_t length)
 {
     const char *p = link->text;
     uint8_t left = link->length;
-    uint8_t same = NOT_SAME; /* bytes of a name that are those of the functor */
+    uint8_t same = NOT_SAME; /* how many bytes of a name are those of the functor */
     bool all = true;
-    /* In front of each name, and behind it, stands a bracket or a comma. */
+    /* A bracket or a comma stands in front of each name and behind it. */
     for (; left; left--) {
         char c = *p++;
         if (c == '(' || c == ',' || c == ')') {
@@ -152,7 +152,7 @@ bool javino_board_wants(const javino_board *board, const char *functor, uint8_t 
 
 #ifndef JAVINO_VERSION_1_ONLY
 
-/* Begins the frame of one part of an answer; length is the number of the answer's bytes in it. */
+/* Begins the frame of one part of an answer; length: the number of the answer's bytes in the part. */
 static void begin_part(javino_board *b, bool last, uint8_t length)
 {
     javino_link *l = &b->link;
@@ -174,7 +174,7 @@ static void begin_part(javino_board *b, bool last, uint8_t length)
         javino_encoder_put(&l->encoder, part);
 }
 
-/* Sends an item as a part of its own. */
+/* Sends an item as its own part. */
 static void send_item(javino_board *b, bool last, uint8_t head, const char *text, uint8_t length)
 {
     javino_encoder *e = &b->link.encoder;
@@ -210,7 +210,7 @@ void javino_board_send_text(javino_board *board, bool last, javino_room n)
 #endif
 }
 
-/* Codes the percepts that are not coded yet. An incomplete one stays behind them. */
+/* Codes the percepts that are not coded yet. An incomplete percept stays behind them. */
 static JAVINO_NOINLINE void code(javino_board *b)
 {
 #ifdef JAVINO_VERSION_1_ONLY
@@ -230,7 +230,7 @@ static void begin_item(javino_board *b)
 }
 #endif
 
-/* Sends whole percepts ahead of the rest, as many as a frame holds, or a piece of a percept that is longer than the memory. */
+/* Sends whole percepts ahead of the rest, as many as a frame holds. If a percept is longer than the memory, sends a piece of it. */
 static void send_ahead(javino_board *b)
 {
     javino_room n = b->whole;
@@ -248,7 +248,7 @@ static void send_ahead(javino_board *b)
         n = PART_MAX;
 #endif
 #ifndef JAVINO_VERSION_1_ONLY
-    /* While rules are set, sends only the part that must go out now: the rest follows when the rules can be watched. */
+    /* While rules are set, only the part that must go out now: the rest follows when the rules can be watched. */
     if (n > JAVINO_SHORT_PART && b->link.rules && JAVINO_IS_2(&b->link))
         n = JAVINO_SHORT_PART;
 #endif
@@ -256,7 +256,7 @@ static void send_ahead(javino_board *b)
         javino_board_send_text(b, false, n);
 }
 
-/* Makes room for one byte more of an answer, if need be by sending a part ahead. */
+/* Makes room for one more byte of an answer, if necessary by sending a part ahead. */
 static void make_room(javino_board *b)
 {
     if (b->link.event == JAVINO_REQUEST) {
@@ -463,8 +463,8 @@ javino_event javino_board_poll(javino_board *board, uint16_t now_ms)
 static bool send_in_parts(javino_link *link, const char *text, size_t length)
 {
     javino_nesting n = {0, 0, false, false, 0};
-    size_t sent = 0;  /* up to here it has been sent or left out */
-    size_t whole = 0; /* up to here there are whole percepts */
+    size_t sent = 0;  /* sent or left out up to here */
+    size_t whole = 0; /* whole percepts up to here */
     size_t end;
     bool complete = true;
     for (end = 1; end <= length; end++) {

@@ -1,12 +1,11 @@
 /**
- * @file
- * A board: a link, and the percepts that it answers with when it is asked for them.
+ * @file A board: a link, and the percepts with which it answers requests.
  *
- * An answer is text: percepts with a `;` after each. It is built in the memory into which the link receives, behind the received bytes, and
- * coded in place when it is sent, or earlier if there is no more room. In version 2, if the computer knows the text of a percept except for
- * its digits, the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead, in version 2 as
- * a part of the answer, in version 1 as messages of whole percepts. Unasked percepts wait in all memory but JAVINO_WINDOW bytes, so that
- * the longest frame still arrives; in version 1 they are one message of 255 bytes at most.
+ * An answer is text: percepts, each with a `;` behind it. The answer is built behind the received bytes, in the link's memory. The board
+ * codes it in place when it is sent, or earlier if the memory is full. In version 2, if the computer knows all of a percept but its digits,
+ * the percept takes half a byte for each digit. If an answer still does not fit, its beginning goes out ahead: in version 2 as a part of
+ * the answer, in version 1 as messages of whole percepts. Unasked percepts leave JAVINO_WINDOW bytes of memory free, so the longest frame
+ * still arrives. In version 1 they are one message of at most 255 bytes.
  */
 #ifndef JAVINO_BOARD_H
 #define JAVINO_BOARD_H
@@ -24,7 +23,7 @@ extern "C" {
 /** The least memory, in bytes, that a board works with. */
 #define JAVINO_MEMORY_MIN 160
 
-/** The largest text in bytes: that of one frame, which takes less flash, or in version 2 as many as the memory holds. */
+/** The largest text in bytes. 255, the text of one frame, takes less flash. In version 2 the text may fill the memory. */
 #ifndef JAVINO_TEXT_MAX
 #if defined(__AVR__) || defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_TEXT_MAX 255
@@ -40,8 +39,8 @@ typedef uint8_t javino_room;
 #endif
 
 /**
- * The number of shapes (texts of percepts without their digits) that a board tells apart, at most 126. Each takes four bytes. Percepts of
- * further shapes are sent as text.
+ * How many shapes (texts of percepts without their digits) a board distinguishes, at most 126. Each takes four bytes. Percepts of further
+ * shapes go as text.
  */
 #ifndef JAVINO_SHAPES
 #ifdef __AVR__
@@ -62,27 +61,28 @@ struct javino_rules;
 
 /** The points at which a board calls its rules, see javino_rules.h. */
 enum {
-    JAVINO_RULES_SET,     /**< A command that sets or removes rules is in hand. The call ends it. */
+    JAVINO_RULES_SET,     /**< A command in hand sets or removes rules. The call ends it. */
     JAVINO_RULES_PERCEPT, /**< A percept is whole. */
     JAVINO_RULES_ANSWER,  /**< An answer is ready. True: the board does not send it. */
-    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: such an answer is under way. */
-    JAVINO_RULES_END,     /**< A request is in hand: the rest of such an answer goes out. True: rules leave the new answer less memory. */
-    JAVINO_RULES_ALL      /**< The rest of such an answer goes out, at any time. */
+    JAVINO_RULES_GO_ON,   /**< The next part of an answer may go out. True: an answer is going out in parts. */
+    JAVINO_RULES_END,     /**< A request is in hand, so the rest of an answer in parts goes out. True: rules leave the new answer less
+                               memory. */
+    JAVINO_RULES_ALL      /**< The rest of an answer in parts goes out, at any time. */
 };
 
-/** A board. The members are private except link, which javino_link_receive and its like take. */
+/** A board. The members are private except link, for javino_link_receive and its like. */
 typedef struct javino_board {
     char *text;
     uint16_t memory; /* number of bytes */
     javino_room room;   /* number of bytes that text may have */
     javino_room length; /* number of bytes of text */
     javino_room whole;  /* number of bytes of whole percepts in the text */
-    bool overlong;   /* the percept that is being written does not fit */
+    bool overlong;   /* the unfinished percept does not fit */
 #ifndef JAVINO_VERSION_1_ONLY
-    bool split;         /* a piece of the percept that is being written has gone out */
-    javino_room coded;  /* number of bytes of items in the form in which they are sent */
+    bool split;         /* a piece of the unfinished percept has gone out */
+    javino_room coded;  /* number of bytes of items in their final form */
     uint8_t part;       /* number of parts that have gone out; 0: no answer has been begun */
-    uint8_t answering;  /* the request whose answer goes out part by part; 0: none */
+    uint8_t answering;  /* the request that is being answered in parts; 0: none */
     bool (*rule)(struct javino_board *board, uint8_t where); /* NULL: the board holds no rules */
     bool (*watches)(const struct javino_board *board, const char *functor, uint8_t length);
     struct javino_rules *rules;
@@ -97,50 +97,38 @@ typedef struct javino_board {
  * Prepares a board.
  *
  * @param memory   belongs to the board from now on
- * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received; more memory
- * serves long answers and bytes that arrive meanwhile.
+ * @param size     its bytes, JAVINO_MEMORY_MIN or more. With less than JAVINO_MEMORY the longest frames are not received. More serves long
+ * answers, and bytes that arrive during them.
  * @param write    as for javino_link_init
  * @param context  handed to write
  * @return false if the size is less than JAVINO_MEMORY_MIN; then do not use the board
  */
 bool javino_board_init(javino_board *board, void *memory, uint16_t size, javino_write write, void *context);
 
-/**
- * Takes bytes away from the end of the memory.
- *
- * @return the bytes, or NULL if too few would be left or percepts are being written
- */
+/** Takes bytes away from the end of the memory. @return NULL: too few would be left, or percepts are being written */
 void *javino_board_take(javino_board *board, uint16_t size);
 
-/**
- * Takes bytes away from the beginning of the memory, before the first byte arrives.
- *
- * @return the bytes, or NULL if too few would be left, percepts are being written or something has arrived
- */
+/** Like javino_board_take, from the beginning of the memory. @return NULL also if something has arrived */
 void *javino_board_take_front(javino_board *board, uint16_t size);
 
 /**
- * Does the same as javino_link_poll. An answer that was begun and not sent is ended if a part of it has gone out, and otherwise forgotten.
- * Unasked percepts wait for the next answer, or are forgotten if they do not fit there.
+ * Like javino_link_poll. An unsent answer is ended if a part of it has gone out, else forgotten. Unasked percepts wait for the next answer;
+ * if they do not fit there, they are forgotten.
  */
 javino_event javino_board_poll(javino_board *board, uint16_t now_ms);
 
-/** @return true if the request in hand asks for percepts of this functor. Without a request: true. */
+/** @return true if the request in hand asks for percepts of this functor, or if no request is in hand */
 bool javino_board_wants(const javino_board *board, const char *functor, uint8_t length);
 
 /**
- * Begins the description of a kind of percepts, which a computer may ask for in place of the percepts. The text of the kind must follow,
- * such as `dist(front|left, cm 0..400)`, and javino_percept_end.
+ * Begins the description of a kind of percepts, for a computer that asks for kinds. The kind's text must follow, such as
+ * `dist(front|left, cm 0..400)`, and then javino_percept_end.
  *
- * @return true if the request in hand asks for kinds; if not, write nothing and do not end it
+ * @return true: the request in hand asks for kinds; false: write nothing, and do not end it
  */
 bool javino_kind_begin(javino_board *board);
 
-/**
- * Begins a percept with its functor, which must be an atom, with a ~ before it if it is negated.
- *
- * @return true if it is wanted; if not, write nothing and do not end it
- */
+/** Begins a percept with its functor: an atom, perhaps with a ~ in front. @return false: nobody wants it; write nothing, do not end it */
 bool javino_percept_begin(javino_board *board, const char *functor);
 
 /** Writes one character unchanged. */
@@ -152,37 +140,32 @@ void javino_percept_text(javino_board *board, const char *text);
 /** Writes a whole number. */
 void javino_percept_number(javino_board *board, uint32_t magnitude, bool negative);
 
-/** Writes text as an atom if it is one (front), otherwise as a string ("hi, you"). */
+/** Writes text as an atom if it is one (front), else as a string ("hi, you"). */
 void javino_percept_term(javino_board *board, const char *text);
 
-/** Writes text as a string ("front"), whatever it is. */
+/** Writes any text as a string ("front"). */
 void javino_percept_string(javino_board *board, const char *text);
 
-/**
- * Ends a percept.
- *
- * @return true if it will be sent; false if it is longer than 255 bytes in version 1, or if no request is in hand and there is no more
- *   room.
- */
+/** Ends a percept. @return false: in version 1 it is longer than 255 bytes, or there is no room without a request */
 bool javino_percept_end(javino_board *board);
 
-/** Sends the percepts written so far, even none: as the answer or, if there is no request, unasked. */
+/** Sends the percepts written so far, even none: as the answer or, without a request, unasked. */
 void javino_board_answer(javino_board *board);
 
 /** For javino_rules.c: sends n bytes of the text, as the end of an answer or ahead of the rest of the answer. */
 void javino_board_send_text(javino_board *board, bool last, javino_room n);
 
-/** For javino_rules.c: lays the text at the end of the memory, behind at least this many bytes for incoming frames. */
+/** For javino_rules.c: moves the text to the end of the memory, behind at least `base` bytes for incoming frames. */
 void javino_board_place(javino_board *board, uint16_t base);
 
 /** Forgets the percepts written so far. */
 void javino_board_clear(javino_board *board);
 
 /**
- * Sends a message of any length: in version 2 in as many parts as it takes; in version 1, if it is longer than one frame, as messages of
- * whole percepts. Counts as an answer to the request in hand.
+ * Sends a message of any length. Version 2 divides it into parts; version 1 divides a message that is longer than a frame into messages of
+ * whole percepts. The message counts as an answer to the request in hand.
  *
- * @return true if all of it has been sent; a percept longer than a frame of version 1 cannot be sent
+ * @return true: all of it has been sent; false: a percept is longer than a frame of version 1
  */
 bool javino_board_send(javino_board *board, const char *text, size_t length);
 

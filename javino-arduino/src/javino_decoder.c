@@ -22,7 +22,7 @@ static uint8_t digit_value(uint8_t c)
 }
 #endif
 
-/* The milliseconds that have passed; 0 if `was` is in the future, since a byte may have come after the caller read its `now`. */
+/* The milliseconds that have passed; 0: `was` is later than `now`, since a byte may have come after the caller read its clock. */
 static uint16_t elapsed(uint16_t now, uint16_t was)
 {
     now -= was;
@@ -39,8 +39,8 @@ bool javino_decoder_init(javino_decoder *decoder, uint8_t *bytes, uint16_t size,
     return size >= 2 * HEADER;
 }
 
-/* Without room there may be bytes that have not been handed in, and the time at which they came is not known. While a frame is in hand
- * there can be a second silence; then the first counts, since the bytes before it have been waiting longer. */
+/* Without room, unread bytes of unknown age may wait. A second silence may come while a frame is in hand. The first silence is kept, since
+ * the bytes before it have waited longer. */
 JAVINO_OUTLINE void javino_decoder_idle(javino_decoder *decoder, uint16_t now_ms)
 {
     javino_decoder *d = decoder;
@@ -105,9 +105,8 @@ static bool is_intact(const javino_decoder *d, const uint8_t *frame, const uint8
 }
 
 /**
- * Reads on in the frame of version 2 at p, as far as the bytes go, and takes the escapes out of them.
- *
- * FOLLOWS_HEADER: it is whole; FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows the damage.
+ * Reads on in the frame of version 2 at p, as far as the bytes go, and removes the escapes. FOLLOWS_HEADER: the frame is whole.
+ * FOLLOWS_OTHER: it is damaged, and ends with or in front of the byte that shows the damage.
  */
 static javino_follows read_frame2(javino_decoder *d, uint8_t *p, const uint8_t *end)
 {
@@ -181,8 +180,8 @@ static javino_follows read_header(const uint8_t *p, const uint8_t *end, uint8_t 
 }
 #endif
 
-/* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a frame that is held, a header or silence;
- * FOLLOWS_OTHER: the bytes taken make no frame; FOLLOWS_UNKNOWN: there are no more yet. */
+/* Reads on as far as the bytes go. FOLLOWS_HEADER: a whole frame or, behind a held frame, a header or silence; FOLLOWS_OTHER: the bytes
+ * taken make no frame; FOLLOWS_UNKNOWN: no more bytes yet. */
 static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
 {
     uint16_t stop = d->gap ? d->gap : d->end;
@@ -214,7 +213,7 @@ static JAVINO_NOINLINE javino_follows read_on(javino_decoder *d, uint8_t *p)
     if (read == JAVINO_FOLLOWS_HEADER && !d->held) {
         uint16_t whole = HEADER + length;
         if (whole > d->size - HEADER)
-            return JAVINO_FOLLOWS_OTHER; /* It could never arrive whole, with the bytes that must follow it. */
+            return JAVINO_FOLLOWS_OTHER; /* Such a frame could never arrive whole, with the bytes behind it. */
         if (whole <= stop)
             d->taken = whole;
         else

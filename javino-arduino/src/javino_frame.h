@@ -1,20 +1,18 @@
 /**
- * @file
- * Frames of the Javino protocol, versions 1 and 2: their kinds and bytes, the checksum, and the encoder, which writes them.
+ * @file Frames of the Javino protocol, versions 1 and 2: their kinds and bytes, the checksum, and the encoder, which writes them.
  *
- * Plain C99 without a heap, without floating point and without any board's header. All memory is the caller's. No function waits: the
- * caller hands in bytes one at a time, and, where it matters, the time in milliseconds of a clock that may wrap around, often only its
- * lower 16 bits. No function may be called from an interrupt; a receive interrupt fills a buffer of its own, from which the program takes
- * the bytes.
+ * Plain C99 without heap, floating point or a board's header. All memory is the caller's. No function waits: the caller hands in the bytes
+ * one by one, and the time if it matters. Times are milliseconds of a clock that may wrap around, often only its lower 16 bits. Call no
+ * function from an interrupt; a receive interrupt fills its own buffer, from which the program takes the bytes.
  *
  * The layers, each usable without the next:
- *  - javino_frame.h: frames; javino_decoder.h: finds frames in the bytes that arrive;
- *  - javino_link.h: the conversation, that is versions, sessions, commands and their outcomes, a lost link;
+ *  - javino_frame.h: frames; javino_decoder.h: finds frames in received bytes;
+ *  - javino_link.h: the conversation: versions, sessions, commands and their outcomes, a lost link;
  *  - javino_board.h: answers made of percepts; javino_literal.h: the texts of actions.
  *
- * Switches that are defined for all files leave parts out:
+ * Switches, defined for all files, leave parts out:
  *  - JAVINO_VERSION_1_ONLY: version 2;
- *  - JAVINO_VERSION_2_ONLY: version 1. Without a session nothing is sent, and there is no javino_link_send();
+ *  - JAVINO_VERSION_2_ONLY: version 1. Without a session nothing is sent; there is no javino_link_send();
  *  - JAVINO_NO_FUNCTOR_LISTS: the functors in requests. The board answers with all percepts;
  *  - JAVINO_NO_DECIMALS: numbers with decimals, in the Arduino class.
  */
@@ -30,7 +28,7 @@ extern "C" {
 #endif
 
 #if defined(__AVR__) && defined(__GNUC__)
-/* On this machine, a copy of a function for known arguments takes more flash than the calls that it saves. */
+/* On this machine, a copy of a function for known arguments takes more flash than it saves in calls. */
 #define JAVINO_OUTLINE __attribute__((noinline, noclone))
 /* On this machine, such a copy takes less flash than the arguments in each call. */
 #define JAVINO_NOINLINE __attribute__((noinline))
@@ -62,15 +60,15 @@ enum {
     JAVINO_PERCEPTS_LAST = 0x84,
     JAVINO_CRITICAL = 0x85,
     JAVINO_VOCABULARY = 0x86,
-    JAVINO_REFUSED = 0x40, /**< A flag in the kinds from the board. */
-    JAVINO_BUSY = 0x20     /**< Another such flag. */
+    JAVINO_REFUSED = 0x40, /**< A flag in kinds from the board. */
+    JAVINO_BUSY = 0x20     /**< A flag in kinds from the board. */
 };
 
 /** Begins a frame of version 2. A frame of version 1 begins with javino_preamble. */
 #define JAVINO_START 0xA5
-/** Stands before each escaped byte of a frame of version 2. */
+/** Stands in front of each escaped byte of a frame of version 2. */
 #define JAVINO_ESCAPE 0xA4
-/** The bits by which a byte differs from the byte that stands for it behind an escape. */
+/** The bits in which a byte differs from its substitute behind an escape. */
 #define JAVINO_ESCAPED 0xA0
 
 #ifndef JAVINO_VERSION_2_ONLY
@@ -80,18 +78,18 @@ extern const char javino_preamble[4];
 
 /* ---- CRC ---- */
 
-/** The CRC before the first byte of a frame that is checked with the nonce of a session; 0 for HELLO and WELCOME. */
+/** The CRC before the first byte of a frame that is checked with a session's nonce; 0 for HELLO and WELCOME. */
 #define JAVINO_CRC_START(nonce) ((uint16_t)((uint8_t)~(nonce) << 8 | 0xFF))
 
-/** @return CRC-16/CCITT-FALSE of the bytes so far (crc) and one more. */
+/** @return CRC-16/CCITT-FALSE of the bytes so far (crc) and one more */
 uint16_t javino_crc16(uint16_t crc, uint8_t byte);
 
 /* ---- Encoder ---- */
 
-/** Puts one byte on the line; may wait until there is room for it. */
+/** Puts one byte on the line; may wait for room. */
 typedef void (*javino_write)(void *context, uint8_t byte);
 
-/** Writes one frame at a time. The members are private but for write and context, which the caller sets. */
+/** Writes one frame at a time. The members are private; the caller sets write and context. */
 typedef struct {
     javino_write write;
     void *context; /**< Handed to write. */
@@ -104,16 +102,10 @@ typedef struct {
 void javino_encoder_begin(javino_encoder *encoder, uint8_t length);
 #endif
 
-/**
- * Begins a frame of version 2. The same calls must follow as for javino_encoder_begin.
- *
- * @param nonce   as for JAVINO_CRC_START
- * @param kind    the byte CC
- * @param number  the byte SS
- */
+/** Begins a frame of version 2, with the bytes CC (kind) and SS (number). The same calls must follow as behind javino_encoder_begin. */
 void javino_encoder_begin2(javino_encoder *encoder, uint8_t nonce, uint8_t kind, uint8_t number, uint8_t length);
 
-/** Writes one byte of payload, in version 2 with an escape where it needs one. */
+/** Writes one byte of payload, in version 2 with an escape if necessary. */
 void javino_encoder_put(javino_encoder *encoder, uint8_t byte);
 
 /** Writes the last bytes of payload and ends the frame. */

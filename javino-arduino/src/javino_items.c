@@ -12,7 +12,7 @@ static uint8_t value_of(char c)
     return (uint8_t)c ^ '0';
 }
 
-/* Returns the id of a text's shape, a new one if need be; JAVINO_ITEM_TEXT if there is no room for it. */
+/* Returns the id of a text's shape, if necessary a new one; JAVINO_ITEM_TEXT: no id is left. */
 static uint8_t id_of(javino_board *b, const char *text, uint8_t length)
 {
     uint16_t crc = JAVINO_CRC_START(0);

@@ -6,7 +6,7 @@
 #define REQUEST_LENGTH 11 /* length of getPercepts */
 #endif
 
-/* The most frames that one poll handles by itself, so that a flood of them cannot hold the program up. */
+/* The most frames that one poll handles: a flood of them cannot hold the program up. */
 #define FRAMES_PER_POLL 8
 
 /* Bytes of the checksum behind a payload. */
@@ -21,7 +21,7 @@
 void javino_link_init(javino_link *link, void *bytes, uint16_t size, javino_write write, void *context)
 {
     memset(link, 0, sizeof *link);
-    /* Does what javino_decoder_init does, which would clear the decoder once more. */
+    /* Does the work of javino_decoder_init, which would clear the decoder a second time. */
     link->decoder.bytes = (uint8_t *)bytes;
     link->decoder.size = size;
     link->decoder.timeout_ms = 100;
@@ -95,21 +95,21 @@ static JAVINO_NOINLINE void welcome(javino_link *l)
     send(l, JAVINO_WELCOME, &l->session, 6);
 }
 
-/* Begins a session; a nonce of 0 ends the present one. */
+/* Begins a session; nonce 0: ends the present one. */
 static JAVINO_NOINLINE void begin_session(javino_link *l, uint8_t nonce)
 {
     l->session = nonce;
-    memset(&l->due, 0, 5); /* clears flags, known, shapes and rules too */
+    memset(&l->due, 0, 5); /* clears also flags, known, shapes and rules */
     javino_decoder_session(&l->decoder, nonce);
 }
 
-/* `actions` may be stored newest first; number 0 is the oldest. */
+/* `actions` are stored newest first; number 0 is the oldest. */
 static JAVINO_NOINLINE const javino_action *action_at(const javino_link *l, uint8_t number)
 {
     return (const javino_action *)((const char *)l->actions + l->action_size * (uint8_t)(l->action_count - 1 - number));
 }
 
-/* Sends the actions from this one on, as many as a frame holds. */
+/* Sends the actions from `first` on, as many as a frame holds. */
 static void describe(javino_link *l, uint8_t request, uint8_t first)
 {
     uint8_t length = 3;
@@ -136,7 +136,7 @@ static void describe(javino_link *l, uint8_t request, uint8_t first)
     javino_encoder_end(&l->encoder);
 }
 
-/* Hands out the next command of the row that is to be carried out. At the end of the row, acknowledges the row. */
+/* Hands out the next command of the row. At the end of the row, acknowledges the row. */
 static javino_event next_command(javino_link *l)
 {
     uint8_t *frame = l->decoder.bytes;
@@ -182,7 +182,7 @@ static javino_event next_command(javino_link *l)
     return JAVINO_NOTHING;
 }
 
-/* Returns the program's event for a frame of version 2. */
+/* Returns the event for the program in a frame of version 2. */
 static javino_event meaning2(javino_link *l, const uint8_t *frame)
 {
     uint8_t length = frame[JAVINO_LENGTH_AT];
@@ -191,7 +191,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
     const uint8_t *payload = frame + JAVINO_PAYLOAD_AT;
     uint8_t first = length ? *payload : 0;
     if (kind == JAVINO_HELLO) {
-        if (number != l->session) /* else the same HELLO has come twice */
+        if (number != l->session) /* else the same HELLO came twice */
             begin_session(l, number);
         welcome(l);
     } else if (!l->session) {
@@ -216,7 +216,7 @@ static javino_event meaning2(javino_link *l, const uint8_t *frame)
 
 /* ---- Both versions ---- */
 
-/* Returns the program's event for the frame that has just arrived. */
+/* Returns the event for the program in the frame that has just arrived. */
 static javino_event meaning(javino_link *l, const uint8_t *frame)
 {
 #ifndef JAVINO_VERSION_2_ONLY
@@ -233,7 +233,7 @@ static javino_event meaning(javino_link *l, const uint8_t *frame)
     return JAVINO_NOTHING;
 #else
 #ifndef JAVINO_VERSION_1_ONLY
-    begin_session(l, 0); /* A computer that speaks version 1 has begun no session. */
+    begin_session(l, 0); /* A computer that speaks version 1 has no session. */
 #endif
     l->text = (const char *)frame + JAVINO_PAYLOAD_AT_1;
     l->length = (uint8_t)(l->decoder.taken - JAVINO_PAYLOAD_AT_1);

@@ -101,7 +101,7 @@ static bool is_operator(char c, bool number)
     return c == '=' || c == '!' || (number && (c == '<' || c == '>' || c == '{' || c == '}'));
 }
 
-/* Returns the number of bytes of a word that ends with 00; 0 if the word does not end. */
+/* Returns the length of a word that ends with 00; 0: the word does not end. */
 static uint8_t word(const char *text, const char *end)
 {
     const char *p = text;
@@ -149,7 +149,7 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     }
 }
 
-/* Returns true if a percept meets a rule. Sets reflex to the beginning of the rule's reflex; to the rule's end if it has none. */
+/* Returns true if a percept meets a rule. Sets reflex to the beginning of the rule's reflex, or to the rule's end. */
 static bool meets(const char *rule, const char *end, const char *text, uint8_t length, const char **reflex)
 {
     uint8_t n = (uint8_t)strlen(++rule);
@@ -166,14 +166,14 @@ static bool meets(const char *rule, const char *end, const char *text, uint8_t l
 
 /* ---- All rules ---- */
 
-/* Takes a bit out: the bits below it stay, and the bits above it move down. */
+/* Takes a bit out: lower bits stay, higher bits move down. */
 static uint8_t without_bit(uint8_t bits, uint8_t bit)
 {
     uint8_t below = bits & (uint8_t)(bit - 1);
     return below | ((bits >> 1) & (uint8_t)~(bit - 1));
 }
 
-/* Returns where the rule of this number begins, or the end of all rules if there is none. Sets bit to the rule's bit in met. */
+/* Returns the place of the rule with this number; the end of all rules: there is none. Sets bit to the rule's bit in met. */
 static uint16_t place_of(const struct javino_rules *r, uint8_t number, uint8_t *bit)
 {
     uint16_t at = 0;
@@ -187,7 +187,7 @@ static void forget(struct javino_rules *r)
     r->used = r->met = 0;
 }
 
-/* Sets or removes rules by the command in hand; false if it is malformed or there is no room. */
+/* Sets or removes rules by the command in hand; false: it is malformed, or there is no room. */
 static bool set(javino_board *board)
 {
     struct javino_rules *r = board->rules;
@@ -196,7 +196,7 @@ static bool set(javino_board *board)
     uint8_t length = l->length;
     uint8_t number = (uint8_t)*text;
     uint16_t at;
-    uint16_t before; /* bytes of the rule that it replaces */
+    uint16_t before; /* bytes of the replaced rule */
     uint8_t bit;
     if (l->rules == 0)
         forget(r); /* A session has begun since. */
@@ -242,7 +242,7 @@ static bool wants(const javino_board *b, const char *functor, uint8_t length)
     return false;
 }
 
-/* Carries a reflex out. Percepts that the program writes meanwhile wait, like unasked percepts. */
+/* Carries a reflex out. Percepts that the program writes in it wait, like unasked percepts. */
 static uint8_t react(javino_board *b, const char *reflex, const char *end)
 {
     uint8_t request = b->link.request;
@@ -276,7 +276,7 @@ static void watch(javino_board *b)
     uint8_t bit;
     if (end - begin - JAVINO_ITEM_HEADER > PERCEPT_MAX)
         return;
-    b->whole = end; /* It stays in place until it has been compared. */
+    b->whole = end; /* The percept stays in place until it has been compared. */
     for (bit = 1; at < r->used; at += r->texts[at] + 1u, bit = (uint8_t)(bit << 1)) {
         const char *rule = (const char *)r->texts + at + 1;
         const char *rule_end = rule + r->texts[at];
@@ -320,9 +320,9 @@ void javino_rules_look(javino_board *board, javino_perceive perceive, uint16_t n
     look(board);
 }
 
-/* ---- Answers part by part ---- */
+/* ---- Answers in parts ---- */
 
-/* Sends the next part of an answer. The answer is to an earlier message than the message in hand. */
+/* Sends the next part of an answer, to an earlier message than the one in hand. */
 static void send_next(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -340,7 +340,7 @@ static void send_next(javino_board *b)
         javino_board_clear(b);
 }
 
-/* Divides the memory that the answer leaves free: until its last part has left, frames arrive in front of it, and percepts are compared
+/* Divides the memory beside the answer. Until the answer's last part has left, frames arrive in front of it, and percepts are compared
  * behind it. */
 static void make_room(javino_board *b)
 {
@@ -353,7 +353,7 @@ static void make_room(javino_board *b)
     javino_board_place(b, place < arrived ? arrived : place);
 }
 
-/* Returns true if the answer goes out part by part from now on, or if unasked percepts join such an answer. */
+/* Returns true if the answer goes out in parts from now on, or if unasked percepts join such an answer. */
 static bool answer(javino_board *b)
 {
     javino_link *l = &b->link;
@@ -367,8 +367,8 @@ static bool answer(javino_board *b)
     return b->answering != 0;
 }
 
-/* Sends the next part of the answer if the line is free; with any `where` but JAVINO_RULES_GO_ON, all remaining parts. Returns false if no
- * answer is being sent. */
+/* If the line is free, sends the next part of the answer. With any `where` but JAVINO_RULES_GO_ON, sends all remaining parts. Returns false
+ * if no answer is being sent. */
 static bool go_on(javino_board *b, uint8_t where)
 {
     bool all = where != JAVINO_RULES_GO_ON;
@@ -398,7 +398,7 @@ static bool take_part(javino_board *b, uint8_t where)
     case JAVINO_RULES_ANSWER: return answer(b);
     case JAVINO_RULES_END:
         go_on(b, where);
-        /* When the answer has been written, percepts are compared in the memory behind it. */
+        /* Behind the written answer, there is memory for the comparison of percepts. */
         return b->link.rules && b->memory - b->link.decoder.end >= 2 * JAVINO_TEXT_MIN;
     default: return go_on(b, where);
     }

@@ -4,9 +4,9 @@
     reference.py            say what differs
     reference.py --write    write javino2-vectors.json anew
 
-The reference is written from docs/protocol.md, as plainly as possible: version1.py, and javino2/ for version 2. It is the second opinion
-on the vectors, the C core and the Java link. The vectors of version 1 are written by hand; the reference makes those of version 2 from the
-cases in cases2.py.
+The reference is written from docs/protocol.md, as plainly as possible: version1.py for version 1, and javino2/ for version 2. It is a
+second opinion on the vectors, the C core and the Java link. The vectors of version 1 are written by hand. The reference computes the
+vectors of version 2 from the inputs in cases2.py.
 """
 import json
 import pathlib
@@ -20,7 +20,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def check1(vectors):
-    """Returns the disagreements with the vectors of version 1, one text each."""
+    """Returns one text for each disagreement with the vectors of version 1."""
     wrong = []
 
     def expect(name, what, found, expected):
@@ -44,7 +44,7 @@ def check1(vectors):
 
 
 def check2(vectors):
-    """Returns the cases of version 2 with which the reference disagrees."""
+    """Returns one text for each disagreement with the vectors of version 2."""
     made, wrong = cases2.vectors(), []
     for group in made.keys() | vectors.keys():
         expected, found = vectors.get(group, []), made.get(group, [])

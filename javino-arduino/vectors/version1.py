@@ -1,19 +1,19 @@
-"""Version 1 of the protocol. Times are in milliseconds, and the caller passes them in."""
+"""Version 1 of the protocol. The caller passes in times, which are in milliseconds."""
 
 PREAMBLE = b"fffe"
 HEX = b"0123456789abcdefABCDEF"
 
 
 def frame(payload):
-    """Returns a frame around at most 255 bytes."""
     return PREAMBLE + b"%02X" % len(payload) + payload
 
 
 class Decoder:
     """A receiver by the protocol's rules.
 
-    If version 2 shares the line, `other` is the byte with which its frames begin. If `anywhere`, a frame may begin at any byte, else only
-    at one in front of which `quiet` was set. Messages are given to `deliver`, or kept in `messages`.
+    `other` is the byte that begins frames of version 2, or None if only version 1 uses the line. If `anywhere`, a frame may begin at any
+    byte. Otherwise a frame may begin only behind a silence, which sets `quiet`. Messages go to `deliver`; without it they are kept in
+    `messages`.
     """
 
     def __init__(self, timeout=100, other=None, deliver=None):
@@ -21,7 +21,7 @@ class Decoder:
         self.other = other
         self.anywhere = self.quiet = True
         self.window = b""
-        self.delivered = 0  # bytes at the window's start that are a frame which has been delivered
+        self.delivered = 0  # how many bytes at the window's start are a delivered frame
         self.last = 0
         self.messages = []
         self.deliver = self.messages.append if deliver is None else deliver
@@ -34,19 +34,19 @@ class Decoder:
         self.last = now
 
     def idle(self, now):
-        """Call it if nothing else has arrived by this time."""
+        """Call this if no byte has arrived up to this time."""
         if now - self.last <= self.timeout:
             return
         while self.window:
             self.give_up()
 
     def put(self, byte):
-        """Takes a byte. Returns the bytes from `other` on, if it is found outside of frames of version 1."""
+        """Takes a byte. If `other` comes outside of frames of version 1, returns the bytes from `other` on."""
         self.window += bytes([byte])
         return self._parse()
 
     def give_up(self):
-        """Handles silence: drops the frame that was delivered, or reads an incomplete one again from its second byte. Returns as put."""
+        """Handles silence. Drops a delivered frame, or reads an incomplete frame again from its second byte. Returns bytes as put does."""
         following = self.window[self.delivered:]
         if self.delivered and (not following or self._header(following) == "yes"):
             self._drop(self.delivered)
@@ -55,7 +55,7 @@ class Decoder:
         return self._parse()
 
     def waits(self):
-        """True if a frame is being read."""
+        """Returns true if a frame is being read."""
         return len(self.window) > self.delivered
 
     def _drop(self, count):
@@ -98,7 +98,7 @@ class Decoder:
 
     @staticmethod
     def _header(data):
-        """Decides if a preamble and two hex digits are here: yes, no or maybe (too few bytes to know)."""
+        """Tells if data begins with a preamble and two hex digits: yes, no, or maybe if there are too few bytes to know."""
         if not PREAMBLE.startswith(data[:4]) or any(c not in HEX for c in data[4:6]):
             return "no"
         return "yes" if len(data) >= 6 else "maybe"

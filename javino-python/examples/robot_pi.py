@@ -1,9 +1,9 @@
-"""A robot on a Raspberry Pi: two motors, an ultrasonic sensor and a bumper, on gpiozero. The computer of the agent is at the other end of a
-serial cable (/dev/serial0), or of the network.
+"""A robot on a Raspberry Pi: two motors, an ultrasonic sensor and a bumper, on gpiozero. The agent's computer is at the other end of a
+serial cable (/dev/serial0) or of the network.
 
     robot_pi.py [LINE]      /dev/serial0, or tcp://0.0.0.0:4000
 
-The agent may set critical rules, such as "stop when dist(front,_) is less than 20", which this program watches by itself.
+The agent may set critical rules, such as "stop when dist(front,_) is less than 20". This program watches them.
 """
 import sys
 

@@ -15,15 +15,14 @@ _PART = 253
 _PART_WITH_RULES = 12
 _PAGE = 252
 _LOOK_MS = 5
-_IDLE_MS = 100
 _MAX_WAITING = 4096
 _REQUEST = "getPercepts"
-_KINDS = "(?)"  # in place of functors: the kinds of percepts are asked for
-_NOTHING = None  # a command whose number is used up
+_KINDS = "(?)"  # in place of functors; asks for the kinds of percepts
+_NOTHING = None  # a command that only uses up its number
 
 
 class Refused(Exception):
-    """An action's function raises it if the action cannot be carried out. Returning False has the same effect."""
+    """An action's function raises this if the action cannot be carried out. Returning False has the same effect."""
 
 
 def _read_row(row):
@@ -47,7 +46,7 @@ def _read_row(row):
 
 
 def _asks_for(functors, functor):
-    """Returns true if a request names this functor, as `(dist,light)` does, or names none: then it asks for all."""
+    """Returns true if a request names this functor, as `(dist,light)` does, or names no functor: such a request asks for all percepts."""
     if "(" not in functors and "," not in functors:
         return True
     for before in "(,":
@@ -58,7 +57,7 @@ def _asks_for(functors, functor):
 
 
 class _Acts:
-    """`board.act["ledOn"] = led_on`"""
+    """Registers actions: `board.act["ledOn"] = led_on`"""
 
     def __init__(self, board):
         self._board = board
@@ -71,13 +70,13 @@ class Board:
     """A board on a line.
 
     `line` is the name of a line, see `open_line`, or an object with `read` and `write`: a UART of MicroPython or CircuitPython, a pyserial
-    port. Without it the line is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port; by
-    it the board spaces the parts of a long answer, so that the report of a reflex overtakes them. 100 ms of silence end a frame that has
-    begun; on a line slower than 2000 baud, 20 byte times do. `credit` is the size of the port's receive buffer in bytes, `longest` the
-    largest payload of a frame in bytes, `shapes` the number of kinds of percepts that are sent only by their digits. `ticks` is a clock of
+    port. The default is standard input and output, on a microcontroller the USB port. `baud` is the rate of a named serial port. Knowing
+    the rate, the board spaces the parts of a long answer: the report of a reflex can overtake them. 100 ms of silence end an unfinished
+    frame; below 2000 baud, 20 byte times of silence do. `credit` is the size of the port's receive buffer in bytes. `longest` is the
+    largest payload of a frame in bytes. `shapes` is how many shapes of percepts the board sends only by their digits. `ticks` is a clock of
     milliseconds.
 
-    Call it from only one thread, never from an interrupt.
+    Call a board from only one thread, never from an interrupt.
     """
 
     def __init__(self, line=None, baud=None, credit=None, longest=frames.MAX_PAYLOAD, shapes=MAX_SHAPES, ticks=ticks_ms):
@@ -91,14 +90,14 @@ class Board:
         self._actions = []  # (name, arguments, function), by number
         self._perceive = None
         self._kinds = []
-        self._receiver = frames.Receiver(self, max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS, longest)
+        self._receiver = frames.Receiver(self, frames.idle_ms(baud), longest)
         self._running = False
-        self._inbox = b""  # bytes that came while a function ran
+        self._inbox = b""  # bytes that came while a registered function ran
         self._texts = []  # percepts that were written and not sent
-        self._waiting = 0  # bytes of the unsent percepts, while nobody has asked
+        self._waiting = 0  # bytes of the unsent percepts that no request asked for
         self._asked = None  # the functors of the request in hand
         self._version = 0  # version of the request in hand
-        self._doubtful = None  # an action of version 1 that may be the beginning of another
+        self._doubtful = None  # an action of version 1 that may be the beginning of another action
         self._rules = None
         self._is_looking = False
         self._looked = self._before = self._heard = self._free_at = ticks()
@@ -125,11 +124,12 @@ class Board:
     # ---- functions that a program registers ----
 
     def on_action(self, name, function=None, arguments=0):
-        """Registers the function for the action of this name. It gets the arguments' values: int, float, or str.
+        """Registers the function of an action. The function gets the arguments' values: int, float, or str.
 
-        `arguments` is the number of its arguments, or ANY; with another number the action is refused. The function also refuses it by
-        returning False or raising Refused. Another exception refuses it and ends `run`. Without a function this decorates one:
-        `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`. Registering a name again replaces its function.
+        `arguments` is the number of the action's arguments, or ANY. A call with another number is refused. The function refuses a call by
+        returning False or raising Refused. Any other exception refuses the call and ends `run`. Without a function, on_action is a
+        decorator: `@board.on_action("speed", arguments=1)`, or `@board.on_action("speed", 1)`. Registering a name again replaces its
+        function.
         """
         if isinstance(function, int):
             function, arguments = None, function
@@ -152,11 +152,11 @@ class Board:
         return function
 
     def perceive(self, function, *kinds):
-        """Registers the function that writes percepts when they are asked for. Returns it, so that this can be a decorator.
+        """Registers the function that writes percepts when a computer asks for them. Returns the function, so perceive is also a decorator.
 
         `kinds` describe the percepts to computers: `perceive(look, "dist(front|left, cm 0..400)")`, or
         `@board.perceive("dist(front|left, cm 0..400)", "ready")`. An argument is `_` for anything, a choice such as `front|left` or `0|1`,
-        or a number's unit, if it has one, and its range: `cm 0..400`, `-40..125`, `% ..`.
+        or a range, perhaps with a unit in front: `cm 0..400`, `-40..125`, `% ..`.
         """
         if isinstance(function, str):
             kinds = (function,) + kinds
@@ -166,37 +166,38 @@ class Board:
         return function
 
     def watch_rules(self, room=8):
-        """Lets the board watch up to `room` critical rules itself, which the computer sets. The function given to `perceive` is then called
-        at most every 5 ms, for the percepts that the rules name; `wants` is true only for those. Call it before the first `run`."""
+        """Has the board watch up to `room` critical rules of the computer. For this, `run` calls the function given to `perceive` at most
+        every 5 ms. In these calls `wants` is true only for functors that a rule names. Call watch_rules before the first `run`."""
         from .rules import Rules  # not imported on boards that watch no rules
         self._rules = Rules(room)
 
     def on_link_lost(self, ms, function):
-        """Registers the function that is called if nothing valid has arrived for `ms` milliseconds: once, and again only after something
-        has arrived. 0: never."""
+        """Registers a function that is called once when nothing valid has arrived for `ms` milliseconds. The function is called again only
+        after something valid has arrived. With 0 ms it is never called."""
         self._silence, self._lost = ms, function
         self._heard, self._is_lost = self._ticks(), False
 
     # ---- percepts ----
 
     def wants(self, functor):
-        """Returns true if the request in hand asks for percepts of this functor; if not, the sensor need not be read."""
+        """Returns true if the request in hand asks for percepts of this functor. If not, the sensor need not be read."""
         functor = functor.lstrip("~")
         if self._is_looking:
             return self._rules.watches(functor)
         return self._asked is None or _asks_for(self._asked, functor)
 
     def percept(self, functor, *values):
-        """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. See `term` for the values.
+        """Writes a percept: `percept("dist", "front", 30)` is `dist(front,30)`. `term` describes the values.
 
-        Returns False if it will not be sent: it is too long for version 1, or nobody asks and too many wait.
+        Returns False if the percept will not be sent. The percept may be too long for version 1, or too many percepts wait without a
+        request.
         """
         if not self.wants(functor):
             return True
         return self._write(functor + "(" + ",".join([term(each) for each in values]) + ")" if values else functor)
 
     def add_percept(self, text):
-        """Writes a percept given as text, without the `;` behind it. Returns as `percept`."""
+        """Writes a percept given as text, without the `;` at its end. Returns the same as `percept`."""
         return not self.wants(functor_of(text)) or self._write(text)
 
     def _write(self, text):
@@ -214,12 +215,12 @@ class Board:
         return True
 
     def clear_percepts(self):
-        """Forgets the percepts that were written and not sent."""
+        """Forgets percepts that were written and not sent."""
         self._texts = []
         self._waiting = 0
 
     def send_percepts(self):
-        """Sends the written percepts unasked. `run` sends those of a request by itself."""
+        """Sends the written percepts unasked. `run` sends the percepts that answer a request."""
         if self._asked is None and not self._is_looking:
             self._send_texts(0, 2 if self._session else 1)
             self._send_parts()
@@ -244,7 +245,7 @@ class Board:
         self._send_as_fits(request, texts, lambda texts: self._shapes.write(texts, self._known), "percepts")
 
     def _send_as_fits(self, request, texts, write, words):
-        """Sends the answer that `write` makes of these texts; of too many for an answer only the first, with a warning."""
+        """Sends the answer that `write` makes of these texts. If they are too many for an answer, sends only the first and warns."""
         limit = _MAX_PARTS * (_PART_WITH_RULES if self._rules else _PART)
         answer = write(texts)
         if len(answer) > limit:
@@ -265,7 +266,7 @@ class Board:
                 self._parts.append((kind, bytes((request, i)) + answer[i * size:i * size + size]))
 
     def _send_messages(self, texts):
-        """Sends messages of version 1, each of whole percepts."""
+        """Sends messages of version 1, each with whole percepts."""
         message = b""
         for text in texts:
             if len(text) > frames.MAX_PAYLOAD:
@@ -277,7 +278,7 @@ class Board:
         self._put(frames.frame1(message))
 
     def _send_parts(self):
-        """Sends parts of answers; with rules, each when the one before has left, with a look at the sensors between them."""
+        """Sends parts of answers. With rules, sends each part when the previous one has left, and looks at the sensors between them."""
         while self._parts and (not self._rules or self._has_left()):
             kind, payload = self._parts.pop(0)
             self._say(kind, payload)
@@ -287,7 +288,7 @@ class Board:
     # ---- actions ----
 
     def carry_out(self, text):
-        """Carries out the action of this text, as a reflex does. Returns true if it was carried out."""
+        """Carries out the action of this text, as a reflex does. Returns true if the action was carried out."""
         functor, arguments, is_whole = split(text)
         if not is_whole:
             return False
@@ -304,8 +305,8 @@ class Board:
             return False
 
     def later(self):
-        """Call it in an action's function to report the outcome later, with `done`. Until then no other action of version 2 is carried out,
-        and requests are answered. Returns the number for `done`; 0 if nobody waits for an outcome, as in version 1."""
+        """Call this in an action's function to report the outcome later, with `done`. Until then the board carries out no other action of
+        version 2, but answers requests. Returns the number for `done`, or 0 if nobody waits for an outcome, as in version 1."""
         if not self._in_hand:
             return 0
         self._tokens += 1
@@ -313,8 +314,8 @@ class Board:
         return self._open
 
     def done(self, later, carried_out=True):
-        """Reports the outcome of an action that called `later`. Returns true if it was reported; false if the computer has begun anew
-        since, or for 0."""
+        """Reports the outcome of an action whose function called `later`. Returns false if nobody waits for it: the number is 0, or the
+        computer has begun a new session."""
         if not later or later != self._open:
             return False
         self._open = 0
@@ -368,7 +369,7 @@ class Board:
     # ---- rules ----
 
     def _look(self):
-        """Compares the sensors with the rules, at most every 5 ms."""
+        """Compares percepts with the rules, at most every 5 ms."""
         now = self._ticks()
         if not self._rules or not self._perceive or ticks_diff(now, self._looked) < _LOOK_MS:
             return
@@ -385,7 +386,7 @@ class Board:
         for number, reflex in self._rules.newly_met(text) if len(data) <= 253 else ():
             outcome = 0
             if reflex:
-                self._is_looking = False  # percepts that the reflex's function writes wait
+                self._is_looking = False  # percepts that the reflex's function writes are kept, not compared
                 try:
                     outcome = 1 if self.carry_out(reflex) else 2
                 finally:
@@ -395,10 +396,9 @@ class Board:
     # ---- the line ----
 
     def run(self):
-        """Takes the bytes that have arrived: answers requests, carries out actions, reports a lost link. Call it in every round of the
-        program. Within a function that it has called it only stores the bytes, so that a receive buffer does not overflow meanwhile. Raises
-        LineGone when the line is gone for good.
-        """
+        """Takes arrived bytes: answers requests, carries out actions, reports a lost link. Call this in every round of the program. In a
+        call from a registered function, run only stores the bytes, so a receive buffer does not overflow. Raises LineGone when the line is
+        gone for good."""
         if self._running:
             if len(self._inbox) < _MAX_WAITING:
                 self._inbox += self.line.read() or b""
@@ -429,7 +429,7 @@ class Board:
             self._lost()
 
     def wait(self, ms):
-        """Waits at most `ms` milliseconds until something arrives. The wait is shorter if a silence may end it or rules watch sensors."""
+        """Waits at most `ms` milliseconds until something arrives. Waits less if silence may end a frame, or if rules watch sensors."""
         if self._parts:
             ms = min(ms, 1)
         elif self._rules or self._receiver.is_waiting():  # true if rules are set
@@ -437,7 +437,7 @@ class Board:
         self.line.wait(ms)
 
     def run_forever(self, each_round=None, ms=20):
-        """Runs the board until the program is stopped. Calls `each_round` in every round, at least every `ms` milliseconds."""
+        """Runs the board without end. Calls `each_round` in every round, at least every `ms` milliseconds."""
         while True:
             self.run()
             if each_round:
@@ -452,7 +452,7 @@ class Board:
         self.line.write(data)
 
     def _has_left(self):
-        """Returns true if all written bytes have left, by the line's rate."""
+        """Returns true if all written bytes have left at the line's rate."""
         return not self._baud or ticks_diff(self._free_at, self._ticks()) <= 0
 
     def _say(self, kind, payload=b""):
@@ -465,7 +465,7 @@ class Board:
     # ---- frames, as the receiver finds them ----
 
     def take1(self, payload):
-        """Takes a message of version 1. Its sender has no session, so the session of an earlier program ends."""
+        """Takes a message of version 1. The sender has no session, so the session of an earlier program ends."""
         self._note_valid()
         if self._session:
             self._begin(0)
@@ -475,20 +475,19 @@ class Board:
             return
         for name, _, _ in self._actions:
             if name != text and name.startswith(text):
-                self._doubtful = text  # a damaged size may have cut it short
+                self._doubtful = text  # a damaged size may have cut the text short
                 return
         self.carry_out(text)
 
     def followed(self, rightly):
-        """Takes what the next bytes show about the message of version 1 before them: true if it was read rightly."""
+        """Learns from the next bytes whether the message of version 1 before them was read rightly."""
         text, self._doubtful = self._doubtful, None
         if text is not None and rightly:
             self.carry_out(text)
 
     def take2(self, kind, number, payload):
-        """Takes a frame of version 2."""
         self._note_valid()
-        if kind == frames.HELLO and number != self._session:  # else the same HELLO has come twice
+        if kind == frames.HELLO and number != self._session:  # the same number: the same HELLO has come twice
             self._begin(number)
         if kind == frames.HELLO or not self._session:
             rules = 0 if self._rules is None else self._rules.room

@@ -1,13 +1,13 @@
-"""A clock of milliseconds, which wraps on microcontrollers, and the difference of two of its times."""
+"""A clock of milliseconds, and the difference of two of its times. On microcontrollers the clock wraps around."""
 try:
     from time import ticks_diff, ticks_ms
 except ImportError:
     from time import monotonic_ns
 
     def ticks_ms():
-        """Milliseconds since some moment."""
+        """Returns milliseconds since a fixed moment."""
         return monotonic_ns() // 1000000
 
     def ticks_diff(later, earlier):
-        """Milliseconds between two times."""
+        """Returns the milliseconds between two times."""
         return later - earlier

@@ -1,6 +1,6 @@
-"""Frames of the Javino protocol, versions 1 and 2: finds them in the bytes that arrive, and writes them.
+"""Frames of the Javino protocol, versions 1 and 2. This module finds frames in arrived bytes, and writes frames.
 
-This module has no line and no clock: the caller hands in bytes and times, in milliseconds.
+The module uses no line and no clock. The caller hands in bytes, and times in milliseconds.
 """
 try:
     from binascii import crc_hqx  # the same polynomial, in C
@@ -26,20 +26,21 @@ REFUSED = 0x40
 BUSY = 0x20
 
 REVISION = 1
-"""The revision of version 2 of this implementation, for WELCOME."""
+"""This implementation's revision of version 2, for WELCOME."""
 
 MAX_PAYLOAD = 255
-"""The largest payload of a frame in bytes, in either version."""
+"""The largest payload of a frame in bytes, in both versions."""
 
 _TO_BOARD = (HELLO, ASK, DESCRIBE, COMMANDS, RESUME)
 _PREAMBLE = b"fffe"
 _HEADER = 6
+_IDLE_MS = 100
 _HEX = b"0123456789abcdefABCDEF"
 _NO, _MAYBE, _YES = 0, 1, 2
 
 
 def crc16(data, nonce=0):
-    """Returns the CRC-16/CCITT-FALSE of the bytes; with a nonce, that of a frame of this session."""
+    """Returns the CRC-16/CCITT-FALSE of the bytes. With a nonce, returns the checksum of a frame of that session."""
     crc = 0xFFFF ^ nonce << 8
     if crc_hqx:
         return crc_hqx(data, crc)
@@ -57,7 +58,7 @@ def frame1(payload):
 
 
 def frame2(kind, number, payload, nonce):
-    """Returns a frame of version 2 around at most 255 bytes, with its escapes, in the session with this nonce."""
+    """Returns a frame of version 2 around at most 255 bytes, with escapes, in the session with this nonce."""
     body = bytes((len(payload), kind, number)) + payload
     crc = crc16(body, 0 if kind == HELLO or kind & ~(REFUSED | BUSY) == WELCOME else nonce)
     body += bytes((crc >> 8, crc & 255))
@@ -65,7 +66,7 @@ def frame2(kind, number, payload, nonce):
 
 
 def _header(data, at, end):
-    """Returns true if a preamble and two hex digits are at this place; _MAYBE if there are too few bytes to know."""
+    """Returns _YES if a preamble and two hex digits are at this place, _NO if not, _MAYBE if there are too few bytes to know."""
     for i in range(min(_HEADER, end - at)):
         byte = data[at + i]
         if byte != _PREAMBLE[i] if i < 4 else byte not in _HEX:
@@ -73,34 +74,38 @@ def _header(data, at, end):
     return _YES if end - at >= _HEADER else _MAYBE
 
 
+def idle_ms(baud=None):
+    """Returns the milliseconds of silence that end an unfinished frame: 100, or 20 byte times if they last longer at this rate."""
+    return max(_IDLE_MS, 200000 // baud) if baud else _IDLE_MS
+
+
 class Receiver:
     """Finds the frames for a board on a line that both versions share.
 
-    `sink` is an object with `take1(payload)` and `take2(kind, number, payload)`, which get each frame with its last byte, and
-    `followed(rightly)`, which gets true if the bytes behind a frame of version 1 show that it was read rightly, false if it may have been
-    misread.
+    `sink` has three methods. `take1(payload)` and `take2(kind, number, payload)` get each frame with its last byte. `followed(rightly)`
+    gets true if the bytes behind a frame of version 1 show that it was read rightly, else false.
     """
 
-    def __init__(self, sink, timeout=100, longest=MAX_PAYLOAD):
+    def __init__(self, sink, timeout=_IDLE_MS, longest=MAX_PAYLOAD):
         self.session = 0
-        """The nonce of the board's session, 0 without one; set in `take1` and `take2`."""
+        """The nonce of the board's session; 0 without a session. `take1` and `take2` set it."""
         self._sink = sink
         self._timeout = timeout
         self._longest = longest
-        self._last = None  # time at which bytes came last
+        self._last = None  # when bytes came last
         self._body = None  # the frame of version 2 that is being read, without escapes
         self._escaped = False
         self._window = b""  # bytes that may belong to a frame of version 1
-        self._held = 0  # bytes at its start that are a frame which has been handed out
+        self._held = 0  # how many bytes at the window's start are a frame that was handed out
         self._quiet = True  # a frame of version 1 may begin at the window's start
 
     def receive(self, data, now):
-        """Takes bytes. Bytes that have waited in a receive buffer are not late: only `idle` tells silences."""
+        """Takes bytes. Bytes that have waited in a receive buffer are not late, since only `idle` notices silence."""
         self._last = now
         self._read(data)
 
     def idle(self, now, diff=lambda a, b: a - b):
-        """Call it if nothing more has arrived at this time. `diff` subtracts times of a clock that wraps."""
+        """Call this if no byte has arrived up to this time. `diff` subtracts times of a clock that wraps around."""
         silence = self._timeout + 1 if self._last is None else diff(now, self._last)
         if silence > self._timeout:
             while self._window:
@@ -113,7 +118,7 @@ class Receiver:
             self._sink.followed(True)
 
     def is_waiting(self):
-        """Returns true if silence would change anything."""
+        """Returns true if a silence would drop bytes or end a frame."""
         return bool(self._window) or self._body is not None
 
     def _read(self, data):
@@ -123,7 +128,7 @@ class Receiver:
     # ---- version 1 ----
 
     def _read1(self, data):
-        """Reads bytes outside of frames of version 2; returns the bytes behind the start of such a frame."""
+        """Reads bytes outside of frames of version 2. Returns the bytes behind the start of such a frame."""
         window = self._window + data
         end = len(window)
         at = 0
@@ -168,7 +173,7 @@ class Receiver:
             self._sink.followed(rightly)
 
     def _give_up(self):
-        """Handles silence: drops the frame that was handed out, or reads an incomplete one again from its second byte."""
+        """Handles silence. Drops a frame that was handed out, or reads an incomplete frame again from its second byte."""
         window, held = self._window, self._held
         self._window = b""
         if held and (len(window) == held or _header(window, held, len(window)) == _YES):
@@ -186,7 +191,7 @@ class Receiver:
         self._escaped = False
 
     def _read2(self, data):
-        """Reads bytes of a frame of version 2; returns the bytes behind its end."""
+        """Reads bytes of a frame of version 2. Returns the bytes behind the frame's end."""
         for i in range(len(data)):
             byte = data[i]
             if byte == START:
@@ -210,7 +215,7 @@ class Receiver:
         return data[i + 1:]
 
     def _take(self, byte):
-        """Takes a byte without escapes; the frame is over when `_body` is None."""
+        """Takes a byte without escapes. Sets `_body` to None when the frame is over."""
         body = self._body
         body.append(byte)
         size = len(body)
@@ -219,6 +224,6 @@ class Receiver:
         elif size == body[0] + 5:
             self._body = None
             nonce = 0 if body[1] == HELLO else self.session
-            is_unchecked = body[1] != HELLO and not nonce  # without a session the checksum is unknown; the board answers so
+            is_unchecked = body[1] != HELLO and not nonce  # without a session nobody knows the checksum; the answer is WELCOME 00
             if is_unchecked or crc16(body, nonce) == 0:  # the CRC of bytes followed by their CRC is 0
                 self._sink.take2(body[1], body[2], bytes(body[3:size - 2]))

@@ -1,4 +1,4 @@
-"""Lines of computers, by name. Needs only Python on Linux and macOS; on Windows serial ports need pyserial."""
+"""Lines of computers, by name. Linux and macOS need only Python. On Windows serial ports need pyserial."""
 import os
 import select
 import socket
@@ -14,10 +14,11 @@ _PATIENCE = 1.0  # seconds until bytes that nobody takes are lost, as on a seria
 def open_named(name, baud=None):
     """Opens a line by its name and returns it.
 
-    `/dev/ttyGS0` or `COM3`: a serial port; `pty` or `pty:/tmp/board`: a pseudo-terminal, `name` of the line is the device that a computer
-    opens, and the path a link to it; `tcp://HOST:PORT`: listens there, for one computer at a time; `-`: standard input and output.
+    `/dev/ttyGS0` or `COM3` is a serial port. `pty` is a pseudo-terminal; the line's `name` is the device that a computer opens.
+    `pty:/tmp/board` also makes a link to that device. `tcp://HOST:PORT` listens there, for one computer at a time. `-` is standard input
+    and output.
 
-    Raises ValueError for no such name, OSError with the system's reason if it cannot be opened.
+    Raises ValueError for a name of another form. Raises OSError with the system's reason if the line cannot be opened.
     """
     if name == "-":
         return Descriptor(sys.stdin.fileno(), sys.stdout.fileno(), "standard input and output")
@@ -69,8 +70,8 @@ def _pyserial(name, baud):
 
 
 def _write_all(send, target, data):
-    """Writes all bytes by `send`; `select` tells when `target` takes more. Returns false if it takes none for a second: then the rest is
-    lost."""
+    """Writes all bytes by `send`, waiting for `target` when it takes none. Returns false and drops the rest if it takes none for a
+    second."""
     end = time.monotonic() + _PATIENCE
     while data:
         try:
@@ -82,7 +83,7 @@ def _write_all(send, target, data):
 
 
 class Descriptor:
-    """A line on two descriptors of the system, or on one for both directions."""
+    """A line on two descriptors of the system, or on one descriptor for both directions."""
 
     credit = _CREDIT
 
@@ -105,7 +106,7 @@ class Descriptor:
         return data
 
     def write(self, data):
-        """Writes all bytes, unless the far end takes none for a second: then the rest is lost."""
+        """Writes all bytes. If the far end takes none for a second, the rest is lost."""
         try:
             _write_all(lambda rest: os.write(self._out, rest), self._out, data)
         except OSError as e:
@@ -123,7 +124,7 @@ class Descriptor:
 
 
 class PseudoTerminal(Descriptor):
-    """A pseudo-terminal; `name` is the device that a computer opens. It keeps its settings and its bytes until it is closed."""
+    """A pseudo-terminal. `name` is the device that a computer opens. The terminal keeps its settings and bytes until it is closed."""
 
     def __init__(self, link=""):
         import tty
@@ -137,7 +138,7 @@ class PseudoTerminal(Descriptor):
             os.symlink(self.name, link)
 
     def close(self):
-        """Takes the terminal and the link away."""
+        """Removes the terminal and the link."""
         super().close()
         os.close(self._slave)
         if self._link and os.path.islink(self._link) and os.readlink(self._link) == self.name:
@@ -145,7 +146,7 @@ class PseudoTerminal(Descriptor):
 
 
 class Listener:
-    """Listens for computers, and talks to the one that connected last."""
+    """Listens for computers, and talks to the computer that connected last."""
 
     credit = _CREDIT
 
@@ -186,7 +187,7 @@ class Listener:
         return data
 
     def write(self, data):
-        """Writes all bytes, unless the far end has gone or takes none for a second."""
+        """Writes all bytes. If the far end has gone or takes no byte for a second, drops the rest and the connection."""
         if not self._connection:
             return
         try:
@@ -201,6 +202,6 @@ class Listener:
         select.select([self._server] + ([self._connection] if self._connection else []), [], [], ms / 1000)
 
     def close(self):
-        """Ends the connection and listens no more."""
+        """Ends the connection and stops listening."""
         self._leave()
         self._server.close()

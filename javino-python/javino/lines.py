@@ -1,4 +1,4 @@
-"""Lines of microcontrollers: ports that the program has opened, and the USB port. The lines of computers are in `hosts`."""
+"""Lines of microcontrollers: ports that the program has opened, and the USB port. `hosts` has the lines of computers."""
 import sys
 
 from .clock import ticks_diff, ticks_ms
@@ -11,14 +11,14 @@ class LineGone(OSError):
 
 
 def tell(text):
-    """Warns the person at a computer, once. A microcontroller has no other place for words than its line."""
+    """Warns the person at a computer, once. A microcontroller stays silent: its line is its only place for words."""
     if IS_COMPUTER:
         import warnings
         warnings.warn(text, RuntimeWarning, stacklevel=2)
 
 
 def open_line(line, baud=None):
-    """Returns the line for a name, an open port or None; see `Board`, and `hosts.open_named` for the names."""
+    """Returns the line for a name, an open port or None. `hosts.open_named` describes the names, and `Board` the default."""
     if line is not None and not isinstance(line, str):
         return line if hasattr(line, "wait") else Port(line)
     if IS_COMPUTER:
@@ -30,7 +30,7 @@ def open_line(line, baud=None):
 
 
 def _wait(is_ready, ms):
-    """Looks every millisecond until something is ready, for at most `ms` milliseconds."""
+    """Checks every millisecond whether something is ready, for at most `ms` milliseconds."""
     try:
         from time import sleep_ms
     except ImportError:
@@ -44,7 +44,7 @@ def _wait(is_ready, ms):
 
 
 class Port:
-    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or any object with `read` and `write` like these."""
+    """An open port: `machine.UART`, `busio.UART`, a pyserial port, or an object with the same `read` and `write`."""
 
     def __init__(self, port):
         self._port = port
@@ -74,7 +74,7 @@ class Port:
 
 
 class Console:
-    """Standard input and output of a microcontroller, which is its USB port. The byte 03 is data here and interrupts nothing."""
+    """Standard input and output of a microcontroller, which is its USB port. The byte 03 is data here, and interrupts no program."""
 
     def __init__(self):
         try:

@@ -1,11 +1,12 @@
-"""The texts of literals: actions that arrive, percepts that are written. Texts are `str` of ISO 8859-1, a byte for each character."""
+"""The texts of literals: actions that arrive, and percepts that a program writes. Texts are `str` of ISO 8859-1, a byte for each
+character."""
 
 _OPENING = "([{"
 _CLOSING = ")]}"
 
 
 def to_bytes(text):
-    """Returns the text's bytes. Raises ValueError for a character that ISO 8859-1 does not have."""
+    """Returns the text's bytes. Raises ValueError for a character that is not in ISO 8859-1."""
     data = text.encode()
     if len(data) == len(text):
         return data
@@ -24,7 +25,7 @@ def to_text(data):
 
 
 def functor_of(text):
-    """Returns the text in front of the arguments and annotations."""
+    """Returns the text in front of arguments and annotations."""
     for i in range(len(text)):
         if text[i] in "([;":
             return text[:i].strip(" ")
@@ -32,8 +33,8 @@ def functor_of(text):
 
 
 def split(text):
-    """Returns (functor, arguments, is_whole), with the arguments as texts without blanks around them. `is_whole` is false for a text that
-    is no literal, because a bracket, a quote or an argument is missing, or because text follows it."""
+    """Returns (functor, arguments, is_whole). Arguments are texts without the blanks around them. `is_whole` is false if the text is no
+    literal: a bracket, a quote or an argument is missing, or text follows the literal."""
     functor = functor_of(text)
     i = 0
     while i < len(text) and text[i] not in "([;":
@@ -84,7 +85,7 @@ def _digits(text, at):
 
 
 def is_number(text):
-    """Returns true if the text is digits, maybe with a sign in front, and maybe with a point and digits behind."""
+    """Returns true if the text is digits. A sign may be in front, and a point and digits behind."""
     begin = 1 if text[:1] in ("+", "-") and text else 0
     point = _digits(text, begin)
     if point == begin or point == len(text):
@@ -105,8 +106,8 @@ def _scaled(text, places):
 
 
 def compare(a, b):
-    """Compares two numbers given as texts: returns less than 0 if `a < b`, 0 if they are equal, else more than 0. Exact, unlike floats of
-    microcontrollers."""
+    """Compares two numbers given as texts. Returns less than 0 if `a < b`, 0 if they are equal, else more than 0. The comparison is exact,
+    unlike that of a microcontroller's floats."""
     places = len(a) + len(b)
     a, b = _scaled(a, places), _scaled(b, places)
     return (a > b) - (a < b)
@@ -116,7 +117,7 @@ def compare(a, b):
 
 
 def value(argument):
-    """Returns the value of an action's argument: an int, a float, or a str without its quotes. Lists and structures stay text."""
+    """Returns the value of an action's argument: an int, a float, or a str without its quotes. Lists and structures stay texts."""
     if is_number(argument):
         return float(argument) if "." in argument else int(argument)
     if argument[0] == '"' or argument[0] == "'":
@@ -143,9 +144,8 @@ def _unquoted(text):
 
 
 def term(value):
-    """Returns the text of a Python value in a percept: numbers, True and False, atoms, other text as a string, lists. Raises ValueError for
-    a float that is no number or infinite, TypeError for other values.
-    """
+    """Returns the text of a Python value in a percept: a number, True or False, an atom, a string for any other text, or a list. Raises
+    ValueError for a float that is infinite or no number, TypeError for other values."""
     if value is True or value is False:
         return "true" if value else "false"
     if isinstance(value, int):

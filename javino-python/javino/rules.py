@@ -1,8 +1,8 @@
-"""Critical rules that the board itself watches: conditions on percepts, set by the computer."""
+"""Critical rules that the computer sets and the board watches: conditions on percepts."""
 from .literals import compare, functor_of, is_number, split
 
 MAX_PERCEPT = 253
-"""The largest percept in a report in bytes, with its `;`."""
+"""The largest percept in a report, in bytes with its `;`."""
 
 NO_REFLEX = 0
 CARRIED_OUT = 1
@@ -12,13 +12,13 @@ _REFLEX = "\x02"
 
 
 def _word(text, begin):
-    """Returns the characters up to a 00, and the place behind it; (None, 0) if there is no 00."""
+    """Returns the characters before the next 00, and the place behind that 00. Returns (None, 0) if there is no 00."""
     end = text.find("\x00", begin)
     return (None, 0) if end < 0 else (text[begin:end], end + 1)
 
 
 def read(text):
-    """Returns the rule of a command without its number, as (functor, conditions, reflex); None if it has another form."""
+    """Returns the rule of a command without its number, as (functor, conditions, reflex). Returns None if the text is no rule."""
     functor, at = _word(text, 0)
     if not functor:
         return None
@@ -51,7 +51,7 @@ def _holds(condition, arguments):
 
 
 def is_met(rule, percept):
-    """Returns true if the percept has the rule's functor and meets all its conditions."""
+    """Returns true if the percept has the rule's functor and meets all conditions of the rule."""
     if functor_of(percept) != rule[0]:
         return False
     arguments = split(percept)[1]
@@ -79,7 +79,7 @@ class Rules:
         self._met = ()
 
     def set(self, text):
-        """Carries out a command on rules. Returns false if it is refused."""
+        """Carries out a command on rules. Returns false if the command is refused."""
         number = ord(text[0])
         if number == 0 and len(text) == 1:
             self.forget()
@@ -107,7 +107,8 @@ class Rules:
         self._seen = []
 
     def newly_met(self, percept):
-        """Returns (number, reflex) of each rule that this percept is the first to meet in this look and that the last look did not meet."""
+        """Returns (number, reflex) of each rule that begins to be met. The percept is the first to meet the rule in this look, and no
+        percept met the rule in the last look."""
         found = []
         for number, rule in self._rules:
             if number not in self._seen and is_met(rule, percept):
@@ -117,5 +118,5 @@ class Rules:
         return found
 
     def end(self):
-        """Ends the look: rules that no percept met begin anew."""
+        """Ends the look. A rule that no percept met in this look can begin to be met again."""
         self._met = tuple([number for number in self._seen if number in [each[0] for each in self._rules]])

@@ -1,4 +1,4 @@
-# Length of the frame at the start; 6 while the header is not whole, 0 if there is no frame.
+# Returns the length of the frame at the start: 6 while the header is incomplete, 0 if there is no frame.
 def length(data):
     head = data[:4]
     if head != b"fffe"[:len(head)]:
@@ -14,7 +14,7 @@ def length(data):
     return 6 + size
 
 
-# Returns the data from a frame on, the frame's length or 0, and True if another frame or silence follows.
+# Returns the data from a frame on, the frame's length or 0, and whether another frame or silence follows.
 def find(data, silence):
     while data:
         size = length(data)

@@ -33,7 +33,7 @@ def split(text):
     return parts
 
 
-# The function for an action. Not sure: its text may be the beginning of another action's.
+# Returns the function of an action. If not sure, returns none when the text may be the beginning of another action.
 def choose(act, parts, sure):
     name = parts[0]
     found = act.get(name)

@@ -1,4 +1,4 @@
-// The robot of the bench of stops with the version 1 library in the field; it has the percepts, actions and pins of the sketch Stops.
+// The robot of the bench of stops with the field's version 1 library. The percepts, actions and pins are those of the sketch Stops.
 // Compiled with BAUD and LOOP_MS.
 #include "field.h"
 

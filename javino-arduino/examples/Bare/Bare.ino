@@ -1,5 +1,4 @@
-// Messages one by one, without callbacks: every action is answered with its own text, and a request with the
-// time since the start.
+// Messages one by one, without callbacks: the board answers every action with its own text, and a request with the time since the start.
 //
 //   actions   any
 //   percepts  uptime(Seconds)

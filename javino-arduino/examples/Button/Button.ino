@@ -1,4 +1,4 @@
-// A button that is reported when it is pressed: the board sends the percept by itself, and nobody has to ask.
+// A button: the board sends a percept by itself when the button is pressed.
 //
 //   wiring    a button from pin 3 to GND; the LED of the board
 //   actions   ledOn, ledOff
@@ -7,8 +7,8 @@
 //             +!start <- argo.port(ttyACM0, [mode(listen)]); argo.percepts(open).
 //             +pressed(N) <- .print("pressed ", N, " times"); argo.act(ledOn).
 //
-// mode(listen) has the computer ask for nothing. Without it the agent asks too, and a press is perceived all the same. A percept sent while
-// no computer listens is lost. If it must not be lost, write it in look(), as the number of presses here.
+// With mode(listen) the computer asks for nothing. Without it the agent asks too, and still perceives a press. A percept is lost if no
+// computer listens. To keep it, write it in look(), like the number of presses here.
 
 #include <Javino.h>
 

@@ -1,5 +1,5 @@
-// A gripper that takes a while to close. The board goes on meanwhile, and the agent's argo.act(close) returns when it
-// has closed, or fails when there is nothing between its fingers.
+// A gripper that takes a while to close, while the board goes on. The agent's argo.act(close) returns when the gripper has closed, or fails
+// if nothing is between its fingers.
 //
 //   actions   open, close
 //   percepts  gripper(open), gripper(closing) or gripper(closed)
@@ -8,7 +8,7 @@
 //             +!take <- argo.act(close); .print("I have it").
 //             -!take <- .print("there is nothing between the fingers"); argo.act(open).
 //
-// Other actions wait for the outcome. So if an action must be stoppable on the way, report it as carried out when it begins.
+// Other actions wait for the outcome. So if another action must be able to stop this one, report this one as carried out when it begins.
 
 #include <Javino.h>
 

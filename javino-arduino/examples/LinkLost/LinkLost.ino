@@ -1,8 +1,8 @@
-// A motor that never outlives the computer: when nothing valid has arrived for 300 ms, it stops.
+// A motor that stops without its computer: after 300 ms without a valid message.
 //
-// Only run() notices that, so a loop() that is held up does not. For a loop() that never comes back there is the watchdog: on AVR #include
-// <avr/wdt.h>, wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop() restart a board that has hung for half a second, and its motors
-// are off. (Boot loaders of some older Megas and Nanos do not survive that.)
+// Only run() notices the silence, so a loop() that hangs does not. For that there is the watchdog. On AVR #include <avr/wdt.h>, call
+// wdt_enable(WDTO_500MS) in setup() and wdt_reset() in loop(). A board that has hung for half a second then restarts, with its motors off.
+// (Boot loaders of some older Megas and Nanos do not survive that.)
 //
 //   actions   speed(0..255)
 //   percepts  motor(Speed), stopped(linkLost) once after the link was lost
@@ -40,7 +40,7 @@ void look() {
   javino.describe(F("motor(0..255)"));
   javino.describe(F("stopped(linkLost)"));
   javino.percept("motor", power);
-  // Nothing is lost when other percepts, or the description, are asked for.
+  // A request for other percepts, or for the description, must not clear the flag.
   if (wasLost && javino.wants("stopped")) {
     javino.percept("stopped", "linkLost");
     wasLost = false;

@@ -8,7 +8,7 @@
 //             +dist(f,Cm) : Cm < 40 <- argo.act(stop).
 //             +light(f,Level) : Level > 100 <- argo.act(ledLightOn).
 //
-// It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets, such as
+// The robot stops by itself after a second of silence from the computer. The board watches critical rules that the computer sets, such as
 // "stop when dist(f,_) is less than 40".
 //
 // Wiring for an Uno:
@@ -85,7 +85,7 @@ void look() {
   javino.describe(F("dist(f|b|r|l, cm 0..650)"));
   javino.describe(F("light(f|b|r|l, 0..1023)"));
   javino.describe(F("temp(f|b|r|l, C 0..150)"));
-  // A sensor that nobody asks for is not read.
+  // A sensor that the request does not name is not read.
   bool light = javino.wants("light");
   bool temperature = javino.wants("temp");
   for (uint8_t side = 0; side < 4; side++) {

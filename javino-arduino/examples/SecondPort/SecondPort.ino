@@ -1,4 +1,4 @@
-// The agent on a second serial port, and the first one for the serial monitor, which shows the commands that arrive and are carried out.
+// The agent on a second serial port. The first port has the serial monitor, which shows the commands that the board carries out.
 //
 //   wiring    the far end's TX to the board's RX1 (Mega: 19, Leonardo: 0), its RX to TX1 (Mega: 18, Leonardo: 1), GND to GND. A far end
 //             of 3.3 V takes no 5 V: two resistors divide TX1's voltage
@@ -8,7 +8,7 @@
 //             +!start <- argo.port(serial0, [baud(115200)]); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// For Mega, Leonardo, ESP32, Pico and others with a Serial1; a Uno and an ESP8266 have none that receives, see SoftwareLine.
+// For Mega, Leonardo, ESP32, Pico and others with a Serial1. On a Uno or an ESP8266 no Serial1 receives: see SoftwareLine.
 
 #include <Javino.h>
 
@@ -18,7 +18,7 @@ const unsigned long SILENCE_MS = 1000;
 Javino javino(Serial1);
 uint8_t power = 0;
 
-// Prints only text that finds room at once: a monitor that reads slowly, or is closed, does not hold the robot up.
+// Prints only text that has room at once: a slow or closed monitor does not hold the robot up.
 void print(const char *what, long value) {
   if (Serial.availableForWrite() < 24)
     return;

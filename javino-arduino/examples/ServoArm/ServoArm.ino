@@ -1,4 +1,4 @@
-// An arm on a servo that moves at a pace of its own while the board goes on. The agent gives it a new angle at any time.
+// An arm on a servo that moves at its own pace while the board goes on. The agent may give it a new angle at any time.
 //
 //   wiring    the servo's signal to pin 9; its power from a supply of its own, whose GND is connected to the board's: a servo takes more
 //             than USB gives, and the board would restart
@@ -9,8 +9,8 @@
 //             -moving : angle(120) <- argo.act(angle(60)).
 //             -moving : angle(60) <- argo.act(angle(120)).
 //
-// The arm stays where it is when nothing has come from the computer for a second. Servo is a library of its own: the Arduino IDE has it,
-// for an ESP32 install ESP32Servo.
+// After a second without a message from the computer, the arm stays where it is. The Arduino IDE has the library Servo; for an ESP32
+// install ESP32Servo.
 
 #include <Javino.h>
 

@@ -1,5 +1,5 @@
-// An Uno has one serial port. Here the agent's line is on two other pins, where a Bluetooth module HC-05 or a Raspberry Pi is, and the port
-// of USB shows the events on the serial monitor.
+// An Uno has one serial port. Here it shows the events on the serial monitor. The agent's line is on two other pins, for a Bluetooth module
+// HC-05 or a Raspberry Pi.
 //
 //   wiring    the far end's TX to pin 10, its RX to pin 11, GND to GND. A far end of 3.3 V takes no 5 V:
 //             two resistors divide pin 11's voltage
@@ -10,9 +10,9 @@
 //             +led(off) <- argo.act(ledOn).
 //             +led(on) <- argo.act(ledOff).
 //
-// SoftwareSerial hears nothing while it sends. In version 2 the computer repeats lost commands and requests, so keep answers short, and
-// 9600 baud or less. For AVR and ESP8266; boards with more ports do without, see SecondPort. On a Mega receive on one of the pins 10-15,
-// 50-53, A8-A15.
+// SoftwareSerial hears nothing while it sends. So keep answers short, and use 9600 baud or less; in version 2 the computer repeats lost
+// commands and requests. For AVR and ESP8266; boards with more ports do not need it, see SecondPort. On a Mega receive on one of the pins
+// 10-15, 50-53, A8-A15.
 
 #include <Javino.h>
 #include <SoftwareSerial.h>

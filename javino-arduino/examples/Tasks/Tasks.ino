@@ -1,6 +1,6 @@
-// Two tasks of FreeRTOS, which is in the ESP32's core: one controls the robot every 10 ms, whatever the line does; the other has the line,
-// and is the only one to call the library. Commands go to the robot through a queue, and its readings come back through another one. Both
-// hold only the newest item.
+// Two tasks of FreeRTOS, which is in the ESP32's core. One controls the robot every 10 ms, independent of the line. Only the other uses the
+// line and calls the library. Commands go to the robot's task through a queue, and readings come back through a second queue. Each queue
+// holds only the newest item.
 //
 //   wiring    a motor's driver at pin 25, a distance sensor with an analogue output at pin 34
 //   actions   speed(0..255), stop
@@ -9,7 +9,7 @@
 //             +!start <- argo.port(ttyUSB0, [baud(115200)]); argo.percepts(open); argo.act(speed(120)).
 //             +dist(D) : D > 3000 <- argo.act(stop).
 //
-// The motor stops when the computer has been silent for a second, and also when the line's task hangs for half a second: the robot's task
+// The motor stops after a second of silence from the computer. It also stops if the line's task hangs for half a second: the robot's task
 // then gets no sign of life.
 
 #include <Javino.h>
@@ -28,7 +28,7 @@ struct Reading {
 
 QueueHandle_t commands;  // of uint8_t: the motor's power
 QueueHandle_t readings;  // of one Reading
-volatile uint32_t alive; // when the line's task was last there, ms
+volatile uint32_t alive; // time of the line's task's last sign of life, ms
 
 // ---- the robot's task ----
 
@@ -103,7 +103,6 @@ void setup() {
   xTaskCreatePinnedToCore(lineTask, "line", STACK_BYTES, NULL, 2, NULL, 1);
 }
 
-// The tasks do everything.
 void loop() {
   vTaskDelete(NULL);
 }

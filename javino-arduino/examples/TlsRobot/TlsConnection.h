@@ -1,5 +1,5 @@
-// The board's end of TLS on a WiFiClient, by mbedTLS, which is in the ESP32's core. The core itself has TLS only for clients
-// (WiFiClientSecure); those of the ESP8266 and the Pico W have a WiFiServerSecure, and need none of this.
+// The board's end of TLS on a WiFiClient, by mbedTLS, which is in the ESP32's core. The core's own TLS is only for clients
+// (WiFiClientSecure). The cores of the ESP8266 and the Pico W have a WiFiServerSecure, and need none of this.
 
 #ifndef TLS_CONNECTION_H
 #define TLS_CONNECTION_H
@@ -16,7 +16,7 @@
 // The identity of the board, and of the computer that may use it.
 class TlsIdentity {
 public:
-  // The board's certificate and key, and the one certificate that a computer must prove to have, all in PEM. Returns 0, or mbedTLS' error.
+  // Takes the board's certificate and key, and the only certificate that a computer may have, all in PEM. Returns 0, or mbedTLS' error.
   int begin(const char *board, const char *key, const char *computer) {
     mbedtls_x509_crt_init(&board_);
     mbedtls_x509_crt_init(&computer_);
@@ -62,12 +62,12 @@ private:
   mbedtls_ssl_config configuration_;
 };
 
-// A connection: first a handshake, in steps that do not wait for the far end, then a stream.
+// A connection: first a handshake, in steps that do not wait for the far end; then a stream.
 class TlsConnection : public Stream {
 public:
   TlsConnection() : state_(CLOSED), at_(0), length_(0) {}
 
-  // Begins the handshake on a connection that has come, in place of the one before.
+  // Begins the handshake on a new connection, in place of the old one.
   void accept(const WiFiClient &client, const TlsIdentity &identity) {
     close();
     client_ = client;

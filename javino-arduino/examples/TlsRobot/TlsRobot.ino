@@ -1,5 +1,5 @@
-// A motor on WiFi that only its owner can use, for an ESP32: the line is encrypted, the board proves its identity, and a computer has to
-// prove that it has the key of the one certificate that the board knows. Set the network below and make certificates.h.
+// A motor on WiFi that only its owner can use, for an ESP32. The line is encrypted, and the board proves its identity. The board knows one
+// certificate; a computer has to prove that it has the key of it. Set the network below and make certificates.h.
 //
 //   wiring    a motor's driver at pin 4
 //   actions   speed(0..255)
@@ -8,9 +8,9 @@
 //             +!start <- argo.port("tls://192.168.1.20:4433"); argo.percepts(open); argo.act(speed(120)).
 //             +motor(Speed) <- .print("the motor has ", Speed).
 //
-// The newest connection counts, but only when it has proved itself: any other is refused, and the connection in use goes on. A stranger who
-// connects again and again keeps loop() busy with handshakes, and keeps a new connection of the owner out; the motor stops if the computer
-// could not be heard for a second. The board compares no dates, since it has no clock. WiFiRobot is the same robot without TLS.
+// A new connection replaces the connection in use when it has proved its identity; if it cannot, it is refused. A stranger who connects
+// again and again keeps loop() busy with handshakes, and keeps new connections of the owner out. The motor stops after a second without a
+// message from the computer. The board has no clock, so it compares no dates. WiFiRobot is the same robot without TLS.
 
 #include <JavinoNetwork.h>
 #include <WiFi.h>
@@ -27,7 +27,7 @@ const unsigned long RETRY_MS = 15000;
 
 WiFiServer server(PORT);
 TlsIdentity identity;
-TlsConnection connections[2];  // the one in use, and one that has to prove itself
+TlsConnection connections[2];  // the one in use, and a new one that has to prove its identity
 uint8_t inUse = 0;
 JavinoNetwork javino;
 uint8_t power = 0;

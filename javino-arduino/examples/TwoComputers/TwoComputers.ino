@@ -1,5 +1,5 @@
-// One board, two computers: an agent on USB drives, and a second one on another port watches and may stop the motor. Each port has a Javino
-// object of its own, with its actions, its percepts and its conversation.
+// One board, two computers: an agent on USB drives, and a second agent on another port watches and may stop the motor. Each port has its
+// own Javino object, with its actions and percepts.
 //
 //   wiring    a motor's driver at pin 5, a sensor at A0; the second computer at Serial1, on boards without one at the pins 10
 //             (receives) and 11 (sends)
@@ -11,7 +11,7 @@
 //             +!start <- argo.port(ttyUSB0); argo.percepts(open).
 //             +light(L) : L < 100 <- argo.act(stop).
 //
-// The motor stops when the first computer has been silent for a second; the second one may come and go.
+// The motor stops after a second of silence from the first computer; the second computer may come and go.
 
 #include <Javino.h>
 

@@ -1,5 +1,5 @@
-// The distance that an HC-SR04 measures, without waiting for its echo: an interrupt times the pulse while loop() goes on. pulseIn() would
-// hold loop() up for as long as the pulse lasts, 38 ms where nothing is in sight.
+// The distance from an HC-SR04, without a wait for the echo: an interrupt times the pulse while loop() goes on. pulseIn() would hold loop()
+// up during the pulse, for 38 ms if nothing is in sight.
 //
 //   wiring    Trig to pin 7; Echo to pin 2, which has an interrupt (on an Uno 2 and 3 do); VCC to 5 V; GND. A board of 3.3 V takes no 5 V:
 //             two resistors divide Echo's voltage.
@@ -12,14 +12,14 @@
 
 #include <Javino.h>
 
-// On an ESP32 and an ESP8266, functions that an interrupt calls are kept in RAM.
+// On an ESP32 and an ESP8266, functions for an interrupt are kept in RAM.
 #ifndef IRAM_ATTR
 #define IRAM_ATTR
 #endif
 
 const uint8_t TRIGGER = 7;
 const uint8_t ECHO_PIN = 2;
-const unsigned long PERIOD_MS = 60;  // the sound of one measurement has died away before the next
+const unsigned long PERIOD_MS = 60;  // the sound of a measurement dies away before the next one
 const unsigned long US_PER_METRE = 5830;  // there and back, in air of 20 degrees
 const unsigned long MAX_CM = 400;
 
@@ -44,7 +44,7 @@ void IRAM_ATTR echoChanged() {
     lasted = micros() - rose;
 }
 
-// The result of the measurement that has ended.
+// Takes the result of the last measurement.
 void judge() {
   noInterrupts();
   bool goesOn = isHigh;
@@ -52,7 +52,7 @@ void judge() {
   lasted = 0;
   interrupts();
   cm = (us * 100 + US_PER_METRE / 2) / US_PER_METRE;
-  if (goesOn || cm > MAX_CM)  // some sensors have pulses of 200 ms where nothing is in sight
+  if (goesOn || cm > MAX_CM)  // some sensors have pulses of 200 ms if nothing is in sight
     sight = CLEAR;
   else
     sight = us ? SEEN : SILENT;

@@ -7,9 +7,9 @@
 //             +!start <- argo.port("tcp://192.168.1.20:4000"); argo.percepts(open); argo.act(speed(120)).
 //             +signal(DB) : DB < -80 <- argo.act(speed(0)).
 //
-// The motor stops when nothing has come from the computer for a second, whatever has failed: the computer, the network, the router. The
-// newest connection counts, so that a computer whose connection was cut comes back. Anybody on the network can connect: Javino has no
-// passwords, so use a network of your own, or TlsRobot.
+// The motor stops after a second without a message, whether the computer, the network or the router has failed. A new connection replaces
+// the old one, so a computer whose connection was cut comes back. Anybody on the network can connect: Javino has no passwords, so use a
+// network of your own, or TlsRobot.
 
 #include <JavinoNetwork.h>
 
@@ -62,7 +62,7 @@ void joinNetwork() {
   WiFi.begin(NETWORK, PASSWORD);
 }
 
-// Looks after the network without ever waiting, so the motor stops in time.
+// Looks after the network without a wait, so the motor stops in time.
 void watchNetwork() {
   bool connected = WiFi.status() == WL_CONNECTED;
   if (connected && !onNetwork) {

@@ -1,6 +1,6 @@
 /**
- * @file The functions of a microcontroller that a program needs: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply
- * them for two machines; a port to another one is a third such file with its linker script.
+ * @file The functions that a program needs from a microcontroller: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply
+ * these functions for two machines. To support another machine, write a machine.c and a linker script for it.
  */
 #ifndef MACHINE_H
 #define MACHINE_H
@@ -11,10 +11,10 @@
 extern "C" {
 #endif
 
-/** The line to the computer, and a second port for the pins of pins.h. */
+/** The ports: the line to the computer, and a port for the pins of pins.h. */
 enum { MACHINE_LINE, MACHINE_PANEL, MACHINE_PORTS };
 
-/** Rate of both ports. */
+/** The rate of both ports, in baud. */
 #define MACHINE_BAUD 115200
 
 /** Opens the ports and starts the clock and the interrupts. */
@@ -23,13 +23,13 @@ void machine_start(void);
 /** @return milliseconds since machine_start; wraps around */
 uint32_t machine_ms(void);
 
-/** @return the oldest byte that the port has received, or -1 */
+/** @return the oldest byte that the port has received and that nobody has taken, or -1 */
 int machine_take(uint8_t port);
 
-/** Puts a byte on a port; waits while its transmitter is full. The interrupt keeps bytes that arrive meanwhile. */
+/** Puts a byte on a port. Waits while the port's transmitter is full; received bytes are kept during this wait. */
 void machine_put(uint8_t port, uint8_t byte);
 
-/** Sleeps until an interrupt, at most a millisecond. */
+/** Sleeps until an interrupt comes, at most a millisecond. */
 void machine_sleep(void);
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ static struct {
     bool watched;
 } pins[PIN_COUNT];
 
-/* The analogue inputs, each perhaps behind a multiplexer. */
+/* The analogue inputs. An input may be behind a multiplexer, which has several channels. */
 static struct {
     uint16_t millivolts[CHANNELS];
     uint8_t selects[SELECTS];
@@ -42,7 +42,7 @@ static void print_number(uint32_t number)
     print(p);
 }
 
-/* Reads a number and moves behind it. Returns false if there is none. */
+/* Reads a number and moves behind it. Returns false if no number is there. */
 static bool read_number(const char **text, uint16_t *number)
 {
     const char *begin = *text;
@@ -52,7 +52,7 @@ static bool read_number(const char **text, uint16_t *number)
     return *text > begin;
 }
 
-/* A pin such as 7, or an analogue input such as A1 or a channel of it such as A1.2. */
+/* Reads a pin such as 7, an analogue input such as A1, or a channel of an analogue input such as A1.2. */
 static bool read_pin(const char *word, uint16_t *pin, uint16_t *channel)
 {
     bool analogue = *word == 'A';
@@ -191,7 +191,6 @@ static void carry_out(char **words, uint8_t count)
     }
 }
 
-/* Splits the line into words, in place. */
 static void read_line(char *line)
 {
     char *words[WORDS];

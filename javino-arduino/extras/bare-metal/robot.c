@@ -1,10 +1,11 @@
 /**
- * @file A robot without Arduino: examples/Robot4WD without its lamps, in C on the core, for every machine with a machine.c.
+ * @file A robot without Arduino: examples/Robot4WD without its lamps, written in C on the core. It runs on every machine that has a
+ * machine.c.
  *
  *   actions   front  back  left  right  stop  speed(0..255)
  *   percepts  dist(Side,Cm)  light(Side,Level)  temp(Side,Celsius)   Side is f, b, r or l; Level is 0 to 1023
  *
- * It stops by itself when the computer has been silent for a second, and watches critical rules that the computer sets.
+ * The robot stops by itself when the computer has been silent for a second. It watches critical rules that the computer sets.
  */
 #include <string.h>
 
@@ -48,9 +49,9 @@ static void drive(int left, int right)
     turn(&RIGHT, right);
 }
 
-/* The effect of an action: it drives, or takes an argument. */
+/* An action either drives the wheels or takes an argument. */
 typedef struct {
-    javino_action named; /* the core reads the names, and steps from one to the next by the size */
+    javino_action named; /* the core reads the names; action_size tells it the distance from one name to the next */
     int8_t left;
     int8_t right;
 } action;
@@ -83,10 +84,10 @@ static uint8_t argument_count(const char *text, uint8_t length)
 }
 
 /*
- * Carries out the text of an action. False: it is unknown or malformed.
+ * Carries out the text of an action. Returns false if the action is unknown or malformed.
  *
- * In version 1 a damaged size may cut an action short. No name here begins another one, and a text that ends within brackets is no literal,
- * so no action is taken for another. If one name does begin another, ask javino_decoder_follows first.
+ * In version 1 a damaged size may cut an action short. No name here begins another name, and a text that is cut within its brackets is no
+ * literal. So a cut text is never taken for another action. If one of your names begins another, ask javino_decoder_follows first.
  */
 static bool act(void *context, const char *text, uint8_t length)
 {
@@ -143,7 +144,7 @@ static void put_byte(void *context, uint8_t byte)
     machine_put(MACHINE_LINE, byte);
 }
 
-/* Takes the bytes that have arrived, as long as there is room for them. Returns the time at which it looked. */
+/* Takes arrived bytes while the link has room for them. Returns the time at which it took them. */
 static uint32_t take_bytes(void)
 {
     uint32_t now = machine_ms();

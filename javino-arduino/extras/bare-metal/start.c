@@ -2,10 +2,16 @@
 
 /* ---- Received bytes and the clock ---- */
 
-/* One more than the received bytes that are kept of a port. A power of two, at most 256, and more than JAVINO_CREDIT. */
+/*
+ * The size of a port's ring, which keeps at most RING_BYTES - 1 received bytes. It must be a power of two, at most 256, and greater than
+ * JAVINO_CREDIT.
+ */
 #define RING_BYTES 256
 
-/* Only the receive interrupt puts and only the main loop takes. So on a machine with one core neither needs to lock out the other. */
+/*
+ * Only the receive interrupt puts bytes, and only the main loop takes them. So on a machine with one core neither has to lock out the
+ * other.
+ */
 static struct {
     volatile uint8_t bytes[RING_BYTES];
     volatile uint16_t put;
@@ -46,7 +52,7 @@ uint32_t machine_ms(void)
 
 /* ---- Start ---- */
 
-/* Places of the linker script. */
+/* Addresses that the linker script defines. */
 extern uint32_t data_begin[], data_end[], data_source[], bss_begin[], bss_end[];
 typedef void (*function)(void);
 extern const function constructors_begin[], constructors_end[];

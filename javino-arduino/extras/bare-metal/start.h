@@ -1,22 +1,22 @@
 /**
- * @file Common parts of all machines, for the interrupts and the first instructions of a machine.c: kept bytes, a count of milliseconds, and
- * the way to main.
+ * @file What all machines have in common: kept bytes, a count of milliseconds, and the way to main. A machine.c calls these functions from
+ * its interrupts and its first instructions.
  */
 #ifndef START_H
 #define START_H
 
 #include "machine.h"
 
-/** Keeps a byte that a port has received until machine_take. If there is no room, the byte is lost, as in a UART that nobody reads. */
+/** Keeps a received byte until machine_take takes it. If there is no room, the byte is lost, as in a UART that nobody reads. */
 void machine_receive(uint8_t port, uint8_t byte);
 
-/** Counts one of the milliseconds of machine_ms. */
+/** Adds a millisecond to the count of machine_ms. */
 void machine_tick(void);
 
-/** Halts the machine: exceptions end here. */
+/** Halts the machine. Exceptions end here. */
 void machine_halt(void);
 
-/** The first function, called with a stack: sets the memory up, calls constructors, then main. */
+/** Sets up the memory, calls constructors, and calls main. machine_reset is the first C function, and needs a stack. */
 void machine_reset(void);
 
 #endif

@@ -1,6 +1,6 @@
 /**
- * @file
- * A ColdFire MCF5208 without any library, as `qemu-system-m68k -M mcf5208evb` is: the first byte of a number in memory is its highest one.
+ * @file A ColdFire MCF5208 without any library. QEMU emulates it with `qemu-system-m68k -M mcf5208evb`. The processor is big-endian: the
+ * first byte of a number in memory is the highest.
  */
 #include "start.h"
 
@@ -25,7 +25,7 @@ enum { TIMER_ON = 1, TIMER_AGAIN = 2, TIMER_OVER = 4, TIMER_INTERRUPT = 8, TIMER
 #define INTERRUPT_PASS REG8(0xFC04801D)
 enum { TIMER_NUMBER = 4, UART_NUMBER = 26 };
 
-/* The timer's and the ports' clock. */
+/* The clock of the timer and of the ports. */
 #define CLOCK_HZ 83333333u
 
 /* ---- Interrupts ---- */
@@ -56,7 +56,10 @@ static __attribute__((interrupt)) void tick(void)
 
 typedef void (*function)(void);
 
-/* Exceptions, then interrupts by their numbers. The table begins on a border of a MiB, as its register demands. */
+/*
+ * The table holds exceptions, followed by interrupts in the order of their numbers. VBR demands that the table begins at a multiple of 1
+ * MiB.
+ */
 enum { FIRST = 64, TIMER = FIRST + TIMER_NUMBER, LINE = FIRST + UART_NUMBER, PANEL = LINE + 1, VECTOR_COUNT = 128 };
 
 __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_COUNT] = {
@@ -64,7 +67,7 @@ __attribute__((section(".vectors"), used)) static const function VECTORS[VECTOR_
     [LINE] = receive_line,            [PANEL] = receive_panel, [PANEL + 1 ... VECTOR_COUNT - 1] = machine_halt,
 };
 
-/* No interrupts yet; a stack; the vectors. */
+/* Masks all interrupts, sets the stack, and tells the processor where the vectors are. */
 __asm__(".text\n"
         ".globl start\n"
         "start: move.w #0x2700, %sr\n"

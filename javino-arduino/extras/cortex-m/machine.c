@@ -1,6 +1,6 @@
 /**
- * @file A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image, as `qemu-system-arm -M mps2-an385` is. On another Cortex-M
- * the vectors and the clock stay as they are; the UART's registers, the rate of the clock and the numbers of interrupts are different.
+ * @file A Cortex-M3 without any library: ARM's MPS2 board with the AN385 image. QEMU emulates it with `qemu-system-arm -M mps2-an385`. For
+ * another Cortex-M, keep the vectors and the clock. Change the UART's registers, the clock's rate and the numbers of interrupts.
  */
 #include "start.h"
 
@@ -13,9 +13,9 @@ typedef volatile uint32_t reg;
 /* CMSDK APB UART. */
 typedef struct {
     reg data;
-    reg state;     /* bit 0: the transmitter is full, 1: the receiver is */
+    reg state;     /* bit 0: the transmitter is full; bit 1: the receiver is full */
     reg control;   /* bit 0: transmitter on, 1: receiver on, 3: receive interrupt on */
-    reg interrupt; /* write bit 1: the receive interrupt is over */
+    reg interrupt; /* writing bit 1 ends the receive interrupt */
     reg divisor;
 } uart;
 
@@ -53,7 +53,9 @@ static void receive_panel(void)
 extern uint32_t stack_top[];
 typedef void (*function)(void);
 
-/* The table that the processor reads at address 0: the stack, the first function, and a function for each exception and interrupt. */
+/*
+ * The table that the processor reads at address 0. It holds the stack, the first function, and a function for each exception and interrupt.
+ */
 typedef struct {
     uint32_t *stack;
     function exceptions[15];
@@ -76,7 +78,7 @@ void machine_start(void)
     }
     SYSTICK_RELOAD = CLOCK_HZ / 1000 - 1;
     SYSTICK_VALUE = 0;
-    SYSTICK_CONTROL = 7; /* the processor's clock, interrupt, on */
+    SYSTICK_CONTROL = 7; /* bits: the processor's clock, interrupt, on */
     INTERRUPTS_ON = 1u << UART0_INTERRUPT | 1u << UART1_INTERRUPT;
 }
 

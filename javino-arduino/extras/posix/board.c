@@ -1,7 +1,6 @@
 /**
- * @file
- * A board without Arduino: a complete program for a POSIX serial port. Its lamp is a line of text, its sensor
- * the clock.
+ * @file A board without Arduino: a complete program for a POSIX serial port. A line of text stands for its lamp, and the clock for its
+ * sensor.
  *
  *     board DEVICE [BAUD]
  *
@@ -62,7 +61,7 @@ static int open_port(const char *device, long baud)
     return fd;
 }
 
-/* Takes the bytes that have arrived, as long as there is room for them. Returns the time at which it looked. */
+/* Takes arrived bytes while the link has room for them. Returns the time at which it took them. */
 static uint32_t take_bytes(void)
 {
     struct pollfd source = {port, POLLIN, 0};
@@ -78,7 +77,7 @@ static uint32_t take_bytes(void)
     return now;
 }
 
-/* The core calls this. A microcontroller with a short receive buffer takes bytes here too. */
+/* The core calls this function. On a microcontroller with a short receive buffer, take received bytes here too. */
 static void put_byte(void *context, uint8_t byte)
 {
     (void)context;

@@ -7,7 +7,7 @@ DONE, REFUSES, LATER = "done", "refused", "later"
 NO_REFLEX, REFLEX_DONE, REFLEX_REFUSED = 0, 1, 2
 PART_WITH_RULES = 12
 MAX_CRITICAL_PERCEPT = 253
-KINDS = b"(?)"  # in place of functors: asks for the kinds of percepts
+KINDS = b"(?)"  # in place of functors; asks for the kinds of percepts
 REVISION = 1
 
 
@@ -17,11 +17,12 @@ def described(kinds):
 
 
 class Board:
-    """A board with a program on it: an object with `actions` (pairs of name and number of arguments), `percepts(functors)`, the
-    texts of now, `kinds`, the kinds of percepts that it has, and `carry_out(text)`, which returns DONE, REFUSES or LATER.
+    """A board with a program on it. The program is an object with these members. `actions` holds pairs of a name and its number of
+    arguments. `percepts(functors)` returns the present texts. `kinds` holds the kinds of percepts. `carry_out(text)` returns DONE, REFUSES
+    or LATER.
 
-    Numbers wrap after `numbers`; the protocol has 256 of them, a model fewer. Parts of an answer have
-    `part_size` bytes of it, or as many as a frame holds; with rules set at most twelve.
+    Numbers wrap after `numbers`; the protocol has 256 of them, a model fewer. Each part holds `part_size` bytes of an answer. If
+    `part_size` is None, a part holds as many bytes as a frame can. While rules are set, a part holds at most twelve.
     """
 
     def __init__(self, program, credit=60, longest=255, max_rules=4, shapes=MAX_SHAPES, numbers=256, part_size=None):
@@ -41,7 +42,7 @@ class Board:
         self.met = set()
 
     def receive(self, frame):
-        """Returns the frames that answer this one."""
+        """Returns the frames that answer a frame."""
         if frame.kind == HELLO:
             if frame.number != self.session:
                 self._begin(frame.number)
@@ -57,7 +58,7 @@ class Board:
         return [self._say(ACK)]
 
     def end(self):
-        """Takes a message of version 1: its sender knows of no session."""
+        """Takes a message of version 1, which ends the session: the sender of the message knows of no session."""
         self._begin(0)
 
     def _say(self, kind, payload=b""):
@@ -78,7 +79,8 @@ class Board:
                 self._handle(command)
 
     def _is_next(self, number):
-        """Returns true if a command is carried out now: those before `due` were handled, those behind it are dropped."""
+        """Returns true if the command with this number is carried out now. Commands before `due` were handled; commands behind it are
+        dropped."""
         return number == self.due and not self.refused and not self.busy
 
     def _handle(self, command):
@@ -93,7 +95,7 @@ class Board:
         self.refused = outcome == REFUSES
 
     def report(self, outcome):
-        """Takes the outcome of the action that the program is busy with. An action begun in an earlier session does not count any more."""
+        """Takes the outcome of the action that the program is busy with. Ignores an action that began in an earlier session."""
         if not self.busy:
             return []
         self.busy = False
@@ -151,7 +153,7 @@ class Board:
         return DONE
 
     def look(self):
-        """Looks at the sensors: carries out the reflexes of rules that begin to be met, and sends reports of these rules."""
+        """Looks at the sensors. Carries out the reflex of each rule that begins to be met, and sends a report of the rule."""
         texts, sent = [t for t in self.program.percepts(b"") if len(t) <= MAX_CRITICAL_PERCEPT], []
         for number in sorted(self.rules):
             rule = self.rules[number]

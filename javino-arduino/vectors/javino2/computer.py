@@ -18,13 +18,13 @@ class Waiting(NamedTuple):
 
 
 class Carrier(NamedTuple):
-    """A frame that is out: the number of its commands, and of its bytes on the line."""
+    """A frame that is out: how many of its commands are not acknowledged, and how many bytes it takes on the line."""
     commands: int
     bytes: int
 
 
 def nonces(choose):
-    """Nonces in turn: `choose(low, high)` gives numbers; HELLO holds no `f` and needs no escape."""
+    """Returns a function that makes nonces from `choose(low, high)`. A HELLO with such a nonce holds no `f` and needs no escape."""
     def next_nonce(last):
         while True:
             nonce = choose(1, 255)
@@ -35,7 +35,7 @@ def nonces(choose):
 
 
 class Computer:
-    """Bytes in by `receive`, bytes out by `poll`; outcomes and answers are in `session`. A byte takes `byte_time`."""
+    """Takes bytes by `receive` and returns bytes by `poll`. Outcomes and answers are in `session`. A byte takes `byte_time`."""
 
     def __init__(self, next_nonce, byte_time, now):
         self.session = Session(next_nonce)
@@ -50,7 +50,7 @@ class Computer:
 
     def _begin(self, now):
         self.carriers, self.ask_bytes = [], 0
-        self.timed = None  # (commands that were acknowledged when this one went out, when)
+        self.timed = None  # (commands to be acknowledged until the measurement ends, when it began)
         self.backoff = 1
         self.repetitions, self.repeated_at, self.heard_at = 0, None, now
 
@@ -60,7 +60,7 @@ class Computer:
         self.waiting.append(Waiting(command, deadline))
 
     def ask(self):
-        """Asks for percepts; the answer is one of the session's `answers`. Returns true if it could."""
+        """Asks for percepts. The answer will be among the session's `answers`. Returns false if no session is open."""
         if not self.session.open:
             return False
         frame = self.session.ask()
@@ -164,7 +164,7 @@ class Computer:
                     break
                 row.append(waiting.command)
             in_use = self.ask_bytes + sum(c.bytes for c in self.carriers)
-            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # as if all bytes were escaped
+            if in_use and in_use + 1 + 2 * (len(commands.write_row(row)) + 5) > self.session.welcome[1]:  # as if every byte were escaped
                 return
             sent, self.waiting = self.waiting[:len(row)], self.waiting[len(row):]
             self.deadlines.update({w.command: w.deadline for w in sent if w.deadline is not None})

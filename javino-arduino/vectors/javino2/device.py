@@ -1,4 +1,4 @@
-"""A whole board: bytes in, bytes out, in both versions."""
+"""A whole board of both versions: bytes in, bytes out."""
 import version1
 
 from .board import Board
@@ -16,7 +16,7 @@ class Device:
         self.sending = b""
 
     def receive(self, data, now):
-        """Returns the bytes that answer these, which may be none."""
+        """Returns the bytes that answer the received bytes; there may be none."""
         self.line.idle(now)
         self.line.receive(data, now)
         return self._sent()
@@ -42,7 +42,7 @@ class Device:
         self.line.session = self.board.session
 
     def message(self, message):
-        """Returns the messages that answer this one of version 1."""
+        """Returns the messages of version 1 that answer a message of version 1."""
         self.board.end()
         if message[:len(REQUEST)] == REQUEST and message[len(REQUEST):len(REQUEST) + 1] in (b"", b"("):
             return [b"".join(self.program.percepts(message[len(REQUEST):]))]

@@ -1,4 +1,4 @@
-"""Frames: their bytes, and the receiver that finds them again."""
+"""The bytes of frames, and the receiver that finds frames among bytes."""
 from typing import NamedTuple
 
 START, ESCAPE = 0xA5, 0xA4
@@ -18,7 +18,7 @@ class Frame(NamedTuple):
 
 
 def crc16(data, nonce=0):
-    """Returns the CRC-16/CCITT-FALSE of the bytes; with a nonce, that of a frame of this session."""
+    """Returns the CRC-16/CCITT-FALSE of the bytes. With a nonce, returns the checksum of a frame of that session."""
     crc = 0xFFFF ^ nonce << 8
     for byte in data:
         crc ^= byte << 8
@@ -50,20 +50,20 @@ def is_kind(direction, kind):
 
 
 class Receiver:
-    """Finds the frames of one direction, and drops all else. `nonce` is that of the session; 0: there is none."""
+    """Finds the frames of one direction, and drops all other bytes. `nonce` is the session's nonce; 0 means that there is no session."""
 
     def __init__(self, direction, timeout=100, longest=255):
         self.direction = direction
         self.timeout = timeout
         self.longest = longest
         self.nonce = 0
-        self.body = None  # bytes of the frame that is being read, without the escapes; None outside of frames
+        self.body = None  # bytes of the frame that is being read, without escapes; None outside of frames
         self.escaped = False
         self.last = 0
         self.frames = []
 
     def receive(self, data, now):
-        """Takes bytes that arrive together; frames are added to `frames`."""
+        """Takes bytes that arrive together, and adds the frames that they complete to `frames`."""
         if now - self.last > self.timeout:
             self.body = None
         for byte in data:
@@ -107,5 +107,5 @@ class Receiver:
     def _is_intact(self, body, crc):
         if begins_sessions(body[1]):
             return crc16(body).to_bytes(2, "big") == crc
-        # A board without a session cannot tell.
+        # A board without a session knows no nonce, so it cannot check the frame.
         return not self.nonce or crc16(body, self.nonce).to_bytes(2, "big") == crc

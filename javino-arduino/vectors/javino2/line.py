@@ -5,9 +5,10 @@ from .frames import START, TO_BOARD, Receiver
 
 
 class Line:
-    """Finds frames of version 2, and those of version 1 that count, and hands each to `deliver`: a Frame, or a payload of version 1.
+    """Finds frames of version 2, and frames of version 1 that count. Hands each to `deliver`, as a Frame or as a payload of version 1.
 
-    `session` is the nonce of the board's session now, 0 for none; set it before the next byte comes, in `deliver` at the latest.
+    `session` is the nonce of the board's present session; 0 means that there is none. Set `session` before the next byte comes, in
+    `deliver` at the latest.
     """
 
     def __init__(self, deliver, timeout=100, longest=255, now=0):
@@ -26,7 +27,7 @@ class Line:
             self.last = now
 
     def idle(self, now):
-        """Call it if nothing else has arrived by this time."""
+        """Call this if no byte has arrived up to this time."""
         silence = now - self.last
         if silence > self.timeout:
             while self.version1.window:
@@ -47,7 +48,7 @@ class Line:
         self.version1.anywhere = not self.session
 
     def _again(self, rest):
-        """Takes the bytes that version 1 leaves, which begin with a frame of version 2."""
+        """Takes the bytes that version 1 leaves. They begin with a frame of version 2."""
         if rest:
             self._put2(rest[0])
         for byte in rest[1:]:

@@ -5,7 +5,7 @@ MAX_PARTS = 255
 
 
 def split(request, answer, size=None):
-    """Returns the frames of an answer as (kind, payload); parts have `size` bytes of it, or as many as a frame holds."""
+    """Returns the frames of an answer as (kind, payload). Each part holds `size` bytes of the answer, or as many as a frame holds."""
     if len(answer) <= (size or 254):
         return [(PERCEPTS, bytes([request]) + answer)]
     size = size or 253
@@ -17,13 +17,13 @@ def split(request, answer, size=None):
 
 
 class Assembly:
-    """Puts parts together. A part that is missing, by its number, makes the answer void."""
+    """Puts parts together. If a number is missing among the parts, the answer is void."""
 
     def __init__(self):
         self.request, self.parts, self.answer = None, 0, b""
 
     def take(self, kind, payload):
-        """Returns the (request, answer) that this frame completes, or None."""
+        """Returns (request, answer) if this frame completes an answer, else None."""
         kind &= ~FLAGS
         if len(payload) < (1 if kind == PERCEPTS else 2):
             return None

@@ -1,4 +1,4 @@
-"""Answers: percept texts as rows of items, once by their text and from then on only by their digits."""
+"""Answers: percept texts as rows of items. The first item of a percept holds its whole text, and later items only its digits."""
 import re
 
 MAX_SHAPES = 126
@@ -10,12 +10,12 @@ _NUMBER = re.compile(rb"[0-9]+")
 
 
 def shape(text):
-    """Returns the text without its digits: the pieces between the numbers, one more than there are numbers."""
+    """Returns the text without its digits: the pieces between its numbers, one piece more than there are numbers."""
     return tuple(_NUMBER.split(text))
 
 
 def half_bytes(text):
-    """Returns the digits of the text's numbers, F behind each number."""
+    """Returns the digits of the text's numbers, with an F behind each number."""
     return [h for number in _NUMBER.findall(text) for h in [d - 0x30 for d in number] + [END_OF_NUMBER]]
 
 
@@ -25,14 +25,15 @@ def pack(halves):
 
 
 class Writer:
-    """The board's table of shapes, and the answers written with it. One for each session."""
+    """The board's table of shapes, and the answers that it writes. Each session has its own writer."""
 
     def __init__(self, room=MAX_SHAPES):
         self.room = min(room, MAX_SHAPES)
         self.ids = {}
 
     def write(self, texts, known):
-        """Returns the items of an answer if by the newest ASK so many texts are known. Ids are joined into runs."""
+        """Returns the items of an answer. `known` is how many texts the computer knows by its newest ASK. Neighbouring ids are joined into
+        runs."""
         items, run = [], None  # run: [first id, count, half bytes]
         for text in texts:
             id = self._id(text)
@@ -50,7 +51,7 @@ class Writer:
 
     @classmethod
     def write_without_ids(cls, texts):
-        """Returns the items of texts that take no ids, as those of a description do."""
+        """Returns the items of texts that take no ids, such as those of a description."""
         return b"".join(cls._text(text, None) for text in texts)
 
     def _id(self, text):
@@ -74,20 +75,20 @@ class Void(Exception):
 
 
 class Reader:
-    """The computer's table of shapes, and the answers read with it. One for each session."""
+    """The computer's table of shapes, and the answers that it reads. Each session has its own reader."""
 
     def __init__(self):
         self.shapes = {}
 
     def known(self):
-        """Returns the number of known ids, from 0 without a gap."""
+        """Returns how many ids are known, counted from 0 up to the first gap."""
         n = 0
         while n in self.shapes:
             n += 1
         return n
 
     def read(self, items):
-        """Returns the texts of an answer, or None if it is void; then no id is known any more."""
+        """Returns the texts of an answer. If the answer is void, returns None and forgets all ids."""
         try:
             return self._read(items)
         except Void:

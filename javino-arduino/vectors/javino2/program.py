@@ -1,4 +1,4 @@
-"""A program for a board, as the vectors and the tests describe it."""
+"""The program of a board in the vectors and the tests."""
 import re
 
 from . import vocabulary
@@ -15,7 +15,7 @@ class Program:
         self.carried_out = []
 
     def percepts(self, functors):
-        """Returns all texts, or those of the functors in `(dist,light)`: the words between a bracket or comma and another."""
+        """Returns all texts, or only those of the functors in a text such as `(dist,light)`."""
         if not set(b"(,") & set(functors):
             return self.texts
         return [t for t in self.texts if re.search(rb"[(,]" + re.escape(literal(t)[0]) + rb"[,)]", functors)]

@@ -29,7 +29,7 @@ class Malformed(Exception):
 
 
 def read(text):
-    """Reads a rule's command: returns a Rule, the number of the rule that it removes, or 0 if it removes all."""
+    """Reads a rule's command. Returns a Rule, or the number of the rule to remove; 0 removes all rules."""
     number = text[0]
     if len(text) == 1:
         return number
@@ -53,7 +53,7 @@ def read(text):
 
 
 def _word(text):
-    """Returns the bytes up to a 00, and those behind it."""
+    """Returns the bytes before the first 00, and the bytes behind it."""
     end = text.find(0)
     if end < 0:
         raise Malformed
@@ -61,7 +61,7 @@ def _word(text):
 
 
 def met(rule, percept):
-    """Returns true if the percept has the functor of the rule and meets all its conditions."""
+    """Returns true if the percept has the rule's functor and meets all conditions of the rule."""
     functor, arguments = literal(percept)
     return functor == rule.functor and all(_holds(c, arguments) for c in rule.conditions)
 
@@ -78,7 +78,7 @@ def _holds(condition, arguments):
 
 
 def literal(percept):
-    """Returns the functor of a percept and its arguments, without the blanks around them."""
+    """Returns the functor of a percept, and its arguments without the blanks around them."""
     functor, rest = re.match(rb"([^(\[;]*)(.*)", percept, re.DOTALL).groups()
     if not rest.startswith(b"("):
         return functor.strip(BLANK), []

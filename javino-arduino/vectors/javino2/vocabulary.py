@@ -6,12 +6,13 @@ MAX_NAME = 250
 
 
 def numbered(actions):
-    """Returns the actions that have a number; a board leaves the others out, and says how many they are."""
+    """Returns the actions that get a number. A board leaves out the other actions, and tells how many they are."""
     return [action for action in actions if len(action[0]) <= MAX_NAME][:MAX_ACTIONS]
 
 
 def write_page(request, actions, first, room=252):
-    """Returns the payload with actions from number `first` on, as many whole ones as `room` bytes hold. An action is (name, arguments)."""
+    """Returns the payload with as many whole actions as `room` bytes hold, beginning with number `first`. An action is (name,
+    arguments)."""
     page = bytes([request, first, len(actions)])
     for name, arguments in actions[first:]:
         action = bytes([arguments, len(name)]) + name
@@ -22,7 +23,7 @@ def write_page(request, actions, first, room=252):
 
 
 def read_page(payload):
-    """Returns (request, first, total, actions) of a payload, or None if it is cut."""
+    """Returns (request, first, total, actions) of a payload, or None if the payload is cut."""
     if len(payload) < 3:
         return None
     request, first, total = payload[:3]
@@ -37,7 +38,7 @@ def read_page(payload):
 
 
 def number_of(actions, name):
-    """Returns the number that stands for the command `name`, without arguments: the newest of that name; None if it goes as text."""
+    """Returns the number of the newest action `name`. Returns None if that command goes as text."""
     for i in reversed(range(len(actions))):
         if actions[i][0] == name:
             return i if i <= 125 and actions[i][1] in (0, ANY_NUMBER) else None

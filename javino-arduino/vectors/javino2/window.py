@@ -10,18 +10,18 @@ MAX_ROW = 32
 
 class Out(NamedTuple):
     command: object  # a command of commands.py
-    over: bool = False  # the command's time is over, or nobody waits for it
+    over: bool = False  # the command's time is over, or nobody waits for its outcome
     as_nothing: bool = False  # the command went out as FE
 
 
 class News(NamedTuple):
     outcomes: list = []  # (command, outcome), in order
-    again: bool = False  # the commands that are out are to be sent again at once
-    accepted: bool = False  # the frame's number and flags were taken
+    again: bool = False  # the commands that are out have to be sent again at once
+    accepted: bool = False  # the window has taken the frame's number and flags
 
 
 class Window:
-    """Numbers wrap after `numbers`; at most `size` commands may be out."""
+    """Numbers wrap after `numbers`. At most `size` commands may be out."""
 
     def __init__(self, numbers=256, size=16):
         self.numbers, self.size = numbers, size

@@ -1,4 +1,4 @@
-/* The functions of the C library that this library uses, for compilers that come without one. */
+/* The functions of the C library that this library uses. They serve compilers that come without a C library. */
 #ifndef STRING_H
 #define STRING_H
 

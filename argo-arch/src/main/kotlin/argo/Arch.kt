@@ -31,9 +31,10 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. It has three kinds of options. `[argo_sensing=fresh]`
- * (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over. `argo_percepts=4096` is the most
- * percepts of a board that are believed at once. Others belong to observers, such as `argo_view=8080` to the live view.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. The architecture has three kinds of options.
+ * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
+ * `argo_percepts=4096` is the most percepts of a board that are believed at once. Other options belong to observers, such as
+ * `argo_view=8080` to the live view.
  *
  * It follows C. E. Pantoja et al., "ARGO: An Extended Jason Architecture that Facilitates Embedded Robotic Agents Programming", EMAS 2016.
  * A reasoning cycle waits for a line only under `in_cycle`, which exists for comparison.
@@ -91,10 +92,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
     }
 
-    /**
-     * Returns true if Jason may take no event from its queue. An atomic plan holds all events back; `events=requeue` puts events without a
-     * plan back for ever.
-     */
+    /** Returns true if Jason may take no event: an atomic plan holds all back, or `events=requeue` puts some back for ever. */
     private fun isQueueStanding() = ts.c.hasAtomicIntention() || ts.c.atomicEvent != null || ts.settings.requeue()
 
     /** Perceives through [filter] from the next perception on; null: everything. Called by the agent's thread. */
@@ -169,8 +167,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     }
 
     /**
-     * True if Jason stops each architecture of this agent, like its Local infrastructure. Others stop only the first, and some
-     * architectures cannot be stopped twice.
+     * True if Jason stops each architecture of this agent, like its Local infrastructure. Other infrastructures stop only the first, and
+     * some architectures cannot be stopped twice.
      */
     private val eachIsStopped get() = generateSequence(nextAgArch) { it.nextAgArch }.any { it is LocalAgArch }
 

@@ -18,7 +18,7 @@ import jason.asSyntax.Term
 
 /**
  * The base of ARGO's internal actions: finds the calling agent, and fails plans. An action does its work at once, or suspends the intention
- * until another thread has done the work. It never suspends the agent.
+ * until another thread has done the work. The action never suspends the agent.
  */
 abstract class BoardInternalAction internal constructor(private val name: String, private val arguments: IntRange) :
     ConcurrentInternalAction() {
@@ -62,11 +62,8 @@ abstract class BoardInternalAction internal constructor(private val name: String
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
-         * Suspends the intention.
-         *
-         * @param giveUp called by the agent's thread, perhaps late, if the agent drops the intention before the outcome is there
-         * @return the function to call with the outcome, once, on any thread: null, or the reason why the plan fails; and the text of the
-         *     answer, or null
+         * Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails; and the text
+         * of the answer, or null. The agent's thread calls [giveUp], perhaps late, if it drops the intention before the outcome is there.
          */
         fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)

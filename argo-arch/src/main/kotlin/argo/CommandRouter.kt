@@ -21,9 +21,9 @@ import kotlin.io.path.Path
 /**
  * Finds the board for a command of the agent among [boards], and sends the command there. Belongs to the agent's thread.
  *
- * A command may name its board by a namespace, or by a port in its options. Any other command goes to the first of these that exists: the
- * board of its plan's module, unless that board's description lacks the command; the only board whose description has it; if no description
- * has it, the board on the port in use.
+ * A command may name its board by a namespace, or by a port in its options. Any other command goes to the board of its plan's module,
+ * unless that board's description lacks the command. Else it goes to the only board whose description has the command. If no description
+ * has the command, it goes to the board on the port in use.
  */
 internal class CommandRouter(private val boards: AgentBoards) {
     private sealed interface Route {

@@ -13,7 +13,7 @@ import javino.wire.BoardAction.ANY
 /**
  * The internal action `argo.can(Action)`: true if a perceived board has registered an action with Action's functor and number of arguments.
  * The arguments' values do not matter. `argo.can(left::stop)` is about the boards in the namespace `left`, and `argo.can(B::stop)` binds B
- * to each namespace whose board has the action. It is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
+ * to each namespace whose board has the action. This action is meant for contexts: `+!greet : argo.can(say(_)) <- argo.act(say("hello"))`.
  *
  * If Action is a variable, it is bound to one action after the other, as `speed(_)`: `.findall(A, argo.can(A), All)`, or
  * `.findall(left::A, argo.can(left::A), All)` for one namespace. An action with any number of arguments appears without arguments.

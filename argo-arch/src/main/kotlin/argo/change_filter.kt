@@ -17,8 +17,8 @@ import java.util.logging.Logger
 /**
  * The internal action `argo.change_filter(F)`: activates filter F from the next perception on. F is an atom or a string, the name of a
  * filter or of its file; `none` lets everything through. Without an option it changes the filter of all boards;
- * `argo.change_filter(F, [port(P)])` changes only the filter of the board on P. It also works for agents without [Arch], whose percepts
- * come from a Jason environment.
+ * `argo.change_filter(F, [port(P)])` changes only the filter of the board on P. The action also works for agents without [Arch], whose
+ * percepts come from a Jason environment.
  *
  * The log reports parts of the filter that have no effect.
  *

@@ -5,7 +5,7 @@ import argo.calls.wholeNumber
 
 /**
  * The internal action `argo.limit(Ms)`: the sensing interval in ms, a whole number from 0 (as fast as the line allows). The default is 50
- * ms. It sets the interval of all boards; `argo.limit(Ms, [port(P)])` sets only that of the board on P.
+ * ms. The call sets the interval of all boards; `argo.limit(Ms, [port(P)])` sets only that of the board on P.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(unknown_board)` if the agent perceives no board on P, or `error(not_argo)`.
  */

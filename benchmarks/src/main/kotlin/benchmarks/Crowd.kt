@@ -12,8 +12,8 @@ internal const val CROWD_AGENTS = 1000
 internal const val CROWD_HEAP_MB = 400
 
 /**
- * Measures a thousand agents with a board each in one Java machine. Each senses twelve percepts at 10 Hz, one of them changed. Returns the
- * answers a second to all agents, and the largest resident memory of the process, in MB.
+ * Measures a thousand agents with a board each in one Java machine. Each agent senses twelve percepts at 10 Hz, one of them changed.
+ * Returns the answers a second to all agents, and the largest resident memory of the process, in MB.
  */
 internal fun crowd(): List<Double> {
     val answers = AtomicLong()

@@ -6,6 +6,7 @@ import java.util.Locale
 class Distribution(nanos: LongArray) {
     private val sorted = nanos.sortedArray()
 
+    /** The number of durations. */
     val size: Int get() = sorted.size
 
     /** Returns the duration in ms that a [share] of the durations, 0 to 1, does not exceed; NaN: there are none. */

@@ -13,7 +13,7 @@ private val EXCHANGES = Part.entries.maxOf { it.exchanges.last } + 1
 /**
  * Measures, over a pseudo-terminal and in all rounds, the latency of commands. The time runs from the last byte of a frame with twelve
  * percepts to the first byte of the command that the frame causes. The courses take turns, so that other work of the machine affects all of
- * them. Each runs in a new Java machine.
+ * them. Each course runs in a new Java machine.
  */
 internal fun measureLatencies(): Map<LatencyCourse, Map<Part, Distribution>> {
     val rounds = List(ROUNDS) { LatencyCourse.entries.associateWith(::measureApart) }

@@ -33,7 +33,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "boards-reactions" to { file, _ -> stopThree(file) },
 )
 
-/** The programs of [figuresApart]. Each takes arguments, and returns its figures. */
+/** The programs of [figuresApart]. Each program takes arguments, and returns its figures. */
 private val APART: Map<String, (List<String>) -> List<Number>> = mapOf(
     LATENCY_COURSE to { latencyCourse(it.single()) },
     CROWD to { crowd() },

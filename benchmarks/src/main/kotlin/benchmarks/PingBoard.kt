@@ -22,7 +22,7 @@ class PingBoard(device: File, private val exchanges: Int) {
     private var sent = 0
     private var answeredAt = 0L
 
-    /** Runs until all commands have come. Returns their latencies in ns. */
+    /** Runs until all commands have come. Returns the latencies of the commands, in ns. */
     fun measure(): LongArray {
         var readAt = 0L
         val decoder = FrameDecoder(TimeUnit.MILLISECONDS.toNanos(100)) { frame -> handle(frame.text(), readAt) }

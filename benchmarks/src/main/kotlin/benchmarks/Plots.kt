@@ -20,7 +20,7 @@ private const val HEIGHT = 400
 /** The ages of the snapshots on which intentions acted, with the number of [sensors], and of [plans] for each percept. */
 internal class Ages(val sensors: Int, val plans: Int, val distribution: Distribution)
 
-/** Plots the distribution of the ages in SVG: the share of actions against the age that it does not exceed. */
+/** Plots the distribution of the ages in SVG: for each age, the share of actions at that age or below. */
 internal fun agePlot(measured: List<Ages>): String {
     val points = measured.flatMap { ages -> SHARES.map { share -> Triple(ages, share, ages.distribution.ms(share)) } }
     val data = mapOf(

@@ -59,8 +59,8 @@ internal enum class View(val word: String) {
         }
 
     /**
-     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 it is a keep filter, so that requests can
-     * name its percepts.
+     * Returns the agent's filter under [condition], for stopping at [limit] cm. For version 2 the filter is a keep filter, so that requests
+     * can name the percepts.
      */
     fun filter(condition: Condition, limit: Int): String = when {
         condition == Condition.REFLEX -> reflexFilter(this, limit).name
@@ -74,6 +74,7 @@ internal enum class View(val word: String) {
  * One run: a cell of the experiment and the number of its replication.
  *
  * @property limit the front distance at which the agent stops, in cm
+ * @property interval the sensing interval, in ms
  * @property replication the number of the replication, from 1
  * @property sensors the number of the robot's sensors, a multiple of twelve
  */

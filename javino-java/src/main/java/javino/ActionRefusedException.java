@@ -1,6 +1,6 @@
 package javino;
 
-/** The board has refused the action: it does not know it, takes other arguments, or refuses it now. It has not acted. The port is open. */
+/** The board has not acted, since it does not know the action, takes other arguments, or refuses the action now. The port is open. */
 public final class ActionRefusedException extends PortException {
     private static final long serialVersionUID = 1L;
 

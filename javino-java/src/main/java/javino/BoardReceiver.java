@@ -7,10 +7,7 @@ import javino.wire.FrameKind;
 import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
-/**
- * Finds the frames that a computer sends to a board, in both versions of the protocol. Times are nanoseconds of one clock. One thread at a
- * time.
- */
+/** Finds the frames that a computer sends to a board, in both versions. Times are nanoseconds of one clock. One thread at a time. */
 public final class BoardReceiver {
     /** A frame of one version; the field of the other version is null. */
     public record Found(Frame version1, WireFrame version2) {

@@ -15,6 +15,7 @@ public abstract class DriverTransport implements Transport {
     private final AtomicBoolean closed = new AtomicBoolean();
     private volatile String loss; // null: the device can be reached
 
+    /** A transport for the port {@code name}, which was opened with the settings {@code line}. */
     protected DriverTransport(String name, LineSettings line) {
         this.name = name;
         this.line = line;

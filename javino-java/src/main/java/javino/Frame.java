@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 
 /**
  * A message of version 1 of the Javino protocol: {@code fffe}, the payload's length in two hexadecimal digits, the payload. The payload has
- * 0 to {@value #MAX_PAYLOAD} bytes. Its text is ISO-8859-1 on every platform, one byte a character. Immutable, hence safe on any thread.
- * Version 2 has {@link javino.wire.WireFrame}.
+ * 0 to {@value #MAX_PAYLOAD} bytes. The text of a frame is ISO-8859-1 on every platform, one byte a character. Immutable, hence safe on any
+ * thread. Version 2 has {@link javino.wire.WireFrame}.
  */
 public final class Frame {
     /** The longest payload, in bytes: the length field has two hexadecimal digits. */
@@ -44,8 +44,8 @@ public final class Frame {
     }
 
     /**
-     * Like {@link #of(String)}, for a command. Its text must not hold the beginning of a frame: a board searches a damaged or too long
-     * frame for other frames.
+     * Like {@link #of(String)}, for a command. The frame's text must not hold the beginning of a frame: a board searches a damaged or too
+     * long frame for other frames.
      *
      * @throws IllegalArgumentException also if the text holds {@code fffe} and two hexadecimal digits, or a control character (U+0000 to
      *     U+001F, U+007F)

@@ -60,8 +60,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * A decoder for a line that also carries frames of another protocol. It stops at the first byte of such a frame, which the caller
-     * {@link #takeOther takes}.
+     * A decoder for a line that also carries frames of another protocol. The decoder stops at the first byte of such a frame, which the
+     * caller {@link #takeOther takes}.
      *
      * @param other the byte that begins a frame of the other protocol, except within a payload of version 1; -1: there is no other protocol
      */

@@ -6,7 +6,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 
-/** The clock of lines and links. It is passed in, so that tests of code that depends on time need not wait. */
+/** The clock of lines and links. The clock is passed in, so that tests of code that depends on time need not wait. */
 public interface LineClock {
     /** Nanoseconds from an origin that stays the same; never goes back. Only differences mean something. */
     long nanos();

@@ -1,6 +1,6 @@
 package javino;
 
-/** The calling thread was interrupted while it waited for the port. It is still marked as interrupted; the port is still open. */
+/** The calling thread was interrupted while it waited for the port. The thread is still marked as interrupted; the port is still open. */
 public final class PortInterruptedException extends PortException {
     private static final long serialVersionUID = 1L;
 

@@ -41,8 +41,8 @@ public interface Transport extends AutoCloseable {
     /**
      * Hands bytes to the line and returns when the driver has taken them all. The bytes may leave later.
      *
-     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread calls the driver, after it
-     *     has found that the line {@linkplain #isWritableNow takes a frame now}
+     * @param timeoutMillis milliseconds to wait at most while the driver takes no more; 0: the calling thread, which has found that the
+     *     line {@linkplain #isWritableNow takes a frame now}, calls the driver itself
      * @throws PortTimeoutException if the driver has not taken all of them by then; some may have left
      * @throws PortGoneException if the line is closed, or its device gone
      */
@@ -56,8 +56,8 @@ public interface Transport extends AutoCloseable {
      * thread writes. The line knows its room, or {@code unread} leaves room in the smallest buffer that the line may have. Safe on any
      * thread; does not wait.
      *
-     * @param unread how many of the last bytes written the far end has not proved to have read; messages that it sends unasked prove
-     *     nothing
+     * @param unread how many of the last written bytes may be unread: no answer shows that the far end has read them, and unasked messages
+     *     show nothing
      */
     default boolean isWritableNow(long unread) {
         return false;

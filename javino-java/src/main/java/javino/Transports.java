@@ -43,8 +43,8 @@ public final class Transports {
     }
 
     /**
-     * Returns one name for all the names of one device: symbolic links are followed, a USB identity becomes the serial device that has it
-     * now, and a scheme is written in front. Neither the port nor its scheme need exist.
+     * Returns one name for all the names of one device. Symbolic links are followed; a USB identity becomes the serial device that has it
+     * now; a scheme is written in front. Neither the port nor its scheme need exist.
      */
     public static String canonicalName(String port) {
         return ask(port, TransportProvider::canonicalName, port); // a name without a device stands for itself

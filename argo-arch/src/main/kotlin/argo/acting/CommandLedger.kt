@@ -52,8 +52,8 @@ internal class CommandLedger(
     }
 
     /**
-     * Returns, for each other port with commands up to [number], the later of two times: the issue of the last of these commands, and the
-     * last end of a command there.
+     * Returns the later of two times for each other port with commands up to [number]: the issue of the last such command, and the last end
+     * of a command there.
      */
     private fun lastElsewhere(number: Long): Map<Any, Long> {
         val own = port()

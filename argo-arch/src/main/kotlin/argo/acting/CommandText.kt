@@ -63,10 +63,7 @@ private fun lineText(text: String): String {
     }
 }
 
-/**
- * Returns [literal] as Jason writes it, without its namespace. Jason's own way, with streams, would take a tenth of the time from percept
- * to command.
- */
+/** Returns [literal] as Jason writes it, without its namespace. Jason's own way takes a tenth of the time from percept to command. */
 private fun literalText(literal: Literal): String = when {
     isPlain(literal) -> StringBuilder().also { literal.writeTo(it) }.toString()
     else -> withoutNamespace(literal).toString()

@@ -17,8 +17,8 @@ internal class Transmission(
      * fails with `act_replaced`.
      *
      * @param left called once, by any thread, when the command is no longer under way to the board; before [outcome]
-     * @param outcome called once, by any thread: with null when the last byte has left the line or, in version 2, the board has acted; else
-     *     with the reason of the failure. It also gets the text of the board's answer, if the options asked for one
+     * @param outcome called once, by any thread. Null: the last byte has left the line or, in version 2, the board has acted. Else: the
+     *     reason of the failure. Second: the text of the board's answer, if the options asked for one
      */
     fun follow(left: () -> Unit, outcome: (failure: Failure?, answer: String?) -> Unit) = following(left, outcome)
 }

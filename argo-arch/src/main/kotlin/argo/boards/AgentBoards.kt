@@ -13,7 +13,7 @@ import argo.connecting.Ports
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 import argo.observing.Observers
-import argo.perception.Backlog
+import argo.perception.EarlierWork
 import argo.perception.EveryHandOver
 import argo.perception.FreshHandOver
 import argo.perception.HandOver
@@ -142,7 +142,7 @@ internal class AgentBoards(
         val tellLost = { count: Long ->
             if (count.countOneBits() == 1) log.warning("$count messages of port ${board.term} that count each were lost: too many waited")
         }
-        return FreshHandOver(Backlog(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
+        return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"

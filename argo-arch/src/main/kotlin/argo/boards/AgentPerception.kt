@@ -66,10 +66,7 @@ internal class AgentPerception(private val boards: AgentBoards) {
         else explain(perceptText(percept.cloneNS(Literal.DefaultNS) as Literal), own)
     }
 
-    /**
-     * Explains why the filters of [from] keep or drop the text [percept]. Names the side that watches the deciding critical rule. Any
-     * thread.
-     */
+    /** Explains why the filters of [from] keep or drop [percept], and which side watches the deciding critical rule. Any thread. */
     fun explain(percept: String, from: List<Board> = boards.current): String {
         val reasons = from.map { it.term to it.explain(percept) }
         val different = reasons.distinctBy { (_, why) -> why }

@@ -18,7 +18,7 @@ import javino.link.BoardListener
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
-/** The users of one open port: sensing, commands, and rules on the board. They run even if the agent does not perceive the board. */
+/** The users of one open port: sensing, commands, and rules on the board. All run even if the agent does not perceive the board. */
 internal class BoardLine(private val port: OpenPort, private val agent: AgentBoards, private val closed: () -> Unit) :
     BoardListener, SensingListener, AutoCloseable {
     val commands = CommandSender(port.link, agent.owner, agent.platform) { agent.ports.lost(port, it) }

@@ -16,7 +16,7 @@ internal class ExpectedAnswer {
         expectAfter(nanos)
     }
 
-    /** Notes that the answer has come. It counts as expected until it is [read]. */
+    /** Notes that the answer has come. An answer counts as expected until it is [read]. */
     fun came(nanos: Long) {
         val asked = askedNanos ?: return // null: the board speaks unasked
         val took = nanos - asked

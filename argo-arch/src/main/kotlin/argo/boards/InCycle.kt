@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit
 
 /**
  * The published coupling of reasoning cycles and lines, [argo.sensing.SensingPolicy.IN_CYCLE]: once an interval the agent's own thread asks
- * each board in turn and waits for the answer. It writes commands at once. [perceiving] belongs to the agent's thread.
+ * each board in turn and waits for the answer. Commands are written at once. [perceiving] belongs to the agent's thread.
  */
 internal class InCycle(private val platform: Platform, private val waker: Waker) {
     private var lastStart: Long? = null

@@ -7,9 +7,9 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 
 /**
- * Decides which snapshots of its [boards] an agent perceives now: those that their boards' hand-overs have [ready][Board.isReady]. They
- * wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant are
- * perceived together. [take] belongs to the agent's thread; any thread may ask.
+ * Decides which snapshots of its [boards] an agent perceives now: those that their boards' hand-overs have [ready][Board.isReady].
+ * Snapshots wait up to [MAX_NANOS] for boards whose answer is [near][ExpectedAnswer.isNear]. So readings of several boards at one instant
+ * are perceived together. [take] belongs to the agent's thread; any thread may ask.
  *
  * @param boards returns the boards that the agent perceives
  * @param wake wakes the agent until its argument returns true; called when a wait has lasted too long

@@ -54,6 +54,7 @@ interface Boundary {
     /** Notes that Jason may have applied a rule of its cycle. Other threads call this too, and outside of cycles. */
     fun ruleApplied()
 
+    /** Ends the cycle. */
     fun cycleFinished()
 }
 

@@ -13,8 +13,7 @@ import kotlin.concurrent.withLock
  * for use by several threads.
  *
  * @param reopen opens a port whose device is present, and removes it from these lost ports
- * @param warn takes, once for each cause, the reason why a port whose device has returned cannot be opened; also takes the ports that are
- *     given up
+ * @param warn takes the reasons why ports with returned devices cannot be opened, each reason once; also takes the ports that are given up
  */
 internal class LostPorts(
     private val owner: String,

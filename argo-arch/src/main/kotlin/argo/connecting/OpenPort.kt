@@ -45,7 +45,7 @@ internal class OpenPort(
         options = options.copy(namespace = namespace)
     }
 
-    /** Closes the link, then its user. This takes as long as the transport takes. Idempotent; any thread. */
+    /** Closes the link, then its user. Takes as long as the transport takes. Idempotent; any thread. */
     fun close() {
         link.close()
         user.close()

@@ -35,10 +35,7 @@ internal data class PortOptions(
         fun of(term: Term): PortOptions = withOptions(PortOptions(), term, "[baud(115200)]", KNOWN) { with(it) }
     }
 
-    /**
-     * Returns the link's settings. A line that is not [paced] is used as published: with version 1 of the protocol, unless the options ask
-     * for version 2.
-     */
+    /** Returns the link's settings. A line that is not [paced] uses version 1, as published, unless the options ask for version 2. */
     fun linkSettings(paced: Boolean): LinkSettings {
         val version = if (!paced && link.protocol == Protocol.AUTO) Protocol.V1 else link.protocol
         return link.withPaced(paced).withProtocol(version)

@@ -12,6 +12,7 @@ class Inside<T> internal constructor(private val owner: () -> Class<*>, private 
         there.apply { isAccessible = true }
     }
 
+    /** True if this version of Jason has the field. */
     val isThere: Boolean get() = try {
         member.name in names
     } catch (_: LinkageError) {

@@ -44,18 +44,17 @@ object WaitEvents {
     internal val fields: List<Inside<*>>
         get() = listOf(trigger, formula, reason, key, unifier, intention, isDropped, elapsed, timeout)
 
+    /** True if this version of Jason has the class and all members. */
     val isThere: Boolean get() = try {
         make.parameterCount > 0 && fields.all { it.isThere }
     } catch (_: LinkageError) {
         false
     }
 
+    /** Returns true if [listener] is a waiting `.wait`. */
     fun isWait(listener: CircumstanceListener): Boolean = type.isInstance(listener)
 
-    /**
-     * Makes a waiting `.wait` for the selected intention of [ts], and suspends the intention. With a [timeout] from 0 ms on it begins a
-     * timer.
-     */
+    /** Makes a waiting `.wait` for the selected intention of [ts], which is suspended. A [timeout] from 0 ms on begins a timer. */
     fun make(
         trigger: Trigger?, formula: LogicalFormula?, un: Unifier, ts: TransitionSystem, timeout: Long, elapsed: Term?,
     ): CircumstanceListener = make.newInstance(wait(), trigger, formula, un, ts, timeout, elapsed) as CircumstanceListener

@@ -14,11 +14,11 @@ import java.util.WeakHashMap
  * Any thread may call. Unlike a line, a board may be opened by several agents at once.
  */
 interface BoardLinkProvider {
-    /** The scheme of the provider's ports, without the colon, such as `ros`. It must not be a transport's scheme. */
+    /** The scheme of the provider's ports, without the colon, such as `ros`. The scheme must not be a transport's scheme. */
     val scheme: String
 
     /**
-     * Opens the board that [port] names. This may take its time; an interrupt of the thread ends it.
+     * Opens the board that [port] names. Opening may take its time; an interrupt of the thread ends it.
      *
      * @param isPaced see [BoardLink.isPaced]
      * @param clock the clock for messages and waits
@@ -40,7 +40,7 @@ interface BoardLinkProvider {
     fun isPresent(port: String): Boolean = true
 
     companion object {
-        /** The providers by class loader. They refer to their class loader, which they must not keep alive. */
+        /** The providers by class loader. The references are soft, since a provider would keep its class loader alive. */
         private val known = WeakHashMap<ClassLoader, SoftReference<List<BoardLinkProvider>>>()
 
         /** Returns the provider for [port]; null: the port is on a line, or of no known kind. */

@@ -9,7 +9,7 @@ import java.util.logging.Logger
  * `META-INF/services/argo.observing.AgentObserverProvider`.
  */
 interface AgentObserverProvider {
-    /** The option of the `.mas2j` that asks for an observer. It begins with `argo_`. */
+    /** The option of the `.mas2j` that asks for an observer. The name begins with `argo_`. */
     val option: String
 
     /** The value of the option, in a few words for a person, such as `a port number`. */

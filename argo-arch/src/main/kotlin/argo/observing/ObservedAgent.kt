@@ -12,6 +12,7 @@ import java.util.logging.Logger
 
 /** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
 interface ObservedAgent {
+    /** The agent's name in the multi-agent system. */
     val name: String
 
     /** The policy by which the agent gets snapshots of its sensors: `fresh`, `every` or `in_cycle`. */
@@ -43,7 +44,7 @@ interface ObservedAgent {
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
 
-    /** Returns the time of the agent's clock in ns. It never goes back. */
+    /** Returns the time of the agent's clock in ns. The clock never goes back. */
     fun nanos(): Long
 
     /** Returns the ports that the agent has asked for. */

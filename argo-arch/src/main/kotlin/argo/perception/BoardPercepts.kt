@@ -31,7 +31,7 @@ internal interface PerceivedBoard {
 /**
  * Turns each message of a [board] into a [Snapshot] for its agent, and leaves it for the hand-over.
  *
- * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make and leave them under one
+ * The sensing thread makes snapshots from messages, and the agent's thread from held-back percepts. Both make and leave snapshots under one
  * lock, so no older snapshot follows a newer one. Safe for use by several threads.
  *
  * @param reader reads the beliefs; [limit] then selects some

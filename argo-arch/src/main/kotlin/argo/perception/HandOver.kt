@@ -36,21 +36,17 @@ internal interface HandOver {
 }
 
 /**
- * Keeps only the newest snapshot, and hands it over when the [backlog] of the last hand-over is done.
- *
+ * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done.
  * A snapshot is handed over at once if it has a critical percept that the last one did not have. Until then a newer snapshot replaces it
  * only if the newer one meets the same critical rules. So there are never more such snapshots than rules. A board that is always critical
- * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the backlog
- * is done.
- *
- * Snapshots that are [events][Snapshot.isEvent] are handed over one by one, before the newest. Of more than [MAX_EVENTS] the oldest are
- * lost.
- *
+ * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is
+ * done. Snapshots that are [events][Snapshot.isEvent] are handed over one by one, before the newest. Of more than [MAX_EVENTS] the oldest
+ * are lost.
  * @param tellLost called at each loss, with the number of lost events
  * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
 internal class FreshHandOver(
-    private val backlog: Backlog,
+    private val work: EarlierWork,
     private val tellLost: (count: Long) -> Unit = { },
     private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
 ) : HandOver {
@@ -73,7 +69,7 @@ internal class FreshHandOver(
             val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
             TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
         }
-        if (waitedMs > LATE_MS) backlog.kindLeft()?.let { tellLate(waitedMs, it) }
+        if (waitedMs > LATE_MS) work.kindLeft()?.let { tellLate(waitedMs, it) }
     }
 
     private fun keep(snapshot: Snapshot) {
@@ -101,7 +97,7 @@ internal class FreshHandOver(
 
     private fun isWaiting() = newest != null || events.isNotEmpty()
 
-    override fun isReady(): Boolean = isReady { backlog.isDone() }
+    override fun isReady(): Boolean = isReady { work.isDone() }
 
     private inline fun isReady(isDone: () -> Boolean): Boolean {
         val urgent = firstCritical()
@@ -110,19 +106,19 @@ internal class FreshHandOver(
 
     override fun isUrgent(): Boolean = firstCritical() != null && isReady()
 
-    override fun dueInMs(): Long? = if (!isWaiting()) null else backlog.dueInMs()
+    override fun dueInMs(): Long? = if (!isWaiting()) null else work.dueInMs()
 
     private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
 
     private fun mayBeEarly(snapshot: Snapshot) =
-        backlog.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
+        work.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
 
     override fun take(): Snapshot? {
-        backlog.takenIn()
+        work.takenIn()
         if (!isWaiting() && firstCritical() == null) return null
-        val isInTurn = backlog.isDone(isAwaited = true)
+        val isInTurn = work.isDone(isAwaited = true)
         if (!isReady { isInTurn }) return null
-        return lock.withLock { next(isInTurn) }?.also { backlog.begin() }
+        return lock.withLock { next(isInTurn) }?.also { work.begin() }
     }
 
     private fun next(isInTurn: Boolean): Snapshot? {

@@ -31,10 +31,7 @@ internal class LastSeen(private val believed: () -> Collection<Literal>) {
         }
     }
 
-    /**
-     * Returns the time at which [percept] was last seen, by the platform's clock; null: it is no percept of a board. Annotations do not
-     * matter.
-     */
+    /** Returns when [percept] was last seen, by the platform's clock; null: it is no board's percept. Annotations do not matter. */
     fun lastSeenNanos(percept: Literal): Long? = lock.withLock { lastSeen[StructureWrapperForLiteral(percept)] }
 
     /**

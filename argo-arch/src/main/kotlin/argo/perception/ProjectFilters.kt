@@ -8,8 +8,8 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * Finds the filter that [agent] calls [name]. It looks at the filters of services, in the directory in which the project was started, in
- * the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the class path.
+ * Finds the filter that [agent] calls [name]. ProjectFilters looks at the filters of services, in the directory in which the project was
+ * started, in the directory of the agent's `.asl`, in `filters/` below both, and in `filters/` on the class path.
  * @throws argo.filters.FilterNotFoundException if there is no such filter
  * @throws argo.filters.FilterException if the filter is refused
  */

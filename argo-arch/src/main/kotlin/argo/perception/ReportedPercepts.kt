@@ -4,8 +4,8 @@ import argo.filters.CriticalRule
 import javino.wire.Shape
 
 /**
- * The percepts that a board has reported since the request for the newest message, the last one for each critical rule. They are kept
- * because the board may have made the message before the reports. Not safe for use by several threads at once.
+ * The percepts that a board has reported since the request for the newest message, the last one for each critical rule. These percepts are
+ * kept because the board may have made the message before the reports. Not safe for use by several threads at once.
  */
 internal class ReportedPercepts {
     private class Report(val text: String, val receivedNanos: Long)

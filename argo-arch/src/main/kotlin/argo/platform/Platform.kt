@@ -24,14 +24,14 @@ interface Platform {
     /** The boundary of the agents on this platform, as in a replay; null: their inputs come from [open] ports and from Jason. */
     val boundary: Boundary? get() = null
 
-    /** Starts [run] on a new thread called [name]. It does not keep the program alive, and ends when interrupted. */
+    /** Starts [run] on a new thread called [name]. The thread does not keep the program alive, and ends when interrupted. */
     fun start(name: String, run: () -> Unit): Thread
 
     /** Does [action] in [delayMs] ms of [clock], unless everything has ended by then. [action] must not wait. Its exceptions are logged. */
     fun later(delayMs: Long, action: () -> Unit)
 
     /**
-     * Opens a port for the agent [owner]. This may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
+     * Opens a port for the agent [owner]. Opening may take its time: see [Link.open] and [BoardLinkProvider.open], also for the exceptions.
      */
     fun open(port: String, settings: LinkSettings, owner: String): BoardLink
 
@@ -41,6 +41,7 @@ interface Platform {
     fun isPresent(port: String): Boolean = BoardLinkProvider.of(port)?.isPresent(port) ?: Transports.isPresent(port)
 
     companion object {
+        /** The machine. */
         val system: Platform = object : Platform {
             override val clock: LineClock = LineClock.system()
 

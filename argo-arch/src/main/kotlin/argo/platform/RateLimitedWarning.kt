@@ -4,9 +4,9 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * Logs a condition once when it begins, and not again while it lasts or comes and goes: a board that causes it all the time must not fill
- * the log. A condition ends after [QUIET_MS] without an occurrence. If there are more than [MAX_KINDS] conditions, the log says only that
- * there are others. Safe for use by several threads.
+ * Logs a condition once when it begins, and not again while it lasts or comes and goes. So a board that causes it all the time does not
+ * fill the log. A condition ends after [QUIET_MS] without an occurrence. If there are more than [MAX_KINDS] conditions, the log says only
+ * that there are others. Safe for use by several threads.
  *
  * @param nowMs a clock in ms that never goes back
  * @param warn takes the message

@@ -29,6 +29,7 @@ abstract class SchedulerLayer(protected val below: ScheduledExecutorService) : S
 
     final override fun submit(task: Runnable) = schedule(task, 0, TimeUnit.NANOSECONDS)
 
+    /** The place of a layer. */
     enum class Place {
         /** The layer decides when a timer ends, and lies directly on Jason's scheduler. */
         TIME,

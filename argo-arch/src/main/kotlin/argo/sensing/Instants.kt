@@ -1,7 +1,7 @@
 package argo.sensing
 
 /**
- * The instants at which the boards of an agent that perceives several are asked: the multiples of the sensing interval, counted from the
+ * The instants at which an agent asks its boards, if it perceives several: the multiples of the sensing interval, counted from the
  * beginning of the clock. So boards of one interval are asked together.
  */
 internal object Instants {

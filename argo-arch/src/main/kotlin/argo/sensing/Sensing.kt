@@ -42,8 +42,8 @@ internal interface SensingListener {
 
 /**
  * Asks one board for its percepts, or listens to it, on its own thread, while the agent wants to perceive the board. In between it watches
- * the line: a pulled cable is noticed even if the agent neither perceives nor acts.
- * It keeps no copy of the agent's wishes, and asks [listener] each time: so no change is lost between two threads.
+ * the line: a pulled cable is noticed even if the agent neither perceives nor acts. Sensing keeps no copy of the agent's wishes, and asks
+ * [listener] each time: so no change is lost between two threads.
  */
 internal class Sensing(
     private val port: OpenPort,

@@ -7,8 +7,8 @@ import jason.asSyntax.Literal
 import jason.asSyntax.Term
 
 /**
- * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port. They change only in
- * [update], on the agent's thread; any thread may read.
+ * The beliefs `stale(P)` about the port in use if no message has come for too long, one for each name of the port. These beliefs change
+ * only in [update], on the agent's thread; any thread may read.
  * @param nowMs a clock in ms that never goes back
  * @param listened returns the port whose messages the agent perceives now; null: none
  * @param intervalMs returns the sensing interval

@@ -28,7 +28,7 @@ class HandOverSpec : FunSpec({
 
     context("fresh") {
         test("gives the newest snapshot, once") {
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
             handOver.take() shouldBe null
             handOver.put(snapshot(1))
             handOver.put(snapshot(2))
@@ -54,7 +54,7 @@ class HandOverSpec : FunSpec({
 
         test("waits while percept events of the one before are in the queue") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             queue += listOf(percept("+dist(f,1)[source(percept)]"), percept("-dist(f,2)[source(percept)]"))
@@ -69,7 +69,7 @@ class HandOverSpec : FunSpec({
 
         test("a look from another thread before the snapshot has been taken in does not let its events go unawaited") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
@@ -87,7 +87,7 @@ class HandOverSpec : FunSpec({
                 override val size get() = events.size
                 override fun iterator() = events.asSequence().onEach { looks++ }.iterator()
             }
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             repeat(1_000) { events += percept("+dist(f,$it)[source(percept)]") }
@@ -98,7 +98,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("a snapshot of an older message does not take the place of a newer one") {
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
             handOver.put(snapshot(2))
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 2
@@ -106,7 +106,7 @@ class HandOverSpec : FunSpec({
 
         test("other events than those of percepts are nothing to wait for") {
             val queue = ArrayDeque<Event>()
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues { queue }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues { queue }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += listOf(percept("+!go"), percept("+told(x)[source(bob)]"))
@@ -118,7 +118,7 @@ class HandOverSpec : FunSpec({
             val queue = ArrayDeque<Event>()
             var stands = true
             var nowMs = 0L
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues({ stands }) { queue }, { nowMs }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues({ stands }) { queue }, { nowMs }))
             handOver.put(snapshot(1))
             handOver.take()
             queue += percept("+dist(f,1)[source(percept)]")
@@ -134,7 +134,7 @@ class HandOverSpec : FunSpec({
 
         test("waits until the intentions that percepts have begun have finished or wait, and for no others") {
             val running = ArrayDeque(listOf(intention("+!drive"), intention("+dist(f,1)[source(percept)]")))
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { running }), { 0 }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe false
             handOver.take() shouldBe null
@@ -143,7 +143,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("does not wait for an intention that has finished and has not been removed yet") {
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { listOf(Intention()) }), { 0 }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { listOf(Intention()) }), { 0 }))
             handOver.put(snapshot(1))
             handOver.isReady() shouldBe true
             handOver.take()?.receivedNanos shouldBe 1
@@ -152,10 +152,10 @@ class HandOverSpec : FunSpec({
         test("does not wait for an intention that runs on") {
             var nowMs = 0L
             val running = listOf(intention("+dist(f,1)[source(percept)]"))
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }, ReasoningQueues(running = { running }), { nowMs }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }, ReasoningQueues(running = { running }), { nowMs }))
             handOver.put(snapshot(1))
             handOver.take() shouldBe null
-            nowMs = Backlog.LONG_MS
+            nowMs = EarlierWork.LONG_MS
             handOver.take()?.receivedNanos shouldBe 1
             handOver.put(snapshot(2))
             handOver.take()?.receivedNanos shouldBe 2
@@ -163,7 +163,7 @@ class HandOverSpec : FunSpec({
 
         test("waits for the commands issued before the last hand-over and for no others") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(Backlog(ledger))
+            val handOver = FreshHandOver(EarlierWork(ledger))
             val first = ledger.issue(Robot)
             handOver.put(snapshot(1))
             handOver.take()?.receivedNanos shouldBe 1 // the first hand-over has none before it
@@ -182,7 +182,7 @@ class HandOverSpec : FunSpec({
             val other = Any()
             var inUse: Any? = other
             val ledger = CommandLedger { inUse }
-            val handOver = FreshHandOver(Backlog(ledger))
+            val handOver = FreshHandOver(EarlierWork(ledger))
             ledger.issue(other)
             handOver.put(snapshot(1))
             handOver.take()
@@ -207,7 +207,7 @@ class HandOverSpec : FunSpec({
         test("tells that snapshots wait for long, and for which work") {
             val ledger = CommandLedger { Robot }
             val told = mutableListOf<String>()
-            val handOver = FreshHandOver(Backlog(ledger)) { ms, why -> told += "$ms ms: $why" }
+            val handOver = FreshHandOver(EarlierWork(ledger)) { ms, why -> told += "$ms ms: $why" }
             fun put(ms: Long) = handOver.put(snapshot(ms * 1_000_000))
             put(0)
             put(9_000) // nothing is left, so only the agent is slow
@@ -228,7 +228,7 @@ class HandOverSpec : FunSpec({
 
         test("a plan that always has a command on its way does not starve it") {
             val ledger = CommandLedger { Robot }
-            val handOver = FreshHandOver(Backlog(ledger))
+            val handOver = FreshHandOver(EarlierWork(ledger))
             var taken = 0
             var onItsWay = ledger.issue(Robot)
             repeat(100) { n ->
@@ -242,7 +242,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("what is cleared is never taken") {
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
             handOver.put(snapshot(1))
             handOver.clear()
             handOver.take() shouldBe null

@@ -100,6 +100,7 @@ sealed class RuleList(private val mode: Mode) {
     }
 }
 
+/** The rules of a filter that drops. */
 class DropRules internal constructor() : RuleList(Mode.DROP) {
     /**
      * Drops the percepts of [predicate] that meet all [conditions].
@@ -123,6 +124,7 @@ class DropRules internal constructor() : RuleList(Mode.DROP) {
     fun <T : PerceptType> drop(type: T, conditions: context(TypedRule) T.() -> Unit = {}): Unit = add(type, conditions)
 }
 
+/** The rules of a filter that keeps. */
 class KeepRules internal constructor() : RuleList(Mode.KEEP) {
     /** Keeps the percepts of [predicate] that meet all [conditions]; as [DropRules.drop]. */
     fun keep(predicate: String, conditions: RuleConditions.() -> Unit = {}): Unit = add(Predicate.of(predicate), conditions)

@@ -42,6 +42,7 @@ sealed interface GroundTerm {
         override fun toString(): String = StringText.write(text)
     }
 
+    /** A list. */
     data class Sequence(val items: List<GroundTerm>) : GroundTerm {
         override fun toString(): String = items.joinToString(",", "[", "]")
     }

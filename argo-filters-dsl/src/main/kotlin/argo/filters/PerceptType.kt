@@ -34,6 +34,7 @@ internal fun speakingOf(rule: RuleConditions, say: () -> Unit) {
  */
 @FilterDsl
 abstract class PerceptType(predicate: String) {
+    /** The predicate of this type's percepts. */
     val predicate: Predicate = Predicate.of(predicate)
 
     private var declared = 0

@@ -177,6 +177,7 @@ sealed class AnyTerm {
     }
 }
 
+/** An argument of a rule under construction: the value of `argument(0)`. */
 class AnyArgument internal constructor(private val index: Int, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)
@@ -192,6 +193,7 @@ class AnyArgument internal constructor(private val index: Int, private val rule:
     override fun toString(): String = "argument($index)"
 }
 
+/** An annotation of a rule under construction: the value of `annotation("q")`. */
 class AnyAnnotation internal constructor(private val name: Predicate, private val rule: RuleConditions) : AnyTerm() {
     override fun must(vararg tests: TermTest) {
         rule.specify(this)

@@ -27,6 +27,7 @@ internal class LspCommand : ToolCommand() {
     }
 }
 
+/** Adds `lsp` to the tools. */
 class LspCommandProvider : ToolProvider {
     override fun command(): Any = LspCommand()
 }

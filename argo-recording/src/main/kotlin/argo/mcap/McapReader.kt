@@ -26,7 +26,7 @@ class McapReader(path: Path) : Closeable {
     /** The channels, in the order of their first appearance. */
     val channels: List<McapChannel> get() = contents.channels.values.toList()
 
-    /** The files inside, in their order. Each reads its data on demand, while this reader is open. */
+    /** The files inside, in their order. An attachment reads its data on demand, while this reader is open. */
     val attachments: List<McapAttachment> get() = contents.attachments
 
     /** The entries that [McapWriter.metadata] wrote, in their order. */

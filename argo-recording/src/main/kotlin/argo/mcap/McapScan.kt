@@ -4,7 +4,7 @@ import java.nio.ByteBuffer
 import java.nio.file.Path
 import java.util.zip.CRC32
 
-/** A part of the file with whole records of messages. [times] is the range of their log times. */
+/** A part of the file with whole records of messages. [times] is the range of the messages' log times. */
 internal class MessagePart(private val at: Long, private val length: Long, private val packed: Packed, val times: LongRange) {
     fun records(input: McapInput): ByteBuffer = packed.unpacked(input.read(at, length))
 }

@@ -5,8 +5,8 @@ import java.io.IOException
 /**
  * The schema of the messages of some channels.
  *
- * @property id its number in the file, from 1
- * @property name its name, such as `argo.Cycle`
+ * @property id the schema's number in the file, from 1
+ * @property name the schema's name, such as `argo.Cycle`
  * @property encoding `jsonschema` in the files of [McapWriter]
  * @property text the schema itself
  */
@@ -15,8 +15,8 @@ data class McapSchema(val id: Int, val name: String, val encoding: String, val t
 /**
  * A sequence of messages of one kind.
  *
- * @property id its number in the file
- * @property topic its name, such as `/robot/cycle`
+ * @property id the channel's number in the file
+ * @property topic the channel's name, such as `/robot/cycle`
  * @property schema the schema of its messages; null: the file has none for it
  * @property messageEncoding `json` in the files of [McapWriter]
  * @property metadata further names and values of the channel
@@ -35,7 +35,7 @@ data class McapChannel(
  * @property sequence the number of the message in its channel, from 0, in the files of [McapWriter]
  * @property logTimeNs the time of recording, in ns; since 1970 if it is a time of day
  * @property publishTimeNs the time at which the message was made, on the same clock
- * @property data its bytes; do not change them
+ * @property data the message's bytes; do not change them
  */
 class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: Long, val publishTimeNs: Long, val data: ByteArray) {
     /** [data] as text in UTF-8. */

@@ -283,10 +283,10 @@ data class Beginning(val beliefs: List<String>, val events: List<String>)
  * The agent of a recording, in its metadata.
  *
  * @property source the name of the attachment with its program
- * @property options its options in the `.mas2j`
+ * @property options the agent's options in the `.mas2j`
  * @property isConditional whether Jason skipped parts of a cycle without work, as its Local infrastructure does
  * @property address the address of the program in Jason's annotations and errors; null: not known
- * @property beginning its beliefs and events at the beginning; null: not known
+ * @property beginning the agent's beliefs and events at the beginning; null: not known
  * @property firstLabel the number that Jason gave to its first plan without a name; null: it has no such plan
  * @property config Jason's settings for all agents
  */

@@ -5,6 +5,7 @@ import java.util.concurrent.CopyOnWriteArrayList
 
 /** A recording in progress of an agent of this program. */
 interface RunningRecording {
+    /** The agent's name. */
     val agent: String
 
     /** The reason why the recording has ended before its agent, in words; null: it has not. */

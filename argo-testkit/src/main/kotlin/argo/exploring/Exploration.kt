@@ -160,7 +160,7 @@ class ExploredBoard internal constructor() {
 /**
  * The percepts that a sensor can show.
  *
- * @property percepts all of them; an empty text is no percept
+ * @property percepts all percepts; an empty text is no percept
  * @property first the index of the percept at first
  * @property range the numbers in the percepts; null: they have none
  */

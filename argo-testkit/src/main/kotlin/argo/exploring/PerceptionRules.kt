@@ -37,7 +37,7 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
  * begins with the last byte of the first such message. An agent whose last command is one of [commands] need not send another.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
- * @throws IllegalArgumentException if [percept] is neither
+ * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
  */
 fun reactsTo(percept: String, commands: List<String>, within: Duration = 1.seconds): Rule {
     val condition = PerceivedFormula(percept)
@@ -63,7 +63,7 @@ private fun reacts(entries: List<AgentEntry>, received: Duration, commands: List
  * No plan sends one of [commands] while [percept] holds in the agent's percepts, and has held for [after].
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
- * @throws IllegalArgumentException if [percept] is neither
+ * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
  */
 fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seconds): Rule {
     val condition = PerceivedFormula(percept)

@@ -10,6 +10,7 @@ sealed interface TraceEntry {
 
 /** An action of [agent], or an event that happens to it. */
 sealed interface AgentEntry : TraceEntry {
+    /** The agent's name. */
     val agent: String
 }
 
@@ -67,11 +68,13 @@ data class Waits(override val at: Duration, override val agent: String, val inte
 /** A plan of the agent has failed, and there was no plan for the failure. [what] is Jason's message. */
 data class FailedUnhandled(override val at: Duration, override val agent: String, val what: String) : AgentEntry
 
+/** The agent has printed [text]. */
 data class Printed(override val at: Duration, override val agent: String, val text: String) : AgentEntry
 
 /** The agent has sent a message to another agent: `tell(bob,ready)`. */
 data class Said(override val at: Duration, override val agent: String, val message: String) : AgentEntry
 
+/** The agent has ended. */
 data class Stopped(override val at: Duration, override val agent: String) : AgentEntry
 
 /** An agent reasons without an end, so that time stands still. The run ends here. */
@@ -94,6 +97,7 @@ class Run internal constructor(
     val arrived: Map<String, List<String>>,
     internal val opened: Set<String>,
 ) {
+    /** Returns the entries of [agent]. */
     fun of(agent: String): List<AgentEntry> = trace.filterIsInstance<AgentEntry>().filter { it.agent == agent }
 
     private fun entry(index: Int): Any = trace.getOrNull(index) ?: "nothing"

@@ -10,6 +10,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * Times are whole milliseconds since the run began. If several events overlap on one board, the strongest takes effect.
  */
 sealed interface WorldEvent {
+    /** The time in the run at which the event begins. */
     val at: Duration
 
     /** The event's end; equal to [at] if the event takes no time. */

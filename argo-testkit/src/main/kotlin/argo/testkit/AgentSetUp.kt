@@ -49,5 +49,6 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
     /** The board on the agent's first port, unless [board] names another port. */
     val board: Board get() = platform.first()
 
+    /** Returns the board on [port]. */
     fun board(port: String): Board = platform.at(port)
 }

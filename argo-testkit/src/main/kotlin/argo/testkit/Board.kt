@@ -272,6 +272,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The messages that have arrived, requests for percepts and commands, in their order. */
     val received: List<String> get() = timed.map { it.command }
 
+    /** The commands that have arrived, in their order. */
     val commands: List<String> get() = received.filterNot(PerceptsRequest::isIn)
 
     /** The [commands], each with the time of its arrival. */

@@ -45,6 +45,7 @@ class TestAgent internal constructor(
     /** The first directories of the search for programs of agents that this agent creates. */
     internal val sourceDirectories: List<String> = listOfNotNull(file?.parent?.toString()) + setUp.sourcePaths
 
+    /** The agent's name. */
     val name: String get() = setUp.name
 
     /** False if the agent has been stopped, as by `.stopMAS` or `.kill_agent`, or closed. */

@@ -12,7 +12,7 @@ import java.util.logging.Logger
 import kotlin.time.Duration
 
 /**
- * Agents under test that exchange messages, in one virtual time: see [mas]. Each has its own ports, as on a computer of its own.
+ * Agents under test that exchange messages, in one virtual time: see [mas]. Each agent has its own ports, as on a computer of its own.
  *
  * May be used by one thread at a time.
  */

@@ -8,7 +8,7 @@ internal interface AgentLanes {
     fun respond(path: String, query: String?): HttpResponse?
 }
 
-/** Makes [AgentLanes]. It is a service because recordings need not be on the class path. */
+/** Makes [AgentLanes]. The provider is a service because recordings need not be on the class path. */
 internal interface AgentLanesProvider {
     fun open(agent: String): AgentLanes
 

@@ -12,10 +12,7 @@ import java.util.concurrent.locks.ReentrantLock
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
-/**
- * Records the latest events of [agent] for its view, in bounded memory. Safe for use by several threads; each event holds the lock only
- * briefly.
- */
+/** Records the latest events of [agent] for its view, in bounded memory. Safe on any thread; each event holds the lock briefly. */
 internal class AgentRecord(private val agent: ObservedAgent, log: Logger) : AgentObserver {
     val mind = MindWatch({ MindState.of(agent) }, log, agent::nanos)
 

@@ -11,10 +11,10 @@ import java.util.logging.Logger
 
 /**
  * The live view of one agent: a page that browsers on this computer can open while the agent runs. The option `argo_view=8080` of an agent
- * opens it; `argo_view=0` takes any free port. It is one of [argo.Arch.observers]. Agents of one program with the same number share the
- * port, and their pages have links to each other.
+ * opens it; `argo_view=0` takes any free port. The view is one of [argo.Arch.observers]. Agents of one program with the same number share
+ * the port, and their pages have links to each other.
  *
- * Neither the agent nor its sensing ever waits for it. Safe for use by several threads.
+ * Neither the agent nor its sensing ever waits for the view. Safe for use by several threads.
  */
 class AgentView private constructor(
     private val agent: ObservedAgent,

@@ -4,10 +4,7 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
-/**
- * Passes an agent's newest state to the pages that show it. A page that is slower than the agent misses states. Safe for use by several
- * threads.
- */
+/** Passes an agent's newest state to its pages. A page that is slower than the agent misses states. Any thread may call it. */
 internal class Broadcast {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()

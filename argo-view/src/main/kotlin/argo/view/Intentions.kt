@@ -37,10 +37,7 @@ internal data class PlanState(val trigger: String, val file: String?, val line: 
 private const val MAX_PLANS = 10
 private val WAITING = setOf(IntentionPlace.PendingActions, IntentionPlace.PendingIntentions)
 
-/**
- * Returns the present state of [intention]. For the agent's thread only.
- * @param key Jason's key for a pending intention; null: [intention] is not pending
- */
+/** Returns the present state of [intention]. [key]: Jason's key of a pending intention, else null. For the agent's thread only. */
 internal fun intentionState(intention: Intention, key: String?): IntentionState {
     val means = intention.toList()
     val isSuspended = key?.startsWith(suspend.SUSPENDED_INT) == true

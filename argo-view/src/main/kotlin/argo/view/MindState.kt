@@ -2,6 +2,7 @@ package argo.view
 
 import argo.observing.ObservedAgent
 import argo.observing.isHidden
+import jason.asSemantics.Circumstance
 import jason.asSyntax.Literal
 import jason.bb.BeliefBase
 
@@ -23,21 +24,23 @@ internal class MindState(
         private const val MAX_INTENTIONS = 30
 
         /** Returns the mind of [agent]. For the agent's thread only. */
-        fun of(agent: ObservedAgent): MindState {
-            val believed = of(agent.beliefs)
-            val circumstance = agent.circumstance
-            val intentions = circumstance.allIntentions.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
-                .sortedBy { it.id }.toList()
-            val shown = intentions.take(MAX_INTENTIONS).map { intentionState(it, circumstance.getPendingIntentionKey(it)) }
-            return MindState(believed.believed, believed.beliefs, intentions.size, shown)
-        }
+        fun of(agent: ObservedAgent): MindState = of(agent.beliefs, agent.circumstance)
 
-        /** Returns a mind with the beliefs in [base] and no intentions. */
-        fun of(base: BeliefBase): MindState {
+        /** Returns the mind with the beliefs in [base] and the intentions of [circumstance]. */
+        fun of(base: BeliefBase, circumstance: Circumstance): MindState {
             val perceived = base.percepts.asSequence().take(MAX_OF_A_KIND)
             val (hidden, others) = base.asSequence().take(MAX_LOOKED_AT).filterNot { it.hasSource(BeliefBase.APercept) }
                 .partition { it.isHidden }
-            return MindState(base.size() - hidden.size, (others.take(MAX_OF_A_KIND) + perceived).map(::belief))
+            val all = circumstance.allIntentions
+            val intentions = all.asSequence().take(MAX_LOOKED_AT).filterNot { it.isFinished }.distinctBy { it.id }
+                .sortedBy { it.id }.toList()
+            val notLookedAt = all.asSequence().count()
+            return MindState(
+                base.size() - hidden.size,
+                (others.take(MAX_OF_A_KIND) + perceived).map(::belief),
+                intentions.size + notLookedAt,
+                intentions.take(MAX_INTENTIONS).map { intentionState(it, circumstance.getPendingIntentionKey(it)) },
+            )
         }
 
         private fun belief(literal: Literal): Belief {

@@ -3,7 +3,6 @@ package argo.view
 import com.sun.net.httpserver.HttpExchange
 import java.io.IOException
 import java.net.URI
-import java.util.concurrent.Semaphore
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
@@ -16,7 +15,7 @@ import java.util.concurrent.atomic.AtomicBoolean
  */
 internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::nanoTime) {
     val site = Site()
-    private val seats = Semaphore(MAX_PAGES)
+    private val seats = PageSeats()
     private val isStarted = AtomicBoolean()
     private val threads = RequestThreads(name, nanos)
     private val server = localServer(port, threads, ::handle)
@@ -48,12 +47,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
             found.page == null -> exchange.respond(site.respond(request))
             request.path != EVENTS -> exchange.respond(found.page.routes.respond(request))
             request.method != "GET" -> exchange.respond(HttpResponse.wrongMethod("GET"))
-            !seats.tryAcquire() -> exchange.respond(HttpResponse.message(503, "too many pages are open; close one and load this one again"))
-            else -> try {
-                stream(exchange, found.page.states)
-            } finally {
-                seats.release()
-            }
+            !seats.take { stream(exchange, found.page.states) } -> exchange.respond(FULL)
         }
     }
 
@@ -77,8 +71,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
     private companion object {
         const val EVENTS = "/events"
 
-        /** The most pages, of all agents together, that can watch at once. */
-        const val MAX_PAGES = 12
+        val FULL = HttpResponse.message(503, "too many pages are open; close one and load this one again")
 
         /** A browser that has lost its connection tries again after this time, in ms. */
         const val RETRY_MS = 1000

@@ -5,7 +5,13 @@ import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.ints.shouldBeLessThan
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
+import jason.asSemantics.Circumstance
+import jason.asSemantics.IntendedMeans
+import jason.asSemantics.Intention
+import jason.asSemantics.Option
+import jason.asSemantics.Unifier
 import jason.asSyntax.ASSyntax.parseLiteral
+import jason.asSyntax.ASSyntax.parsePlan
 import jason.asSyntax.ASSyntax.parseRule
 import jason.bb.BeliefBase
 import jason.bb.DefaultBeliefBase
@@ -16,12 +22,12 @@ private const val MS = 1_000_000L
 class MindWatchSpec : FunSpec({
     var now = 0L
     val log = Logger.getLogger("argo.view.test").apply { useParentHandlers = false }
-    fun watch(base: BeliefBase) = MindWatch({ MindState.of(base) }, log) { now }.also { now = 0 }
+    fun watch(base: BeliefBase) = MindWatch({ MindState.of(base, Circumstance()) }, log) { now }.also { now = 0 }
     fun base(vararg beliefs: String) = DefaultBeliefBase().apply { beliefs.forEach { add(parseLiteral(it)) } }
 
     test("nobody looks: nothing is read") {
         var reads = 0
-        val watch = MindWatch({ reads++; MindState.of(base()) }, log) { now }
+        val watch = MindWatch({ reads++; MindState.of(base(), Circumstance()) }, log) { now }
         repeat(100) { watch.cycleFinished() }
         reads shouldBe 0
     }
@@ -43,7 +49,7 @@ class MindWatchSpec : FunSpec({
 
     test("the watch looks ten times in a second, however many cycles there are") {
         var reads = 0
-        val watch = MindWatch({ reads++; MindState.of(base()) }, log) { now }.apply { isWatched = true }
+        val watch = MindWatch({ reads++; MindState.of(base(), Circumstance()) }, log) { now }.apply { isWatched = true }
         now = 0
         repeat(1000) { watch.cycleFinished(); now += MS }
         reads shouldBe 10
@@ -73,6 +79,18 @@ class MindWatchSpec : FunSpec({
         val mind = watch.newest.shouldNotBeNull().mind
         mind.believed shouldBe 20_000
         mind.beliefs.size shouldBeLessThan 400
+    }
+
+    test("all intentions are counted, also of an agent that has very many, and the first of them are told") {
+        val circumstance = Circumstance()
+        val plan = parsePlan("+!go <- .wait(1).")
+        repeat(6_000) {
+            val intention = Intention().apply { push(IntendedMeans(Option(plan, Unifier()), plan.trigger)) }
+            circumstance.addRunningIntention(intention)
+        }
+        val mind = MindState.of(base(), circumstance)
+        mind.intended shouldBe 6_000
+        mind.intentions.size shouldBe 30
     }
 
     test("a belief base that cannot be read costs the agent nothing") {

@@ -11,7 +11,7 @@ import kotlin.math.abs
 /** The argument that starts [manyBoards] as a program. */
 internal const val MANY_BOARDS = "many-boards"
 
-/** Measures an agent of 127 boards on the network in a new Java machine. Returns its figures in words. */
+/** Measures an agent of 127 boards on the network in a new Java machine. Returns the figures in words. */
 internal fun sensedMany(): String {
     val measured = figuresApart(MANY_BOARDS)
     val (leastSensed, lost, messages, heapMb, residentMb) = measured

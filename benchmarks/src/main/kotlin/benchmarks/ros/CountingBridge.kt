@@ -11,9 +11,10 @@ import java.util.concurrent.ScheduledThreadPoolExecutor
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge whose topic `/n` counts. Like rosbridge 0.11.17 with `queue_length` 1, it sends the newest message once a `throttle_rate`.
+ * A bridge whose topic `/n` counts. Like rosbridge 0.11.17 with `queue_length` 1, this bridge sends the newest message once a
+ * `throttle_rate`.
  *
- * @param number its TCP port; 0: a free one
+ * @param number the bridge's TCP port; 0: a free one
  * @param hz the numbers per second
  * @param published called with each number before the bridge publishes it
  */

@@ -17,7 +17,6 @@ internal enum class Source(val factors: Set<Int>) {
  * effects. [levels] has the level of each of the source's factors, from 0, in the order of the factors.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
-    /** True if the interval does not contain 0. */
     val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
 }
 

@@ -138,10 +138,7 @@ final class CommandLoop {
         return (since - moved > 0 ? since : moved) + PATIENCE_NANOS;
     }
 
-    /**
-     * Fails commands that have waited for {@link #PATIENCE_NANOS} in which nothing got through, so none goes out late; not those with a
-     * time limit.
-     */
+    /** Fails commands that waited {@link #PATIENCE_NANOS} while nothing got through, but not those with a time limit. */
     private void giveUpStuck() {
         long now = clock.nanos();
         if (patienceEnds() - now > 0) {

@@ -132,7 +132,7 @@ final class FrameWriter implements WaitingCommands<Command> {
         return held > 0 ? held : pacer.nanosUntilAction(next.frame().length(), now);
     }
 
-    /** Returns whether only urgent commands of version 1 are written until the board answers: see {@link SilentBoardHold}. */
+    /** Returns whether only urgent commands of version 1 are written until the board answers: see {@link Version1SilenceHold}. */
     boolean isHeldBack() {
         return monitor.get(() -> pacer.nanosHeld(clock.nanos()) > 0);
     }

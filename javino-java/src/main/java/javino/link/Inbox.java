@@ -13,7 +13,7 @@ import javino.wire.WireDecoder;
 import javino.wire.WireFrame;
 
 /**
- * Reads a line. It hands on frames of version 2, and keeps messages of version 1 until a caller takes them.
+ * Reads a line. The inbox hands on frames of version 2, and keeps messages of version 1 until a caller takes them.
  * <p>One of the waiting threads reads for all (leader and followers). When its own wait ends, another one reads.
  */
 final class Inbox {

@@ -37,9 +37,10 @@ import javino.wire.CommandItem;
  * <p>Opening a port resets most boards, which then take a second or two to start. So a link asks until the first message has come from the
  * board, or {@link LinkSettings#bootMillis()} have passed since opening. Until then a request is repeated every 250 ms, or after its own
  * time limit if that is shorter. The first {@link #send} asks for percepts and drops the answer. A board that runs answers at once.
- * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. It asks first in version 2. If no answer
- * comes within 0.4 s, it asks in version 1. A version 1 board does not understand the first question and forgets it in that time; no frame
- * of version 1 goes out before. Messages of a version 2 board come whole or not at all, and {@link #send} learns the outcome of an action.
+ * <p>If {@link LinkSettings#protocol()} names no version of the protocol, the link finds it out. The link asks first in version 2. If no
+ * answer comes within 0.4 s, it asks in version 1. A version 1 board does not understand the first question and forgets it in that time; no
+ * frame of version 1 goes out before. Messages of a version 2 board come whole or not at all, and {@link #send} learns the outcome of an
+ * action.
  * <p>If the device has gone or the link is closed, every call soon throws {@link PortGoneException}, even one that waits, and the port is
  * free for another link. An interrupted call throws {@link PortInterruptedException}; the link stays usable.
  */
@@ -106,7 +107,7 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * A link on an open line, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know. It has no
+     * A link on an open line, in the time of {@code clock}: for tests, and for lines that {@link Transports} does not know. The link has no
      * owner, so {@link #ownerOf} does not find it.
      *
      * @param transport closed with the link; its waits go by the same clock
@@ -141,10 +142,7 @@ public final class Link implements AutoCloseable {
         return board.protocol();
     }
 
-    /**
-     * The actions that the board has registered, in the order of their numbers. Empty while they are not known, and in version 1. Safe on
-     * any thread; does not wait.
-     */
+    /** The board's registered actions, by number. Empty while they are not known, and in version 1. Any thread; does not wait. */
     public Optional<List<BoardAction>> vocabulary() {
         return line.session().vocabulary();
     }
@@ -182,7 +180,7 @@ public final class Link implements AutoCloseable {
         return description;
     }
 
-    /** The number of actions of the board's program that found no room on the board, so it refuses them; 0: none, or not known yet. */
+    /** How many actions of the board's program found no room on the board; the board refuses them. 0: none, or not known yet. */
     public int actionsLost() {
         return line.session().actionsLost();
     }
@@ -253,8 +251,8 @@ public final class Link implements AutoCloseable {
     }
 
     /**
-     * Waits at most {@code nanos} until the commands so far are over. Version 2 carries both ways at once, so there it waits only until
-     * they have begun.
+     * Waits at most {@code nanos} until the commands so far are over. In version 2, which sends both ways at once, waits only until these
+     * commands have begun.
      */
     private void giveWay(long nanos) throws PortException {
         if (board.speaks2()) {
@@ -307,8 +305,8 @@ public final class Link implements AutoCloseable {
      *
      * <p>The thread that learns the outcome completes the future, outside of any lock. In version 1 that is when the last byte has left by
      * the line's rate; if the link is not paced, when the driver has it. In version 2 it is when the board has acted. The command is
-     * repeated until then, and the board takes the repetitions for one command. It is given up after four repetitions and 2 s without any
-     * frame of the board.
+     * repeated until then, and the board takes the repetitions for one command. The command is given up after four repetitions and 2 s
+     * without any frame of the board.
      *
      * <p>The future fails with {@link ActionRefusedException} if the board does not know the command, or not with these arguments;
      * {@link ActionUnconfirmedException} if the board may have acted or not; {@link CommandWithdrawnException} if the command's time was

@@ -9,8 +9,8 @@ import javino.Protocol;
  * Settings of a {@link Link}: how it treats its line and the board at the other end.
  *
  * @param baud bits a second
- * @param paced true: a frame goes to the driver only when the frame before it has left the line by the baud rate, so an urgent command
- *     never waits behind seconds of old ones; false: at once
+ * @param paced true: a frame goes to the driver only when the frame before it has left the line by the baud rate. So an urgent command
+ *     never waits behind seconds of old ones. false: at once
  * @param spacingMillis least milliseconds between the end of a frame to a version 1 board, or of its answer, and the next frame. The gap is
  *     50 ms until six answers have been timed, and longer than this for a board whose answers show a slow {@code loop()}. 0: no gap, for a
  *     board that keeps all messages
@@ -85,6 +85,7 @@ public record LinkSettings(
         return new LinkSettings(baud, paced, spacingMillis, boardQueue, bootMillis, protocol, value);
     }
 
+    /** The line these settings ask for. */
     public LineSettings line() {
         return new LineSettings(baud);
     }

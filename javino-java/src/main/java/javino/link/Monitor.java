@@ -11,7 +11,7 @@ import javino.PortInterruptedException;
 
 /**
  * A lock under which threads wait for conditions, in the time of a line. A thread that gives the lock back checks the conditions of the
- * waiting threads, and wakes those whose wait is over: a needless wake-up costs more than a check.
+ * waiting threads. It wakes only those whose wait is over: a needless wake-up costs more than a check.
  */
 final class Monitor {
     static final long FOREVER = Long.MAX_VALUE / 4;

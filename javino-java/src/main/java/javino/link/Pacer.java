@@ -7,16 +7,16 @@ import java.util.concurrent.TimeUnit;
  *
  * <p>Two things hold a frame back. First, the pace: the driver gets a frame when the frame before has left the line by the baud rate.
  * Second, the limits of version 1 boards. Between two rounds of its {@code loop()} such a board reads all bytes that have arrived, and has
- * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. It does not read while it sends
- * an answer. So
+ * room for one message. If the bytes hold a message and the beginning of another frame, the board restarts. The board does not read while
+ * it sends an answer. So
  * <ul>
  *   <li>a frame starts one inter-frame gap after the end of the frame or the answer before it. The gap is longer than the board's loop, as
- *       far as {@link LoopTime} knows it, and at least that of the settings. Exception: if only one request was open and no action was
+ *       far as {@link GapEstimate} knows it, and at least that of the settings. Exception: if only one request was open and no action was
  *       written after it, the board has handled all that it received, so the first action behind the answer starts at once;
  *   <li>while the board may be busy with an answer, it gets at most as many actions as it can hold, and at most as many bytes as the
  *       receive buffer of an AVR. The busy time ends with the answer, or after {@value #QUIET_MILLIS} ms of silence behind a byte of it, or
  *       {@value #MAX_ANSWER_DELAY_MILLIS} ms after the request;
- *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link SilentBoardHold}.
+ *   <li>if a board that has answered before misses an answer, it gets only urgent actions: see {@link Version1SilenceHold}.
  * </ul> Version 2 boards announce how much they can receive, so for them only the pace counts. An unpaced line has neither limit. Times are
  * nanoseconds of one steady clock. Guarded by its user's lock.
  */
@@ -41,7 +41,7 @@ final class Pacer {
 
     private long lineFreeAt;
     private long lastEnd; // end of the last frame, or of the answer behind it
-    private final LoopTime loop = new LoopTime();
+    private final GapEstimate estimate = new GapEstimate();
     private long requestEnd;
     private boolean answerBegun;
     private boolean awaitingAnswer;
@@ -49,7 +49,7 @@ final class Pacer {
     private int unanswered; // number of requests in a row without an answer
     private boolean boardIsIdle; // the board has handled all messages, so none waits unread before the next frame
     private long busyUntil;
-    private final SilentBoardHold silence = new SilentBoardHold();
+    private final Version1SilenceHold silence = new Version1SilenceHold();
     private int lateAnswers; // late answers in a row
     private int actionsMeanwhile; // actions written while the board may have been busy with the last request
     private int bytesMeanwhile;
@@ -59,7 +59,7 @@ final class Pacer {
         byteNanos = settings.line().byteNanos();
         minGapNanos = TimeUnit.MILLISECONDS.toNanos(settings.spacingMillis());
         boardQueue = settings.boardQueue();
-        maxHoldMillis = Math.max(settings.spacingMillis(), LoopTime.MAX_MILLIS) + LoopTime.MAX_DELAY_MILLIS;
+        maxHoldMillis = Math.max(settings.spacingMillis(), GapEstimate.MAX_MILLIS) + GapEstimate.MAX_DELAY_MILLIS;
         lineFreeAt = now;
         lastEnd = now - gap();
         busyUntil = now;
@@ -98,7 +98,7 @@ final class Pacer {
      */
     long nanosUntilRequest(long due, long now) {
         long free = actionsMeanwhile > 0 ? later(earliest(), busyUntil) : earliest();
-        long probeDelay = minGapNanos == 0 ? 0 : loop.probeDelayNanos();
+        long probeDelay = minGapNanos == 0 ? 0 : estimate.probeDelayNanos();
         return nanosUntil(later(free, due) + probeDelay, now);
     }
 
@@ -125,9 +125,9 @@ final class Pacer {
     long wroteRequest(int bytes, long start, long now) {
         requestEnd = wroteFrame(bytes, start, now);
         if (unanswered++ > 0) {
-            loop.forget(); // the loop may take longer now
+            estimate.forget(); // the loop may take longer now
         }
-        loop.asked();
+        estimate.asked();
         answerBegun = false;
         actionSinceRequest = false;
         actionsMeanwhile = 0;
@@ -162,7 +162,7 @@ final class Pacer {
             if (!answerBegun) {
                 answerBegun = true;
                 long delay = now - (bytes - 1) * byteNanos - requestEnd;
-                loop.answeredAfter(delay);
+                estimate.answeredAfter(delay);
                 lateAnswers = delay > maxGapNanos() ? lateAnswers + 1 : 0;
             }
             busyUntil = later(busyUntil, now + QUIET_NANOS);
@@ -176,7 +176,7 @@ final class Pacer {
     }
 
     private long maxGapNanos() {
-        return Math.max(minGapNanos, TimeUnit.MILLISECONDS.toNanos(LoopTime.MAX_MILLIS));
+        return Math.max(minGapNanos, TimeUnit.MILLISECONDS.toNanos(GapEstimate.MAX_MILLIS));
     }
 
     void answered(long now) {
@@ -199,7 +199,7 @@ final class Pacer {
         if (minGapNanos == 0) {
             return 0;
         }
-        return Math.max(minGapNanos, loop.nanos() + GAP_BYTES * byteNanos);
+        return Math.max(minGapNanos, estimate.nanos() + GAP_BYTES * byteNanos);
     }
 
     private boolean overfills(int bytes) {

@@ -10,10 +10,7 @@ import javino.PortException;
 import javino.PortInterruptedException;
 import javino.Transports;
 
-/**
- * The owners of ports by {@linkplain Transports#canonicalName canonical name}. The whole program has one table, since devices belong to the
- * machine.
- */
+/** The owners of ports by {@linkplain Transports#canonicalName canonical name}, in one table for the whole program. */
 final class PortOwners {
     private static final Map<String, Claim> CLAIMS = new ConcurrentHashMap<>();
 

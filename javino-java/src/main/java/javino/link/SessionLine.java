@@ -80,8 +80,8 @@ final class SessionLine {
 
     /**
      * Writes and reads on this thread until {@code isDone} returns true, called under the lock, or until {@code deadline}.
-     * @param reads whether this thread reads although nothing is expected. Then it leaves the commands of version 1 to other threads: a
-     *     driver may take longer over a command than this thread waits
+     * @param reads whether this thread reads although nothing is expected. Then this thread leaves the commands of version 1 to other
+     *     threads: a driver may take longer over a command than this thread waits
      * @return whether {@code isDone} returned true
      */
     boolean await(BooleanSupplier isDone, long deadline, boolean reads) throws PortException {

@@ -20,7 +20,7 @@ final class Version1Commands {
     private boolean isWritten; // the last byte of the command under way leaves at leavesAt
     private long leavesAt;
     private long lookAt;
-    // the command began while only urgent ones went out (SilentBoardHold), so its arrival says nothing of others
+    // the command began while only urgent ones went out (Version1SilenceHold), so its arrival says nothing of others
     private boolean isHeldBack;
     private boolean isUnasked; // the next command may go out although the board has not been asked
     private boolean hasToldSlowBoard;
@@ -93,7 +93,7 @@ final class Version1Commands {
     private void warnOfSlowBoard() {
         if (writer.isBoardSlow() && !hasToldSlowBoard) {
             hasToldSlowBoard = true;
-            reports.warn("the board at port " + port + " begins its answers more than " + LoopTime.MAX_MILLIS
+            reports.warn("the board at port " + port + " begins its answers more than " + GapEstimate.MAX_MILLIS
                     + " ms late: a board of version 1 loses commands that come while its loop() does something else;"
                     + " give the port the option spacing(Ms) with the longest time of a loop(), or use version 2");
         }

@@ -111,7 +111,7 @@ final class Version1Requests {
     Reply awaitAnswer(long sent, long deadline, long giveUp) throws PortException {
         Reply answer = inbox.next(deadline);
         while (answer == null && isComing(sent) && giveUp - clock.nanos() > 0) {
-            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // another request would drop the part that has come
+            answer = inbox.next(inbox.lastByteNanos() + QUIET_NANOS); // another request would drop its first part
         }
         return answer;
     }

@@ -39,7 +39,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
     private long askedBehind; // number of bytes written before the request for percepts; NONE: it has not gone out
     private int rules; // number of rules that the board can hold in this session
     private volatile int actionsLost;
-    private Throwable failure; // the reason why the session is closed, for the commands that are out; null: they are unconfirmed
+    private Throwable failure; // fails the commands that are out when the session closes; null: they are unconfirmed
     private boolean hasDropped; // an answer was dropped, and none has come since
     private boolean hasToldLostActions;
     private boolean hasToldUnreadable;
@@ -144,7 +144,7 @@ final class Version2Session implements SessionListener<Command>, Inbox.Listener 
         return Math.max(writer.nanosUntilFrame(), session.nanosUntilNext(now, writer));
     }
 
-    /** The frame that may be written now; null: none. It belongs to the current session even if another begins before it is written. */
+    /** The frame to write now; null: none. It is of the current session, even if another session begins before the frame is written. */
     SessionLine.Outgoing next(long now) {
         WireFrame frame = writer.nanosUntilFrame() > 0 ? null : session.next(now, writer);
         if (frame == null) {

@@ -34,8 +34,8 @@ final class SerialTransport extends DriverTransport {
     private static final long MAX_LINGER_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
     /**
-     * Bytes that any driver certainly takes. It is used for drivers that do not tell how many bytes wait, such as pseudo-terminals. A
-     * pseudo-terminal holds four times as many in Linux, and more than these in macOS at 9600 baud.
+     * Bytes that any driver certainly takes. This size is used for drivers that do not tell how many bytes wait, such as pseudo-terminals.
+     * A pseudo-terminal holds four times as many in Linux, and more than these in macOS at 9600 baud.
      */
     private static final int SMALLEST_BUFFER = 1024;
 

@@ -123,7 +123,7 @@ public final class ComputerSession<C extends SessionCommand> {
         isEnded = false;
     }
 
-    /** Records that a frame of version 1 goes out. It ends a session that the board may have begun, so another session begins behind it. */
+    /** Records that a frame of version 1 goes out. That ends a session that the board may have begun, so another session follows. */
     public void sendsVersion1(long now) {
         if (state == State.CLOSED) {
             isEnded = true;
@@ -147,6 +147,7 @@ public final class ComputerSession<C extends SessionCommand> {
         requests.want(functors, now);
     }
 
+    /** Stops asking for percepts. */
     public void cancelRequest() {
         requests.cancel();
     }
@@ -287,10 +288,12 @@ public final class ComputerSession<C extends SessionCommand> {
         return hasRepeated && now - repeatedAt < timeoutNanos() / NAK_DIVISOR;
     }
 
+    /** Records that bytes have come. */
     public void receiving(long now) {
         requests.receiving(now);
     }
 
+    /** Records that a frame with a wrong checksum has come. */
     public void damaged() {
         requests.damaged();
     }

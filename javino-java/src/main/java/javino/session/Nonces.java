@@ -6,7 +6,7 @@ import java.util.random.RandomGenerator;
 import javino.wire.FrameKind;
 import javino.wire.WireFrame;
 
-/** Chooses the nonces of sessions. Their HELLO needs no escape, and holds no {@code f}, which would begin a frame of version 1. */
+/** Chooses the nonces of sessions. A HELLO with one needs no escape, and holds no {@code f}, which would begin a version 1 frame. */
 final class Nonces {
     private static final List<Integer> USABLE = usable();
 

@@ -96,7 +96,7 @@ final class Requests {
         }
         isOut = true;
         isDamaged = false;
-        String functors = wanted.length() < longestPayload ? wanted : ""; // else all: a board may send more than is wanted
+        String functors = wanted.length() < longestPayload ? wanted : ""; // too long: asks for all
         WireFrame frame = WireFrame.of(FrameKind.ASK, number, (char) reader.known() + functors);
         bytes = frame.toBytes(nonce).length;
         return frame;

@@ -4,7 +4,7 @@ import javino.wire.CriticalReport;
 import javino.wire.FrameKind;
 import javino.wire.Welcome;
 
-/** Receives the reports of a session, while one of the session's methods runs. It must not call the session. */
+/** Receives the reports of a session, while one of the session's methods runs. The listener must not call the session. */
 public interface SessionListener<C> {
     /** The board speaks version 2; a session is about to begin. */
     void found();

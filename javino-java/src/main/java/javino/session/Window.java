@@ -28,7 +28,7 @@ final class Window<C> {
         }
     }
 
-    /** A frame on its way. It carries the commands that are out, up to and without place {@code end}. */
+    /** A frame on its way. The frame carries the commands that are out, up to and without place {@code end}. */
     private record Sent(int bytes, int end, boolean isRepeated, long leftAt) {}
 
     private final List<Entry<C>> out = new ArrayList<>();

@@ -47,10 +47,7 @@ public interface BoardProgram {
      */
     String percepts(String request) throws PortException, InterruptedException;
 
-    /**
-     * The percepts that the sensors show now, in the form of {@link #percepts}. Called every few milliseconds while the board watches
-     * rules.
-     */
+    /** The percepts that the sensors show now, as {@link #percepts} returns them. Called every few ms while rules are set. */
     default String sensors() throws PortException, InterruptedException {
         return percepts(PerceptsRequest.ALL);
     }

@@ -23,6 +23,7 @@ import javino.wire.WireFrame;
  * are safe on any thread. The thread that causes a frame gives it to the line.
  */
 public final class BoardSession {
+    /** Takes the frames that the session sends. */
     @FunctionalInterface
     public interface Line {
         /**
@@ -45,6 +46,7 @@ public final class BoardSession {
         /** The largest capacity that the protocol can express, without rules. */
         public static final Capacity FULL = new Capacity(255, WireFrame.MAX_PAYLOAD, 0, 126);
 
+        /** Returns this capacity, with {@code value} rules. */
         public Capacity withRules(int value) {
             return new Capacity(credit, longestPayload, value, shapes);
         }
@@ -77,10 +79,12 @@ public final class BoardSession {
         writer = new PerceptWriter(capacity.shapes());
     }
 
+    /** The session's nonce; 0: there is none. */
     public synchronized int nonce() {
         return nonce;
     }
 
+    /** Returns whether there is a session. */
     public synchronized boolean isOpen() {
         return nonce != 0;
     }

@@ -35,7 +35,7 @@ final class BoardSocket {
             Run run = new Run(line, new Thread(() -> run(line), "board " + port));
             run.thread.setDaemon(true);
             current = run;
-            if (unplugged) { // checked after the assignment: either unplug() sees this run, or this thread sees unplugged
+            if (unplugged) { // checked last: else unplug() could miss this run
                 throw new NoSuchPortException(
                         port, "the simulated board " + port + " was unplugged while it was opened");
             }

@@ -13,7 +13,7 @@ import javino.Transport;
  *
  * <p>If the recorded board was asked for its percepts, this board answers requests: with the recorded board's newest message by that time,
  * counted from the first request; after the end of the recording, with the last message. Else this board sends each message unasked at its
- * time, counted from the opening of the port, and then falls silent. It speaks both versions of the protocol, and takes any command.
+ * time, counted from the opening of the port, and then falls silent. The board speaks both versions of the protocol, and takes any command.
  */
 public final class ReplayBoard implements SimulatedBoard {
     private static final int READ_MILLIS = 100;

@@ -8,18 +8,15 @@ import javino.Transport;
 import javino.wire.BoardAction;
 
 /**
- * A board in a program, as two functions: one returns percepts, one carries out commands. It speaks both versions of the protocol.
+ * A board in a program, as two functions: one returns percepts, one carries out commands. The sketch speaks both versions of the protocol.
  *
  * <p>Like any {@link SimulatedBoard} it is the port {@code sim:NAME} if {@code META-INF/services/javino.sim.SimulatedBoard} names its
  * class, or after {@code SimulatedBoards.plugIn("NAME", sketch)}. One object serves all openings of the port. The board's thread calls both
- * functions, one at a time. They may take their time: the board does nothing else meanwhile. An exception in them takes the port away from
- * its owner, who gets the exception's message.
+ * functions, one at a time. The methods may take their time: the board does nothing else meanwhile. An exception in them takes the port
+ * away from its owner, who gets the exception's message.
  */
 public interface Sketch extends SimulatedBoard {
-    /**
-     * Returns the percepts that the sensors show now, each a literal such as {@code dist(front,30)}, without a {@code ;}. Called for each
-     * request.
-     */
+    /** Returns what the sensors show: literals such as {@code dist(front,30)}, without a {@code ;}. Called for each request. */
     List<String> percepts();
 
     /**

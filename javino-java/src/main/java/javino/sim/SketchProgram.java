@@ -56,8 +56,13 @@ final class SketchProgram implements BoardProgram {
     private static String message(List<String> percepts, Set<String> functors) {
         return percepts.stream()
                 .map(percept -> percept + ";")
-                .filter(percept -> functors.isEmpty()
-                        || functors.contains(PerceptTerm.of(percept).functor()))
+                .filter(percept -> functors.isEmpty() || functors.contains(asked(percept)))
                 .collect(Collectors.joining());
+    }
+
+    /** The functor by which a request asks for a percept: without {@code ~}. */
+    private static String asked(String percept) {
+        String functor = PerceptTerm.of(percept).functor();
+        return functor.startsWith("~") ? functor.substring(1) : functor;
     }
 }

@@ -17,7 +17,7 @@ import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
  * Trusts only a board that shows the expected certificate, with any issuer and any name in it. If no certificate is expected, trusts the
- * one that the board shows. Its exceptions' messages are for a person.
+ * one that the board shows. The messages of its exceptions are for a person.
  */
 final class PinnedBoard extends X509ExtendedTrustManager {
     private final Optional<X509Certificate> expected;

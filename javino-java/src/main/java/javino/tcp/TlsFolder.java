@@ -25,13 +25,13 @@ import java.util.regex.Pattern;
  *
  * @param path the folder, which need not exist
  */
-record TlsFolder(Path path) {
+public record TlsFolder(Path path) {
     private static final String KEY_COMMAND = "openssl pkcs8 -topk8 -nodes -in OLD.key -out computer.key";
     private static final Pattern KEY =
             Pattern.compile("-----BEGIN PRIVATE KEY-----([A-Za-z0-9+/=\\s]+)-----END PRIVATE KEY-----");
 
     /** The folder of the property {@code javino.tls}, else {@code .argo/tls} in the user's home. */
-    static TlsFolder ofUser() {
+    public static TlsFolder ofUser() {
         String given = System.getProperty("javino.tls");
         return new TlsFolder(given != null ? Path.of(given) : Path.of(System.getProperty("user.home"), ".argo", "tls"));
     }
@@ -61,19 +61,20 @@ record TlsFolder(Path path) {
         }
     }
 
-    Path computerFile() {
+    /** The file that holds, or could hold, the computer's own certificate. */
+    public Path computerFile() {
         return path.resolve("computer.crt");
     }
 
     /** The computer's identity: its certificate, followed by its issuers' certificates, and the key. */
-    record Identity(PrivateKey key, X509Certificate[] chain) {}
+    public record Identity(PrivateKey key, X509Certificate[] chain) {}
 
     /**
      * The computer's own certificate; empty: it has none.
      *
      * @throws IOException if one of the two files is missing or cannot be read; the message is for a person
      */
-    Optional<Identity> computer() throws IOException {
+    public Optional<Identity> computer() throws IOException {
         Path keyFile = path.resolve("computer.key");
         if (!Files.exists(computerFile()) && !Files.exists(keyFile)) {
             return Optional.empty();
@@ -88,7 +89,12 @@ record TlsFolder(Path path) {
         return Optional.of(new Identity(key(keyFile, chain[0].getPublicKey().getAlgorithm()), chain));
     }
 
-    private static X509Certificate[] certificates(Path file) throws IOException {
+    /**
+     * The certificates in {@code file}, one at least.
+     *
+     * @throws IOException if it holds none or cannot be read; the message is for a person
+     */
+    public static X509Certificate[] certificates(Path file) throws IOException {
         try {
             Collection<? extends java.security.cert.Certificate> found = CertificateFactory.getInstance("X.509")
                     .generateCertificates(new ByteArrayInputStream(Files.readAllBytes(file)));

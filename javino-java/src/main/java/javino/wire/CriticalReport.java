@@ -4,7 +4,7 @@ package javino.wire;
  * A board's report that a rule begins to be met.
  *
  * @param outcome the outcome of its reflex
- * @param percept the text of the percept that meets it, with its {@code ;}
+ * @param percept the text of the percept that meets the rule, with its {@code ;}
  */
 public record CriticalReport(int rule, ReflexOutcome outcome, String percept) {
     private static final int HEADER = 2;

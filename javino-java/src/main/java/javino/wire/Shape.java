@@ -14,6 +14,7 @@ public record Shape(List<String> pieces) {
         pieces = List.copyOf(pieces);
     }
 
+    /** The shape of a text. */
     public static Shape of(String text) {
         return of(text, new ArrayList<>());
     }

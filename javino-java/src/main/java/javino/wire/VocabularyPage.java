@@ -13,6 +13,7 @@ import java.util.List;
 public record VocabularyPage(int request, int first, int total, List<BoardAction> actions) {
     private static final int HEADER = 3;
 
+    /** The longest name of an action that a page holds, in bytes. */
     public static final int MAX_NAME = WireFrame.MAX_PAYLOAD - HEADER - 2;
 
     public VocabularyPage {

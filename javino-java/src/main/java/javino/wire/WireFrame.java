@@ -18,7 +18,7 @@ public record WireFrame(FrameKind kind, boolean isRefused, boolean isBusy, int n
     /** Bytes around a payload. */
     public static final int OVERHEAD = 6;
 
-    /** The byte that begins a frame. It stands in no other place of a frame. */
+    /** The byte that begins a frame. This byte stands in no other place of a frame. */
     public static final int START = 0xA5;
 
     static final int ESCAPE = 0xA4;

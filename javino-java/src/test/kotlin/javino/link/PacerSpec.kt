@@ -179,7 +179,7 @@ class PacerSpec : FunSpec({
 
     test("only the last answers count") {
         val slow = List(40) { (it % 6) * MILLI }
-        gapAfter(slow + List(LoopTime.SAMPLES) { 3 * MILLI }) shouldBe 2 * BYTE_9600
+        gapAfter(slow + List(GapEstimate.SAMPLES) { 3 * MILLI }) shouldBe 2 * BYTE_9600
     }
 
     test("a board that takes ever different times to measure is taken for one whose loop takes fifty milliseconds") {
@@ -217,7 +217,7 @@ class PacerSpec : FunSpec({
             pacer.received(1, asked + MILLI)
             now = asked + 2 * MILLI
             pacer.answered(now)
-            if (it < LoopTime.MIN_SAMPLES) wait - GAP else wait - 2 * MILLI
+            if (it < GapEstimate.MIN_SAMPLES) wait - GAP else wait - 2 * MILLI
         }.drop(1)
         delays.take(31).map { it / (2_500_000L) }.toSet() shouldBe setOf(0L, 1L, 2L, 3L) // each quarter of 10 ms
         delays.drop(31).count { it > 0 } shouldBe 9

@@ -77,7 +77,6 @@ internal class Carrier(private val clock: LineClock) {
         /** The distance of the can from the robot's start, in cm. */
         const val CAN_CM = 60.0
 
-        /** The reach of the robot's hand, in cm. */
         const val REACH_CM = 12.0
 
         /** The sensor's reading if nothing is before the robot, in cm. */

@@ -59,6 +59,7 @@ class Course private constructor(private val speed: Double, private val legs: Li
         /** The robot has never driven. */
         STANDING,
 
+        /** The robot drives towards the wall. */
         DRIVING,
 
         /** The robot has driven and stands in front of the wall. */

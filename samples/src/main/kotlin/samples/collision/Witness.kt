@@ -37,7 +37,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
     private fun all(functor: String, arity: Int): Sequence<Literal> =
         ts.ag.bb.getCandidateBeliefs(PredicateIndicator(functor, arity))?.asSequence().orEmpty()
 
-    /** Makes the agent stop its robot at once, whatever it is doing. Does not wait for that. */
+    /** Makes the agent stop its robot at once, whatever it is doing. Does not wait until the robot stands. */
     fun haltRobot() {
         ts.runAtBeginOfNextCycle { ts.c.addAchvGoal(ASSyntax.createLiteral("halt"), Intention.EmptyInt) }
         firstAgArch.wakeUpSense()

@@ -65,7 +65,6 @@ internal class Container private constructor(
                 listOf("-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly", "true", "--no-net", "true")
         }
 
-        /** The host of all containers of the sample. */
         const val HOST = "127.0.0.1"
     }
 

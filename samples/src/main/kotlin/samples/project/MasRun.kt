@@ -40,8 +40,8 @@ internal class MasRun(private val sample: SampleProject) : RunLocalMAS() {
     }
 
     /**
-     * Runs the project until its agents end it, with its log on the standard output. Returns their exit status. If they have not ended it
-     * within [MAX_S] s, returns 1 and reports that on the standard error.
+     * Runs the project until its agents end it, with its log on the standard output. Returns the agents' exit status. If the agents have
+     * not ended the project within [MAX_S] s, returns 1 and reports that on the standard error.
      */
     fun toItsEnd(): Int = logged(MAX_S) ?: 1.also { System.err.println("the agents have not ended within $MAX_S s") }
 

@@ -41,8 +41,10 @@ enum class Role {
     /** A belief that another agent is asked for. */
     ASKED,
 
+    /** An action of the environment. */
     ACTION,
 
+    /** An internal action. */
     INTERNAL,
 
     /** An argument, which may become a literal of any other role. */

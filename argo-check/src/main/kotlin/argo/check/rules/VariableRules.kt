@@ -13,7 +13,7 @@ internal object VariableRules : Rule {
         scene.program.program.components.flatMap(::scopes).forEach { scope(it, report) }
     }
 
-    /** Returns the plans and rules in [node]. Each binds variables of its own. */
+    /** Returns the plans and rules in [node]. Each plan and each rule binds variables of its own. */
     private fun scopes(node: Node): List<Node> = when (node) {
         is Directive -> node.components.orEmpty().flatMap(::scopes)
         is Plan -> listOf(node)

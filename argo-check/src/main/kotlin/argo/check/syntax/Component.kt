@@ -46,6 +46,7 @@ class Label(override val span: Span, val name: Name?, val annotations: ListTerm?
     override val children: List<Node> get() = listOfNotNull(name, annotations)
 }
 
+/** The kinds of events, with their symbols in triggers. */
 enum class EventKind(val symbol: String) { BELIEF(""), ACHIEVE("!"), TEST("?") }
 
 /** @property operator `+`, `-` or `^` */
@@ -53,6 +54,7 @@ class Trigger(override val span: Span, val operator: String, val kind: EventKind
     override val children: List<Node> get() = listOf(term)
 }
 
+/** The statements of a plan's body. */
 class Body(override val span: Span, val statements: List<Statement>) : Node {
     override val children: List<Node> get() = statements
 }
@@ -68,6 +70,7 @@ enum class BodyOperator(val symbol: String) {
     DELETE_APART("--"),
     ;
 
+    /** True if the operator adds a belief. */
     val adds: Boolean get() = this == REPLACE || symbol.startsWith("+")
 
     /** True if the statement deletes a belief and adds none in its place. */

@@ -103,6 +103,7 @@ class Prefixed(val operator: Token, val operand: Term) : Term {
     override val children: List<Node> get() = listOf(operand)
 }
 
+/** A term or a formula in round brackets. */
 class Bracketed(override val span: Span, val term: Term) : Term {
     override val children: List<Node> get() = listOf(term)
 }

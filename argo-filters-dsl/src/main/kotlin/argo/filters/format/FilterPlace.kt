@@ -3,20 +3,12 @@ package argo.filters.format
 import argo.filters.FilterNotFoundException
 import argo.filters.FilterProvider
 import argo.filters.PerceptionFilter
-import java.io.IOException
 import java.net.JarURLConnection
 import java.net.URL
-import java.nio.file.FileVisitResult
-import java.nio.file.Path
 import java.util.ServiceConfigurationError
 import java.util.ServiceLoader
-import kotlin.io.path.inputStream
-import kotlin.io.path.invariantSeparatorsPathString
 import kotlin.io.path.isRegularFile
-import kotlin.io.path.name
-import kotlin.io.path.readText
 import kotlin.io.path.toPath
-import kotlin.io.path.visitFileTree
 
 /** A place with filters. `toString` is its name in messages. */
 internal interface FilterPlace {
@@ -60,36 +52,6 @@ internal class ProvidedFilters(private val classLoader: ClassLoader) : FilterPla
     override fun toString(): String = "the filters of ${FilterProvider::class.java.name} services"
 }
 
-/**
- * A directory with filter files. Links to files are followed only within [boundary]. [foreignFiles] tells whether the directory is likely
- * to contain files that are no filters; [names] then leaves those out.
- */
-internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
-
-    override fun find(name: String): PerceptionFilter? {
-        val (fileName, format) = FilterFormat.candidates(name).find { (it, _) -> directory.resolve(it).isRegularFile() } ?: return null
-        val file = directory.resolve(fileName)
-        val real = file.toRealPath()
-        if (!real.startsWith(boundary.toRealPath())) {
-            val problem = "is the file $file, which is a link that leads out of $boundary to $real"
-            throw FilterNotFoundException("The filter '$name' $problem; copy it there instead.")
-        }
-        return real.inputStream().use { format.read(it, file.toString(), FilterFormat.bareName(name)) }
-    }
-
-    override fun names(): List<String> =
-        filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)
-
-    /** Returns true if a file looks like a filter. An unreadable file counts as a filter, since it may be one. */
-    private fun isFilter(fileName: String): Boolean = try {
-        FilterFormat.of(fileName)?.isLikely(directory.resolve(fileName).readText(Charsets.ISO_8859_1)) == true
-    } catch (_: IOException) {
-        true
-    }
-
-    override fun toString(): String = directory.toString()
-}
-
 internal class FilterResources(private val classLoader: ClassLoader, private val folder: String) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? = FilterFormat.candidates(name).firstNotNullOfOrNull { (fileName, format) ->
@@ -103,7 +65,7 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
     private fun isReadable(url: URL) = url.protocol != "file" || url.toURI().toPath().isRegularFile()
 
     private fun names(url: URL): List<String> = when (url.protocol) {
-        "file" -> filesUnder(url.toURI().toPath(), DEPTH)
+        "file" -> filesUnder(url.toURI().toPath())
         "jar" -> filesInJar(url)
         else -> emptyList()
     }
@@ -123,18 +85,4 @@ internal class FilterResources(private val classLoader: ClassLoader, private val
     private fun open(url: URL) = url.openConnection().apply { useCaches = false }.getInputStream()
 
     override fun toString(): String = "$folder/ on the class path"
-}
-
-private const val DEPTH = 8
-
-/** Returns the filter files under [directory], relative to it; none if [directory] is no directory. */
-private fun filesUnder(directory: Path, depth: Int): List<String> = buildList {
-    directory.visitFileTree(depth) {
-        onVisitFile { file, _ ->
-            val isFilter = FilterFormat.of(file.name) != null && file.isRegularFile()
-            if (isFilter) add(directory.relativize(file).invariantSeparatorsPathString)
-            FileVisitResult.CONTINUE
-        }
-        onVisitFileFailed { _, _ -> FileVisitResult.CONTINUE }
-    }
 }

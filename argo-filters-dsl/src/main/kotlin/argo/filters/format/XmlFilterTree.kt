@@ -69,7 +69,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         return FilterNode.Object(element.position, tests + name)
     }
 
-    /** Reads a limit. Without an operator of its own it has the operator of the element [around] it. */
+    /** Reads a limit. A limit without an operator of its own has the operator of the element [around] it. */
     private fun limit(element: XmlElement, around: Member?): FilterNode {
         val own = attributes(element, FilterReader.OPERATOR)[FilterReader.OPERATOR]
         children(element)
@@ -142,7 +142,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         const val ID = "id"
         const val NAME = "name"
 
-        /** The names of members for attributes of other names. */
+        /** The names of members whose attributes have other names. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
         /** Files of earlier versions contain the second spelling. [XmlTree] knows their other spellings. */

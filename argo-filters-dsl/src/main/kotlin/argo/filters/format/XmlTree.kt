@@ -9,7 +9,7 @@ import javax.xml.stream.XMLStreamReader
 
 internal class XmlAttribute(val name: String, val value: String, val position: Position)
 
-/** Text between two tags. [position] is that of its first character that is not white space. */
+/** Text between two tags. [position] is that of the text's first character that is not white space. */
 internal class XmlText(val text: String, val position: Position)
 
 /** An element of the document. Names are as written, with their prefix. */

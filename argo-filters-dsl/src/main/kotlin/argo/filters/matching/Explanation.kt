@@ -16,6 +16,7 @@ import argo.filters.TermTest
  */
 class Explanation internal constructor(val percept: String, val outcome: Outcome, val rule: Rule?, val reason: String) {
 
+    /** The fate of a percept. */
     enum class Outcome(internal val words: String) {
         KEPT("is kept"),
         DROPPED("is dropped"),

@@ -25,5 +25,5 @@ class FilteredPercepts<P> internal constructor(
     val critical: List<CriticalPercept<P>> = Collections.unmodifiableList(critical)
 }
 
-/** A percept that meets a critical rule. */
+/** A [percept] as it came, and the critical [rule] that it meets. */
 data class CriticalPercept<P>(val rule: CriticalRule, val percept: P)

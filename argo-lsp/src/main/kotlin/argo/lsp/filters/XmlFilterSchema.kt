@@ -7,7 +7,6 @@ import javax.xml.parsers.DocumentBuilderFactory
 /** An attribute and its possible values; [values] is empty if there are too many to list. */
 internal class XmlAttributeKind(val named: Named, val values: List<String>)
 
-/** An element with its possible attributes and elements. */
 internal class XmlElementKind(val named: Named, val attributes: List<XmlAttributeKind>, elements: () -> List<XmlElementKind>) {
     val elements: List<XmlElementKind> by lazy(elements)
 }

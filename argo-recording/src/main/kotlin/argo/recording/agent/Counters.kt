@@ -22,7 +22,7 @@ internal object Counters {
      * Returns the counters before this agent's own draws in a cycle that began with the counters at [start]. Other agents may have drawn in
      * between.
      *
-     * @param intention the number of its first new intention; null: it has none
+     * @param intention the number of the agent's first new intention; null: it has none
      * @param message the name of the first message that it sent; null: it sent none
      */
     fun before(start: List<Int>, intention: Int?, message: String?): List<Int> = start.mapIndexed { place, value ->

@@ -42,7 +42,7 @@ internal class Mind(
 /**
  * A `.wait` of Jason.
  *
- * @property timer the number of its timer; null: no timer is running
+ * @property timer the number of the `.wait`'s timer; null: no timer is running
  * @property isListening whether the `.wait` still waits; its timer may run on after the `.wait` has ended
  */
 internal class Wait(
@@ -70,8 +70,8 @@ internal fun describe(wait: CircumstanceListener, timer: Int?, isListening: Bool
 }
 
 /**
- * Makes the described `.wait` for the agent of [ts], and begins its timer if it has one. Registers it nowhere and clears the agent's
- * listeners; the caller then sets listeners and pending intentions.
+ * Makes the described `.wait` for the agent of [ts], and begins its timer if it has one. Does not register the `.wait`, and clears the
+ * agent's listeners. The caller then sets listeners and pending intentions.
  */
 internal fun Wait.make(ts: TransitionSystem): CircumstanceListener {
     val before = intention.suspendedReason

@@ -82,16 +82,13 @@ internal class WatchedCode(private val ts: TransitionSystem, private val watch: 
         WatchedFunctions.install()
     }
 
-    /**
-     * Returns [action] in its watched form. The agent has looked it up by [name], for its program or for a term that it has made from a
-     * text.
-     */
+    /** Returns [action] in its watched form. The agent has looked up [action] by [name], for its program or for a term made from a text. */
     private fun found(name: String, action: InternalAction): InternalAction {
         if (JasonCode.isUnknown(action)) unknown = UnknownCodeException(JasonCode.nameOf(action))
         return watched(name, action)
     }
 
-    /** Watches the [content] of a received message. The sender may have looked up code in it. */
+    /** Watches the [content] of a received message. The sender may have looked up code in the content. */
     fun received(content: Any?) = try {
         visit(content)
     } catch (refused: UnknownCodeException) {

@@ -74,7 +74,7 @@ internal class Recorder(
 
     private val inbox = CompletionInbox<Arrived>(agent::wakeUntil)
     private val begun = Begun()
-    private val works = AtomicInteger() // works waiting in the inbox
+    private val works = AtomicInteger() // the number of works that wait in the inbox
     private var running: Running? = null
 
     @Volatile

@@ -36,7 +36,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }, "argo-save-recording").apply { isDaemon = true }.start()
     }
 
-    /** Calls [use] with a file that contains the recording so far. Waits for the disk. */
+    /** Calls [use] with a file that contains the recording so far. The call waits for the disk. */
     fun <T> read(use: (Path) -> T): T {
         if (sink is RecordingFile) {
             sink.flush()

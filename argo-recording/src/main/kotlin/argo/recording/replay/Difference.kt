@@ -12,6 +12,7 @@ import argo.recording.Step
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
  * @property what the kind of the difference: `event`, `plan`, `step`, `call`, `mail` and others
+ * @property recorded the recorded value; null: none
  * @property now the value in the replay; null: none
  */
 data class Difference(

@@ -13,9 +13,9 @@ import argo.recording.agent.shownBeliefs
  * result. Unless [isChecking], a replay refuses an architecture of the project in place of `argo.Arch`.
  *
  * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
- * the recording of each contains all messages that it took afterwards.
+ * an agent's recording contains all messages that the agent took afterwards.
  *
- * Close it at the end. For one thread; a program can run one replay at a time.
+ * Close the replay at the end. For one thread; a program can run one replay at a time.
  *
  * @param isChecking whether to carry out the project's own code again
  * @throws RecordingException if the recording cannot be replayed
@@ -33,7 +33,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** The cycles found so far that no replay can have. Each ended the replay of its agent. */
+    /** The cycles found so far that no replay can have. Such a cycle ended the replay of its agent. */
     val refusals: List<RefusedCycle> get() = refusing
 
     var cyclesRun = 0L

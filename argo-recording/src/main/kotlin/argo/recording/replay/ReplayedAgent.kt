@@ -10,7 +10,7 @@ import jason.asSemantics.TransitionSystem
  * A recorded agent that Jason runs again on its recorded input, without ports, threads and a clock of its own. The agent begins at the
  * beginning of its program, or at the key frame [Recording.start] of [recording].
  *
- * @param programs the file of its program, whose code has been checked
+ * @param programs the files of the agents' programs, whose code has been checked
  * @param isChecking whether to carry out the project's code
  * @param boundaryOf returns the boundary of the agent: its inputs, or an observer around them
  */

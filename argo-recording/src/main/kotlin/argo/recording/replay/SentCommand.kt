@@ -8,8 +8,8 @@ import java.time.Duration
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
- * @property port the port of its board; null: not known
- * @property place the file and the line of the step that sent it; null: not known
+ * @property port the port of the command's board; null: not known
+ * @property place the file and the line of the step that sent the command; null: not known
  */
 data class SentCommand(val cycle: Int, val ns: Long, val port: String?, val text: String, val place: String?) {
     /** Returns true if [other] is the same command to the same board. */

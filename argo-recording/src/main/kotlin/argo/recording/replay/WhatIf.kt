@@ -13,12 +13,13 @@ import java.time.Duration
  * Runs one agent of [recording] with another program on the recorded input, without boards, threads and clocks, and notes its commands.
  * Messages of boards and other agents come at the recorded times. The agent's questions get these answers:
  *
- * - A command ends like the nearest recorded one of the same text within a second. If there is none, it succeeds in the usual time.
+ * - A command ends like the nearest recorded one of the same text within a second. If there is none, the command succeeds in the usual
+ *   time.
  * - Settings, such as `argo.port`, have their recorded results. Questions such as `argo.age` get the nearest recorded answer to the same
- *   question within a second; if there is none, they are false. Other actions of `argo.` succeed.
- * - Chance and clocks give the recorded values in the order of the questions. After the last recorded one they give other values.
- * - A timer ends together with a recorded timer that ended at about its time. If there is none, it ends at its time.
- * - The project's own internal actions are carried out if [program] is given. Otherwise they have their recorded results.
+ *   question within a second. If there is none, the question is false. Other actions of `argo.` succeed.
+ * - Chance and clocks give the recorded values in the order of the questions. After the last recorded value they give other values.
+ * - A timer ends together with a recorded timer that ended at about the same time. If there is none, the timer ends at its own time.
+ * - The project's own internal actions are carried out if [program] is given. Without [program], these actions have their recorded results.
  *
  * As long as the agent repeats the recording step by step, all answers are exactly as recorded. The agent has additional cycles where the
  * recorded agent slept.
@@ -26,7 +27,7 @@ import java.time.Duration
  * If the beginning of the recording is missing, the agent begins at a key frame, see [Recording.start]. The agent then has the beliefs of
  * the key frame, even if [program] has others. The intentions of the key frame go on with their own plans.
  *
- * Close it at the end. For one thread; a program can run one replay at a time.
+ * Close the object at the end. For one thread; a program can run one replay at a time.
  *
  * @param program the agent's program; null: the recorded program
  * @param cycles the agent's recorded cycles, from [Recording.start] on
@@ -90,7 +91,7 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs all recorded cycles, and returns itself. Call it only once.
+     * Runs all recorded cycles, and returns itself. Call this function only once.
      * @throws RecordingException if cycles are missing; [commands] and [commandsNow] then reach up to the gap
      */
     fun run(): WhatIf = apply {
@@ -99,8 +100,8 @@ class WhatIf internal constructor(
     }
 
     /**
-     * Runs like [run], but ends in the last recorded cycle. There the agent finishes its work while no time passes. Returns its commands
-     * from [fromNs] on, to boards and to the environment.
+     * Runs like [run], but ends in the last recorded cycle. There the agent finishes its work while no time passes. Returns the agent's
+     * commands from [fromNs] on, to boards and to the environment.
      */
     internal fun commandsFrom(fromNs: Long): List<String> {
         runRecorded()

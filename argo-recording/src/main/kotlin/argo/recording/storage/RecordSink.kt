@@ -46,4 +46,5 @@ interface RecordSink : AutoCloseable {
     override fun close()
 }
 
+/** A channel of a [RecordSink], by its [topic]. */
 class RecordChannel internal constructor(val topic: String, internal val schemaName: String, internal val jsonSchema: String)

@@ -106,7 +106,7 @@ internal class WaitingRecords(private val maxBytes: Long) {
     }
 
     /**
-     * Calls [work] with the waiting records after [patienceNs] ns. Calls it earlier if half of the room is taken, a caller waits in
+     * Calls [work] with the waiting records after [patienceNs] ns. Calls [work] earlier if half of the room is taken, a caller waits in
      * [flush], or this queue is closed. Callers of [flush] then go on, even if [work] throws. Returns false if the queue is closed and
      * empty.
      */

@@ -29,9 +29,9 @@ data class Answer(
  * @property from the beginning of the first cycle in which the agent perceives [percept], in seconds
  * @property until the beginning of the last such cycle, which is the cycle of the command, in seconds
  * @property isSent whether the agent still sends the command
- * @property commands the agent's commands in that time
- * @property recorded the recorded commands in that time
- * @property isDropped whether the filter drops [percept], so that the agent perceives nothing in its place
+ * @property commands the agent's commands from [from] to [until]
+ * @property recorded the recorded commands from [from] to [until]
+ * @property isDropped whether the filter drops [percept], so that the agent perceives nothing in place of [percept]
  */
 @Serializable
 data class Had(
@@ -50,7 +50,7 @@ data class Had(
  *
  * @property command the command in the words of the question
  * @property seconds the end of the searched time, since the first cycle
- * @property plans the plans that would issue it, in the order of the program
+ * @property plans the plans that would issue the command, in the order of the program
  */
 @Serializable
 data class NotAnswer(val agent: String, val command: String, val seconds: Double, val plans: List<UnchosenPlan>)
@@ -60,13 +60,13 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
  *
  * @property context the plan's context; null: it has none
  * @property step the step that issues the command or, of a plan [above], that leads to it
- * @property stepLine the line of that step
+ * @property stepLine the line of [step]
  * @property event the last event for which the plan was relevant; null: there was none
- * @property seconds the beginning of the cycle in which the agent chose that event, since the first cycle
- * @property conditions the parts of the plan's context at that event, up to the part that failed
+ * @property seconds the beginning of the cycle in which the agent chose [event], since the first cycle
+ * @property conditions the parts of the plan's context at [event], up to the part that failed
  * @property chosen the plan that the agent chose instead; null: none
  * @property missed percepts that did not reach the agent, but would have triggered the plan or made its context true
- * @property above if there was no event, the plans that would have made it
+ * @property above if there was no [event], the plans that would have caused one
  */
 @Serializable
 data class UnchosenPlan(

@@ -8,6 +8,7 @@ import kotlinx.serialization.Transient
 /** A cause of something in a recording. In JSON its `type` is the name of its kind. Times are in seconds since the first cycle. */
 @Serializable
 sealed interface Cause {
+    /** The causes of this cause. */
     val causes: List<Cause> get() = emptyList()
 
     /** The length of the longest chain of causes that begins with this one. */
@@ -20,7 +21,7 @@ sealed interface Cause {
  * @property number counts the messages of boards that the agent perceived, from 1
  * @property port the port by which it came
  * @property namespace the namespace in which its percepts are believed; null: the default namespace
- * @property seconds the time of its last byte
+ * @property seconds the time of the message's last byte
  * @property cycle Jason's number of the cycle in which the agent perceived it
  * @property texts the percepts as they came off the line
  * @property kept the percepts that the filter let through; null: all
@@ -92,7 +93,7 @@ data class UnknownCause(val text: String, val why: String) : Cause
  * A step of a plan.
  *
  * @property step the step's text in the plan
- * @property line its line in [Place.file] of the plan
+ * @property line the step's line in [Place.file] of the plan
  * @property seconds the beginning of the step's cycle
  * @property plan the plan with this step, and the reasons of its choice
  * @property tests the tests and conditions in the plan's body that led to the step
@@ -116,8 +117,8 @@ data class StepCause(
  * The choice of a plan for an event.
  *
  * @property seconds the beginning of the cycle of the choice
- * @property cycle Jason's number of that cycle
- * @property conditions the parts of the plan's context with their values at that time
+ * @property cycle Jason's number of the cycle of the choice
+ * @property conditions the parts of the plan's context with their values at the choice
  * @property again the number of times that the plan had called itself before, as its last step
  */
 @Serializable
@@ -141,9 +142,9 @@ data class PlanCause(
  * A part of the context of a plan, or a test in its body.
  *
  * @property text the condition's text in the program
- * @property value that text with the values of its variables; the same if it has no variables
+ * @property value [text] with the values of its variables; equal to [text] if it has no variables
  * @property holds whether the condition was true
- * @property causes the causes of the beliefs on which it depends
+ * @property causes the causes of the beliefs on which the condition depends
  */
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())

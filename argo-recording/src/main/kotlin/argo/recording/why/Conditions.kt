@@ -12,7 +12,7 @@ import jason.asSyntax.RelExpr
 import jason.asSyntax.Rule
 
 /**
- * Splits formulas of the program of [agent] into their parts, and evaluates these by its present beliefs.
+ * Splits formulas of the program of [agent] into their parts, and evaluates the parts by the agent's present beliefs.
  *
  * @param originOf returns the cause of a belief of the agent
  * @param goneOf returns why the agent believes nothing that unifies with a literal; empty: not known

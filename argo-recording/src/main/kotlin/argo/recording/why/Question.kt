@@ -33,6 +33,7 @@ data class RecordedCommand(
     internal val index: Long = 0,
 )
 
+/** The sender of a command. */
 enum class Sender {
     /** A step of a plan. */
     PLAN,

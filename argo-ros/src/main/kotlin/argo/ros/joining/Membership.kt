@@ -20,8 +20,9 @@ import java.util.concurrent.TimeoutException
 import java.util.concurrent.atomic.AtomicInteger
 
 /**
- * Keeps [participant] in the ROS graph behind a bridge. Advertises its services and topics, again after each return of the bridge or the
- * graph, and publishes its newest messages. All that happens on its own thread, and no caller waits for it.
+ * Keeps [participant] in the ROS graph behind a bridge. Advertises the participant's services and topics, again after each return of the
+ * bridge or the graph. Publishes the participant's newest messages. All work happens on a thread of this object, and no caller waits for
+ * it.
  *
  * @param tell takes a line about the connection, for the user
  * @param warn takes reports of things that the graph is not told or does not accept, each text once

@@ -98,6 +98,7 @@ internal class RosJoinCommand : ToolCommand() {
     }
 }
 
+/** Adds `ros-join` to the tools. */
 class RosJoinProvider : ToolProvider {
     override fun command(): Any = RosJoinCommand()
 }

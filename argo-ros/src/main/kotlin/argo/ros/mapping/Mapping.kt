@@ -22,11 +22,11 @@ internal data class Place(val line: Int, val column: Int)
 /**
  * A rule that makes percepts of a topic's messages: `/sonar/front sensor_msgs/Range -> dist(f, range*100) if range < max_range for 500 ms`.
  *
- * @property type the type of its messages, as written
- * @property percept the literal, with fields of the message for its arguments
- * @property condition a message has this percept if it is true; null: always
- * @property forMs the time in ms for which a message has it; null: until the next message
- * @property frames the frames whose pose the percept is about, if it is about one; its [topic] is only a name then
+ * @property type the type of the topic's messages, as written
+ * @property percept the literal, with fields of the message as arguments
+ * @property condition a message gives the percept if this holds; null: always
+ * @property forMs the time in ms for which the percept holds; null: until the next message
+ * @property frames the frames whose pose the percept is about; null: it is about a topic. For a pose [topic] is only a name
  * @property isOfEach whether each message is an event of its own, of which none is left out; else the newest message counts
  */
 internal class PerceptRule(
@@ -55,7 +55,7 @@ internal data class Frames(val parent: String, val child: String) {
 /**
  * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
  *
- * @property parameters the variables for its arguments
+ * @property parameters the variables for the command's arguments
  * @property target the name of the topic, service or action
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths

@@ -13,7 +13,7 @@ internal class Beginning(val agent: String, val cycle: Int, val ns: Long)
 /**
  * The result of a replay.
  *
- * @property beginnings those of the agents whose first cycles are missing
+ * @property beginnings the beginnings of agents whose first cycles are missing
  * @property recordedNs the time from the first cycle to the last replayed one
  * @property refusals the cycles that no replay can have; the replay of their agents has ended before them
  * @property beliefs the beliefs of the requested agents

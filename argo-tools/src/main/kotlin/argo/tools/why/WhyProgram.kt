@@ -13,14 +13,14 @@ import java.util.concurrent.TimeUnit
 /**
  * The answer of the tool `why`.
  *
- * @property lines its sentences, each indented by two blanks for each cause before it. Empty: there is no answer.
+ * @property lines the sentences of the answer, each indented by two blanks for each cause before it. Empty: there is no answer.
  * @property trouble the reason why there is no answer, or the missing parts of the recording; empty: none
  */
 class Told(val lines: List<String>, val trouble: String)
 
 /**
- * Asks the tool `why` in a Java machine of its own. The program of running agents cannot replay one of them, since a replay sets Jason's
- * counters for all of them, and takes memory and processor time. Answers one question at a time; any thread may ask.
+ * Asks the tool `why` in a Java machine of its own. A program with running agents cannot replay an agent. A replay sets Jason's counters
+ * for all agents of a program, and takes memory and processor time. Answers one question at a time; any thread may ask.
  *
  * @param patienceS the longest time for an answer, in s
  */

@@ -10,8 +10,8 @@ import java.io.IOException
 import java.time.Duration
 
 /**
- * The timeline of the last minutes of the running [agent]. It is read from the agent's recording when a page is opened or asks anew. Only
- * the newest timeline is kept. It costs no work while no page asks.
+ * The timeline of the last minutes of the running [agent]. The timeline is read from the agent's recording when a page is opened or asks
+ * anew. Only the newest timeline is kept. While no page asks, the timeline costs no work.
  */
 internal class LiveTimeline(private val agent: String) : AgentLanes {
     private var number = 0

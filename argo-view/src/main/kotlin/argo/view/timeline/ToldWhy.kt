@@ -18,10 +18,7 @@ internal class ToldWhy(private val reading: ((Path) -> Told) -> Told?) {
     private val program = WhyProgram(PATIENCE_S)
     private val isBusy = AtomicBoolean()
 
-    /**
-     * Returns the response to a request for `why` with these [parameters]: the `agent`, and the number of its `command`. Waits for the
-     * answer.
-     */
+    /** Answers a request for `why` with the [parameters] `agent` and `command`, the command's number. Waits for the answer. */
     fun respond(parameters: Map<String, String>): HttpResponse {
         val agent = parameters["agent"]
         val number = parameters["command"]?.toLongOrNull()

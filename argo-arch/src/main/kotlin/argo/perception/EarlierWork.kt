@@ -27,8 +27,8 @@ internal class ReasoningQueues(
 /**
  * The work that the last snapshot of a board has left to the agent:
  * 1. its percept events in Jason's queue, but no later events: those of a busy Jason environment could keep the agent from its sensors for
- *    good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]. An atomic plan must see the world too; but each
- *    snapshot adds events, all of which Jason goes through in each cycle and the agent must work off later;
+ *    good. While the queue stands, no event is awaited, only [ATOMIC_PLAN_INTERVAL_MS]. An atomic plan must see the world too. But each
+ *    snapshot adds events. Jason goes through all of them in each cycle, and the agent must work them off later;
  * 2. the commands that the board holds and that were issued before the snapshot was handed over;
  * 3. the intentions that percept events of the board have begun. Such an intention is done when it has finished, or waits, as for the
  *    outcome of a command. One that still runs after [LONG_MS] is awaited no more: it is meant to run on.
@@ -40,7 +40,7 @@ internal class ReasoningQueues(
  * @param nowMs a clock in ms that never goes back
  * @param isOwn returns whether a percept belongs to the board, or to none that the agent perceives; called by any thread
  */
-internal class Backlog(
+internal class EarlierWork(
     val commands: CommandLedger,
     private val queues: ReasoningQueues = ReasoningQueues(),
     private val nowMs: () -> Long = Platform.system.nowMs,

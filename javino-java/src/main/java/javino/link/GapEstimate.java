@@ -4,20 +4,20 @@ import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Estimates the time that a version 1 board takes from one look at the line to the next. The delay of an answer has two parts: the time
- * until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the answer, which is about
- * constant. So the differences of delays show the loop.
+ * Estimates the gap that a version 1 board needs between frames: the time from one of its looks at the line to the next. The delay of an
+ * answer has two parts: the time until the board's next look, a random part of its {@code loop()}; and the time to measure and to build the
+ * answer, which is about constant. So the differences of delays show the loop.
  * <p>The estimate is a multiple of the range of the last {@value #SAMPLES} delays: twice the range, or more if few delays may miss a part
  * of the loop. The range of n random delays is less than the part x of the loop with a probability below n x^(n-1), or below n (n-1)
  * x^(n-2) if one delay is left out. The multiple is 1/x for the x at which this probability is one in 100,000. The estimate is at most
  * {@value #MAX_MILLIS} ms, since the sensors may cause the differences, and exactly that until {@value #MIN_SAMPLES} delays are known. From
- * {@value #MANY} delays on, the longest delay is left out, and one in {@value #OUTLIER_AMONG} at each end: one stall of this computer does
+ * {@value #MANY} delays on, the longest is left out; later, one in {@value #OUTLIER_AMONG} at each end. So one stall of this computer does
  * not slow commands down.
  * <p>If each request followed the last answer at the same distance, all would meet the same part of the loop. So some requests are sent
  * later, spread evenly over the longest delay seen: each of the first {@value #LEARNING_REQUESTS}, then one in {@value #PROBE_AMONG}. Times
  * are nanoseconds. Guarded by its user's lock.
  */
-final class LoopTime {
+final class GapEstimate {
     static final int SAMPLES = 256;
     /** The longest estimate, also for a loop that is not known yet: the sensors of many sketches take that long. */
     static final int MAX_MILLIS = 50;

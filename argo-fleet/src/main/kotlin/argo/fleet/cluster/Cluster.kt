@@ -1,0 +1,77 @@
+package argo.fleet.cluster
+
+import java.util.concurrent.CompletionStage
+
+/**
+ * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, and those of one sender in the order
+ * of [send], or the sender is told that it failed. Computers find each other, lose each other and come back by themselves.
+ */
+interface Cluster : AutoCloseable {
+    /** This computer's name. */
+    val here: String
+
+    /** The computers of the view that the listener was told last, by their names, this one among them. */
+    val computers: Map<String, Computer>
+
+    /** Whether more than half of the computers of [ClusterSettings.hosts] are in that view; false if no hosts are named. */
+    val hasMajority: Boolean
+
+    /**
+     * Joins the fleet. The listener is told of a view with at least this computer before anything else. Its calls, and the ends of [send],
+     * come one at a time on one thread of the cluster, in order.
+     *
+     * @throws IllegalStateException at a second call
+     */
+    fun listen(listener: ClusterListener)
+
+    /**
+     * Sends [message], which stays as it is, to the listener of the computer [to], or of this one. Returns at once, whatever the network
+     * does.
+     *
+     * @return completed when the listener there has returned. Fails with [Unreachable] if the computer is not in touch, or is lost before
+     * it has acknowledged the message, which may have arrived then; with [Overloaded] if too much waits for it; and with [Refused] if the
+     * listener there threw an exception.
+     */
+    fun send(to: String, message: ByteArray): CompletionStage<Void>
+
+    /** Leaves the fleet: messages under way fail with [Unreachable]. */
+    override fun close()
+}
+
+/**
+ * A computer of a fleet.
+ *
+ * @property session another one at each start of its program
+ */
+data class Computer(val name: String, val session: String)
+
+/**
+ * The computers in touch.
+ *
+ * @property computers by their names
+ * @property hasMajority whether they are more than half of the computers that the fleet consists of
+ */
+class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
+
+/** Is called by a [Cluster]; an exception of [message] is the sender's [Refused], any other is logged. */
+interface ClusterListener {
+    /** A computer of the last view has sent [message]. Until this returns, the next one waits. */
+    fun message(from: String, message: ByteArray)
+
+    /**
+     * Other computers are in touch now. Messages of a computer are handed over between the view that has it and the one that has it not.
+     */
+    fun changed(view: ClusterView)
+
+    /** This computer cannot stay in the fleet, and its cluster is closed. [reason] says why, for a person. */
+    fun refused(reason: String)
+}
+
+/** A message is not known to have arrived: its computer is not in touch, or was lost before it acknowledged it. */
+class Unreachable(message: String) : Exception(message)
+
+/** A message was not sent: it is too long, or too much waits for its computer already. */
+class Overloaded(message: String) : Exception(message)
+
+/** A message arrived, and its receiver did not want it. */
+class Refused(message: String) : Exception(message)

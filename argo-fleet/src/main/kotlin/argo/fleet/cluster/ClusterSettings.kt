@@ -1,0 +1,59 @@
+package argo.fleet.cluster
+
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.nio.file.Path
+
+/**
+ * How a computer takes part in a fleet.
+ *
+ * @property fleet the fleet's name; computers of other fleets are refused
+ * @property here this computer's name
+ * @property hosts the computers that the fleet consists of, by their names, this one among them, and where each listens; empty: whoever is
+ * found on the local network belongs to it
+ * @property bind where this computer listens, and the interface on which it looks for others
+ * @property certificates the folder with the certificates of `tls://`; null: connections are not encrypted, and whoever reaches a port may
+ * take part
+ * @property insecure whether the user has asked for that beyond this computer's loopback interface
+ * @throws IllegalArgumentException if they contradict each other; the message is for a person
+ */
+data class ClusterSettings(
+    val fleet: String,
+    val here: String,
+    val hosts: Map<String, InetSocketAddress>,
+    val bind: InetSocketAddress,
+    val certificates: Path? = null,
+    val insecure: Boolean = false,
+) {
+    init {
+        requireName("fleet", fleet)
+        (hosts.keys + here).forEach { requireName("computer", it) }
+        require(hosts.isEmpty() || here in hosts) { "no computer of the fleet $fleet is called $here; it has ${hosts.keys.joinToString()}" }
+        hosts.entries.groupBy({ it.value }, { it.key }).forEach { (address, names) ->
+            require(names.size == 1) {
+                "the computers ${names.joinToString(" and ")} have the same address, ${address.hostString}:${address.port}"
+            }
+        }
+        (hosts.values + bind).forEach { require(!it.isUnresolved) { "the address of ${it.hostString} is not known" } }
+        require(certificates != null || insecure || bind.address.isLoopbackAddress) {
+            "${bind.address.hostAddress} can be reached by others, and without certificates everybody among them may take part in the" +
+                " fleet: put certificates into .argo/tls of your home, or say insecure"
+        }
+    }
+
+    companion object {
+        /** The port at which a computer listens unless another one is named. */
+        const val DEFAULT_PORT = 4711
+
+        /** The longest name of a computer or a fleet, in characters of ASCII. */
+        const val MAX_NAME = 64
+        private val NAME = Regex("[A-Za-z0-9_.-]{1,$MAX_NAME}")
+
+        private fun requireName(what: String, name: String) = require(NAME.matches(name)) {
+            "\"$name\" is no name of a $what: that has 1 to $MAX_NAME letters, digits, dots, hyphens and underscores"
+        }
+
+        /** The loopback interface's address, where nobody else can connect. */
+        fun loopback(port: Int): InetSocketAddress = InetSocketAddress(InetAddress.getLoopbackAddress(), port)
+    }
+}

@@ -1,0 +1,98 @@
+package argo.fleet.cluster
+
+import java.io.IOException
+import java.io.InputStream
+import java.io.OutputStream
+import java.net.InetSocketAddress
+import java.net.Socket
+import java.net.SocketAddress
+import java.net.SocketTimeoutException
+import java.security.cert.CertificateException
+import java.security.cert.X509Certificate
+import javax.net.ssl.SSLContext
+import javax.net.ssl.SSLException
+import javax.net.ssl.SSLSocket
+
+/** What a computer shows and expects when a connection begins. */
+internal class Entrance(
+    val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
+) {
+    val context: SSLContext? = certificates?.context()
+
+    /** @throws IOException if the computer with [other] and [certificate] is not to be connected with */
+    fun check(other: Greeting, certificate: X509Certificate?) {
+        val refusal = greeting.refusalOf(other)
+            ?: "${other.name} is none of ${hosts.keys.joinToString()}".takeIf { hosts.isNotEmpty() && other.name !in hosts }
+            ?: certificate?.let { certificates?.refusalOf(other.name, it) }
+        if (refusal != null) throw IOException(refusal)
+    }
+}
+
+/**
+ * A TCP connection between two computers, encrypted if they have certificates. To JGroups it is a plain socket, whose connection is made
+ * once both ends have shown that they belong to the fleet.
+ */
+internal class FleetSocket(private val entrance: Entrance, private val refusals: Refusals) : Socket() {
+    private var secured: SSLSocket? = null
+
+    override fun getInputStream(): InputStream = secured?.inputStream ?: super.getInputStream()
+    override fun getOutputStream(): OutputStream = secured?.outputStream ?: super.getOutputStream()
+
+    override fun connect(endpoint: SocketAddress, timeout: Int) {
+        super.connect(endpoint, timeout)
+        val there = (endpoint as InetSocketAddress).let { "${it.address.hostAddress}:${it.port}" }
+        begin("$there, where a computer of the fleet should be,") {
+            secure(isClient = true)
+            say(entrance.greeting.line)
+            checkOther(Greeting.parse(Greeting.read(inputStream)))
+        }
+    }
+
+    /** Does the part of the end that was connected to; closes the connection if the other end does not belong to the fleet. */
+    fun answer() = begin("a stranger at ${inetAddress.hostAddress}") {
+        secure(isClient = false)
+        try {
+            checkOther(Greeting.parse(Greeting.read(inputStream)))
+        } catch (e: IOException) {
+            say(Greeting.refusal(e.message.orEmpty()))
+            throw e
+        }
+        say(entrance.greeting.line)
+    }
+
+    private fun checkOther(other: Greeting) = entrance.check(other, secured?.session?.peerCertificates?.firstOrNull() as X509Certificate?)
+
+    private fun secure(isClient: Boolean) {
+        val context = entrance.context ?: return
+        val tls = context.socketFactory.createSocket(this, inetAddress.hostAddress, port, false) as SSLSocket
+        tls.useClientMode = isClient
+        if (!isClient) tls.needClientAuth = true
+        tls.startHandshake()
+        secured = tls
+    }
+
+    private fun say(line: String) = outputStream.run {
+        write("$line\n".toByteArray())
+        flush()
+    }
+
+    private fun begin(other: String, steps: () -> Unit) = try {
+        soTimeout = PATIENCE_MILLIS
+        steps()
+        soTimeout = 0
+    } catch (e: IOException) {
+        close()
+        throw IOException("$other ${reason(e)}", e).also { refusals.tell(it.message.orEmpty()) }
+    }
+
+    private fun reason(e: IOException): String = when {
+        e is SSLException -> "does not begin TLS as the fleet does: " +
+            (generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is CertificateException } ?: e).message
+        e is SocketTimeoutException -> "does not greet within $PATIENCE_MILLIS ms"
+        else -> e.message.orEmpty()
+    }
+
+    private companion object {
+        const val PATIENCE_MILLIS = 1500
+    }
+}

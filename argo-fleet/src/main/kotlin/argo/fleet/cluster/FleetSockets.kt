@@ -1,0 +1,88 @@
+package argo.fleet.cluster
+
+import org.jgroups.util.DefaultSocketFactory
+import java.io.IOException
+import java.net.ServerSocket
+import java.net.Socket
+import java.net.SocketException
+import java.util.concurrent.Executors
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.ScheduledExecutorService
+import java.util.concurrent.SynchronousQueue
+import java.util.concurrent.ThreadFactory
+import java.util.concurrent.ThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+
+/** The sockets of JGroups' TCP. */
+internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFactory() {
+    private val refusals = Refusals()
+
+    override fun createSocket(service: String): Socket = FleetSocket(entrance, refusals)
+    override fun createServerSocket(service: String): ServerSocket = Door(entrance, refusals)
+}
+
+/**
+ * Accepts connections for JGroups, which gets those that belong to the fleet. A few threads greet; a connection that is not greeted in time
+ * is closed, and so is one that comes while all of them are busy. So strangers cost these threads' memory, whatever they send.
+ */
+internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
+    private val greeted = LinkedBlockingQueue<Socket>()
+    private val porters = ThreadPoolExecutor(0, PORTERS, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))
+    private val watch: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor(daemons("fleet-door-watch"))
+    private val opening = lazy { daemons("fleet-door").newThread(::admitAll).start() }
+
+    /** The next connection of a computer of the fleet. */
+    override fun accept(): Socket {
+        opening.value
+        while (!isClosed) greeted.poll(1, TimeUnit.SECONDS)?.let { return it }
+        throw SocketException("closed")
+    }
+
+    private fun admitAll() {
+        while (!isClosed) {
+            val socket = FleetSocket(entrance, refusals)
+            try {
+                implAccept(socket)
+                porters.execute { admit(socket) }
+            } catch (e: IOException) {
+                if (!isClosed) refusals.tell("a connection could not be accepted: ${e.message}")
+                if (!isClosed) Thread.sleep(PAUSE_MILLIS)
+            } catch (@Suppress("SwallowedException") e: RejectedExecutionException) {
+                refusals.tell("connections of strangers come faster than they can be refused; some are closed unheard")
+                socket.close()
+            }
+        }
+    }
+
+    private fun admit(socket: FleetSocket) {
+        val end = try {
+            watch.schedule(socket::close, PATIENCE_MILLIS, TimeUnit.MILLISECONDS)
+        } catch (@Suppress("SwallowedException") e: RejectedExecutionException) {
+            return socket.close() // the door is closed
+        }
+        try {
+            socket.answer()
+            if (end.cancel(false)) greeted.add(socket)
+        } catch (@Suppress("SwallowedException") e: IOException) {
+            end.cancel(false) // the reason has been told
+        }
+    }
+
+    override fun close() {
+        super.close()
+        porters.shutdownNow()
+        watch.shutdownNow()
+        generateSequence(greeted::poll).forEach(Socket::close)
+    }
+
+    private companion object {
+        const val PORTERS = 8
+        const val PATIENCE_MILLIS = 3000L
+
+        /** The system may be short of files. */
+        const val PAUSE_MILLIS = 100L
+
+        fun daemons(name: String) = ThreadFactory { Thread(it, name).apply { isDaemon = true } }
+    }
+}

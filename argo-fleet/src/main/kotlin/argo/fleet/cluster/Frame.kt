@@ -1,0 +1,77 @@
+package argo.fleet.cluster
+
+import java.nio.BufferUnderflowException
+import java.nio.ByteBuffer
+
+/** What goes from one computer to another: a piece of the messages of a session, or an acknowledgement of such pieces. Format 1. */
+internal sealed interface Frame {
+    fun bytes(): ByteArray
+
+    /**
+     * A message, or a part of a long one.
+     *
+     * @property number the pieces of a session are counted, whatever message they belong to
+     * @property oldest the oldest piece whose sender still waits for it: earlier ones were acknowledged, or are reported as failed
+     * @property isLast whether the message ends with this piece
+     */
+    class Piece(val number: Long, val oldest: Long, val isLast: Boolean, val content: ByteArray) : Frame {
+        override fun bytes(): ByteArray = ByteBuffer.allocate(PIECE_HEADER + content.size)
+            .put(if (isLast) LAST_PIECE else PIECE).putLong(number).putLong(oldest).put(content).array()
+    }
+
+    /**
+     * @property taken pieces before this one have been taken by the listener, or left out as failed
+     * @property arrived pieces before this one have arrived; the next one that is awaited
+     * @property isRepeatWanted whether a later piece came first
+     * @property refusals why messages among those taken were refused, by their last pieces
+     */
+    class Acknowledgement(
+        val taken: Long,
+        val arrived: Long,
+        val isRepeatWanted: Boolean,
+        val refusals: Map<Long, String>,
+    ) : Frame {
+        override fun bytes(): ByteArray {
+            val reasons = refusals.mapValues { it.value.toByteArray() }
+            val size = ACKNOWLEDGEMENT_HEADER + reasons.values.sumOf { Long.SIZE_BYTES + Short.SIZE_BYTES + it.size }
+            val buffer = ByteBuffer.allocate(size)
+            buffer.put(if (isRepeatWanted) REPEAT else ACKNOWLEDGEMENT).putLong(taken).putLong(arrived)
+            reasons.forEach { (number, reason) -> buffer.putLong(number).putShort(reason.size.toShort()).put(reason) }
+            return buffer.array()
+        }
+    }
+
+    companion object {
+        private const val PIECE: Byte = 1
+        private const val LAST_PIECE: Byte = 2
+        private const val ACKNOWLEDGEMENT: Byte = 3
+        private const val REPEAT: Byte = 4
+        private const val ACKNOWLEDGEMENT_HEADER = 1 + 2 * Long.SIZE_BYTES
+
+        /** The bytes of a piece before its content. */
+        const val PIECE_HEADER = 1 + 2 * Long.SIZE_BYTES
+
+        /** @throws IllegalArgumentException if [bytes] are no frame */
+        fun of(bytes: ByteArray): Frame {
+            val buffer = ByteBuffer.wrap(bytes)
+            try {
+                return when (val kind = buffer.get()) {
+                    PIECE, LAST_PIECE -> Piece(buffer.getLong(), buffer.getLong(), kind == LAST_PIECE, buffer.rest(buffer.remaining()))
+                    ACKNOWLEDGEMENT, REPEAT -> Acknowledgement(buffer.getLong(), buffer.getLong(), kind == REPEAT, refusals(buffer))
+                    else -> throw IllegalArgumentException("a frame of the unknown kind $kind")
+                }
+            } catch (e: BufferUnderflowException) {
+                throw IllegalArgumentException("a frame that ends after ${bytes.size} bytes, too early", e)
+            }
+        }
+
+        private fun refusals(buffer: ByteBuffer): Map<Long, String> = buildMap {
+            while (buffer.hasRemaining()) put(buffer.getLong(), String(buffer.rest(buffer.getShort().toInt() and 0xFFFF)))
+        }
+
+        private fun ByteBuffer.rest(size: Int): ByteArray {
+            if (size > remaining()) throw BufferUnderflowException()
+            return ByteArray(size).also(::get)
+        }
+    }
+}

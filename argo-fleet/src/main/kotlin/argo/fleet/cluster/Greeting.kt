@@ -1,0 +1,67 @@
+package argo.fleet.cluster
+
+import java.io.IOException
+import java.io.InputStream
+import java.security.MessageDigest
+import java.util.HexFormat
+
+/**
+ * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 1 garden scout1 5f3a…`. So
+ * computers of other fleets, other versions and other lists of hosts, and strangers, are refused before JGroups reads a byte of theirs.
+ *
+ * @property hosts a digest of the names of the fleet's computers: if they differed, two sides could both count a majority
+ */
+internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
+    val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
+
+    /** Why the computer that sent [other] cannot be connected with this one; null if it can. */
+    fun refusalOf(other: Greeting): String? = when {
+        other.fleet != fleet -> "${other.name} belongs to the fleet ${other.fleet}, and $name to $fleet"
+        other.hosts != hosts -> "the hosts of ${other.name} have other names than those of $name: give both the same project"
+        else -> null
+    }
+
+    companion object {
+        private const val WORD = "argo-fleet"
+        private const val REFUSED = "refused "
+
+        /** Raised when frames, or anything in JGroups' messages, change. */
+        private const val FORMAT = 1
+        private const val MAX_LINE = 400
+        private const val PRINTABLE = 40
+        private val FORM = Regex("$WORD (\\d{1,9})(?: ([A-Za-z0-9_.-]+) ([A-Za-z0-9_.-]+) (any|[0-9a-f]+))?(?: .*)?")
+
+        fun of(settings: ClusterSettings): Greeting {
+            val names = settings.hosts.keys.sorted().joinToString(" ").toByteArray()
+            val digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(names)).take(16)
+            return Greeting(settings.fleet, settings.here, if (settings.hosts.isEmpty()) "any" else digest)
+        }
+
+        fun refusal(reason: String) = REFUSED + reason
+
+        /** @throws IOException if the line refuses the connection, or is none of this format; the message says so to a person */
+        fun parse(line: String): Greeting {
+            if (line.startsWith(REFUSED)) throw IOException("refuses the connection: ${printable(line.removePrefix(REFUSED), MAX_LINE)}")
+            val (format, fleet, name, hosts) = FORM.matchEntire(line)?.destructured
+                ?: throw IOException("speaks no language of a fleet: it sent \"${printable(line, PRINTABLE)}\"")
+            if (format.toInt() != FORMAT || name.isEmpty()) {
+                throw IOException("speaks version $format of the fleet's language, and this computer $FORMAT: use one argo-fleet.jar")
+            }
+            return Greeting(fleet, name, hosts)
+        }
+
+        /** Reads a line, and no byte behind it. */
+        fun read(from: InputStream): String {
+            val line = StringBuilder()
+            while (line.length < MAX_LINE) {
+                val byte = from.read()
+                if (byte < 0) throw IOException("closed the connection after ${line.length} characters")
+                if (byte == '\n'.code) break
+                line.append(byte.toChar())
+            }
+            return line.toString()
+        }
+
+        private fun printable(text: String, length: Int) = text.take(length).map { if (it in ' '..'~') it else '?' }.joinToString("")
+    }
+}

@@ -1,0 +1,36 @@
+package argo.fleet.cluster
+
+/** A member of a group: a program on a computer. Another start of it is another member. */
+internal data class Member(val name: String, val session: String)
+
+/** The members in touch, and frames among them, which may be lost or come twice. */
+internal interface Group : AutoCloseable {
+    val here: Member
+
+    /** Joins. [listener] may be called by several threads at once. */
+    fun join(listener: GroupListener)
+
+    /**
+     * Sends [frame] if the network takes it; never waits. Frames of one caller at a time overtake each other only where a connection ends.
+     */
+    fun transmit(to: Member, frame: ByteArray)
+}
+
+internal interface GroupListener {
+    fun arrived(from: Member, frame: ByteArray)
+
+    /** [members] are in touch now; of several with one name the last one is the newest. Calls are in order. */
+    fun viewed(members: List<Member>)
+}
+
+/** The thread of a cluster. */
+internal interface Loop : AutoCloseable {
+    /** Nanoseconds since some instant. */
+    fun now(): Long
+
+    /** Runs [task] behind those given before. */
+    fun execute(task: () -> Unit)
+
+    /** Runs [task] every so often until the loop is closed. */
+    fun every(millis: Long, task: () -> Unit)
+}

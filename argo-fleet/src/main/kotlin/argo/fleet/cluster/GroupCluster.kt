@@ -1,0 +1,206 @@
+package argo.fleet.cluster
+
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionStage
+
+/**
+ * A cluster on a [group]: each message once and in order, whatever the group does with frames. The lock is held for moments only, by
+ * callers of [send], the group's threads and the loop; the listener is called without it.
+ *
+ * @param hosts the computers that the fleet consists of; empty: nobody knows
+ */
+internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
+    /** The session with another member, kept while it may come back. */
+    private inner class Peer(member: Member) {
+        val outgoing = Outgoing(member.name, nextPiece)
+        val incoming = Incoming()
+        var isUnanswered = false
+        var hasSentNonsense = false
+    }
+
+    private val lock = Any()
+    private val peers = LinkedHashMap<Member, Peer>()
+    private var members = listOf<Member>()
+
+    /** Higher than the number of any piece sent before, so that a session that was forgotten is never taken for an old one. */
+    private var nextPiece = 1L
+    private var unanswered = 0
+    private var rivalSince: Long? = null
+    private lateinit var listener: ClusterListener
+
+    @Volatile
+    private var view = ClusterView(mapOf(group.here.name to computer(group.here)), false)
+
+    @Volatile
+    private var isClosed = false
+
+    override val here: String get() = group.here.name
+    override val computers: Map<String, Computer> get() = view.computers
+    override val hasMajority: Boolean get() = view.hasMajority
+
+    override fun listen(listener: ClusterListener) {
+        check(!this::listener.isInitialized) { "the cluster has a listener already" }
+        this.listener = listener
+        loop.every(TICK_MILLIS, ::tick)
+        group.join(this)
+    }
+
+    override fun send(to: String, message: ByteArray): CompletionStage<Void> {
+        val done = CompletableFuture<Void>()
+        synchronized(lock) {
+            val member = members.lastOrNull { it.name == to }
+            when {
+                isClosed || member == null ->
+                    return CompletableFuture.failedFuture(Unreachable("the computer $to is not in touch with $here"))
+                member == group.here -> loop.execute { end(Outgoing.End(done, handOver(here, message)?.let(::Refused))) }
+                else -> try {
+                    peers.getValue(member).outgoing.add(message, done)
+                    transmitDue(member)
+                } catch (e: Overloaded) {
+                    return CompletableFuture.failedFuture(e)
+                }
+            }
+        }
+        return done
+    }
+
+    private fun transmitDue(member: Member) {
+        peers.getValue(member).outgoing.due(loop.now()).forEach { group.transmit(member, it.bytes()) }
+    }
+
+    override fun arrived(from: Member, frame: ByteArray): Unit = synchronized(lock) {
+        val peer = peers[from]?.takeIf { from in members } ?: return // it will send again once each has the other in its view
+        try {
+            when (val news = Frame.of(frame)) {
+                is Frame.Piece -> take(from, peer, news)
+                is Frame.Acknowledgement -> {
+                    val ends = peer.outgoing.acknowledged(news, loop.now())
+                    if (ends.isNotEmpty()) loop.execute { ends.forEach(::end) }
+                    transmitDue(from)
+                }
+            }
+        } catch (e: IllegalArgumentException) {
+            if (!peer.hasSentNonsense) LOG.log(System.Logger.Level.WARNING, "computer ${from.name} sends what is left out: ${e.message}")
+            peer.hasSentNonsense = true
+        }
+    }
+
+    private fun take(from: Member, peer: Peer, piece: Frame.Piece) {
+        val outcome = peer.incoming.take(piece)
+        outcome.answer?.let { group.transmit(from, it.bytes()) }
+        outcome.message?.let { message ->
+            unanswered++
+            loop.execute { handOver(from, peer, message) }
+        }
+    }
+
+    private fun handOver(from: Member, peer: Peer, message: Incoming.Message) {
+        val refusal = handOver(from.name, message.content)
+        synchronized(lock) {
+            peer.incoming.taken(message.number, refusal)
+            peer.isUnanswered = true
+            unanswered--
+            if (unanswered == 0 || message.number % ANSWER_EVERY == 0L) answerAll()
+        }
+    }
+
+    /** One acknowledgement is for all messages that the listener has taken of a sender. */
+    private fun answerAll() = members.forEach { member ->
+        val peer = peers[member]?.takeIf { it.isUnanswered } ?: return@forEach
+        peer.isUnanswered = false
+        group.transmit(member, peer.incoming.acknowledgement().bytes())
+    }
+
+    private fun handOver(from: String, message: ByteArray): String? = try {
+        listener.message(from, message)
+        null
+    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+        e.message ?: e.toString()
+    }
+
+    private fun end(end: Outgoing.End) {
+        if (end.failure == null) end.done.complete(null) else end.done.completeExceptionally(end.failure)
+    }
+
+    override fun viewed(members: List<Member>): Unit = synchronized(lock) {
+        if (isClosed) return
+        val lost = this.members.filter { it !in members }.flatMap { giveUp(it, "the computer ${it.name} was lost before it acknowledged") }
+        this.members = members
+        members.filter { it != group.here && it !in peers }.forEach { peers[it] = Peer(it) }
+        forgetOld()
+        rivalSince = if (members.none(::isOlderRival)) null else rivalSince ?: loop.now()
+        val computers = members.associate { it.name to computer(it) }
+        val next = ClusterView(computers, hosts.count { it in computers } * 2 > hosts.size)
+        loop.execute {
+            lost.forEach(::end)
+            view = next
+            tell { listener.changed(next) }
+        }
+    }
+
+    private fun giveUp(member: Member, reason: String): List<Outgoing.End> {
+        val outgoing = peers[member]?.outgoing ?: return emptyList()
+        nextPiece = maxOf(nextPiece, outgoing.next)
+        return outgoing.giveUp(reason)
+    }
+
+    /** A member that comes back finds its session, unless many others have gone since. */
+    private fun forgetOld() {
+        val gone = peers.keys.filter { it !in members }
+        peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
+    }
+
+    /** A computer of this name that was there before: the program that ran here until a moment ago, or another computer. */
+    private fun isOlderRival(member: Member) =
+        member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
+
+    private fun tick() {
+        val now = loop.now()
+        val isRefused = synchronized(lock) {
+            members.forEach { member ->
+                val outgoing = peers[member]?.outgoing ?: return@forEach
+                outgoing.overdue(now)?.let { group.transmit(member, it.bytes()) }
+            }
+            rivalSince?.let { now - it >= RIVAL_NANOS } ?: false
+        }
+        if (isRefused) refuse("another computer of the fleet is called $here already: give this one a name of its own")
+    }
+
+    /** This computer cannot stay. */
+    internal fun refuse(reason: String) {
+        if (isClosed) return
+        loop.execute { tell { listener.refused(reason) } }
+        close()
+    }
+
+    private fun tell(call: () -> Unit) = try {
+        call()
+    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+        LOG.log(System.Logger.Level.ERROR, "the listener of the cluster failed", e)
+    }
+
+    override fun close() {
+        val lost = synchronized(lock) {
+            if (isClosed) return
+            isClosed = true
+            members.flatMap { giveUp(it, "this computer, $here, has left the fleet") }
+        }
+        loop.execute { lost.forEach(::end) }
+        group.close()
+        loop.close()
+    }
+
+    private companion object {
+        val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
+        const val TICK_MILLIS = 100L
+
+        /** While the listener is busy, a sender learns of its progress this often, in pieces. */
+        const val ANSWER_EVERY = 32L
+
+        /** A computer that has gone without a word is noticed sooner than this. */
+        const val RIVAL_NANOS = 5_000_000_000L
+        const val MAX_GONE = 256
+
+        fun computer(member: Member) = Computer(member.name, member.session)
+    }
+}

@@ -1,0 +1,65 @@
+package argo.fleet.cluster
+
+import java.io.ByteArrayOutputStream
+
+/** The pieces from one other computer, from their arrival to the listener's end with their messages. Its callers hold a lock. */
+internal class Incoming {
+    private var arrived = 1L
+    private var taken = 1L
+
+    /** Complete messages that the listener has not returned from. */
+    private var messages = 0
+    private var parts = ByteArrayOutputStream(0)
+
+    /** Why messages were refused, until their sender is known to know it. */
+    private val refusals = sortedMapOf<Long, String>()
+
+    /** A complete message, and the number of its last piece. */
+    class Message(val number: Long, val content: ByteArray)
+
+    /** What a piece brings: a message, or an answer that has to go back at once. */
+    class Outcome(val message: Message?, val answer: Frame.Acknowledgement?)
+
+    /** @throws IllegalArgumentException if the message is longer than any may be */
+    fun take(piece: Frame.Piece): Outcome {
+        refusals.headMap(piece.oldest).clear()
+        if (piece.oldest > arrived) leaveOut(piece.oldest)
+        if (piece.number != arrived) return Outcome(null, acknowledgement(isRepeatWanted = piece.number > arrived))
+        val message = next(piece)
+        return Outcome(message, if (message == null && messages == 0) acknowledgement() else null)
+    }
+
+    /** The sender has given up what is before [number]. */
+    private fun leaveOut(number: Long) {
+        arrived = number
+        parts = ByteArrayOutputStream(0)
+    }
+
+    private fun next(piece: Frame.Piece): Message? {
+        require(parts.size() + piece.content.size <= Outgoing.MAX_MESSAGE) { "a message of more than ${Outgoing.MAX_MESSAGE} bytes" }
+        arrived++
+        if (!piece.isLast) {
+            parts.writeBytes(piece.content)
+            return null
+        }
+        messages++
+        val content = if (parts.size() == 0) piece.content else parts.apply { writeBytes(piece.content) }.toByteArray()
+        parts = ByteArrayOutputStream(0)
+        return Message(piece.number, content)
+    }
+
+    /** The listener is done with the message whose last piece is [number]; [refusal] is why it did not want it, if so. */
+    fun taken(number: Long, refusal: String?) {
+        messages--
+        taken = number + 1
+        refusal?.let { refusals[number] = it.take(MAX_REASON) }
+    }
+
+    /** Parts of a message that is not complete count as taken, so that the next ones come. */
+    fun acknowledgement(isRepeatWanted: Boolean = false) =
+        Frame.Acknowledgement(if (messages == 0) arrived else taken, arrived, isRepeatWanted, refusals.toMap())
+
+    private companion object {
+        const val MAX_REASON = 200
+    }
+}

@@ -1,0 +1,104 @@
+package argo.fleet.cluster
+
+import org.jgroups.Address
+import org.jgroups.BytesMessage
+import org.jgroups.Global
+import org.jgroups.JChannel
+import org.jgroups.Message
+import org.jgroups.Receiver
+import org.jgroups.View
+import org.jgroups.logging.LogFactory
+import org.jgroups.util.ExtendedUUID
+import java.io.IOException
+import java.util.logging.Level
+import java.util.logging.Logger
+
+/** A fleet's computers over JGroups. */
+object JGroupsCluster {
+    /**
+     * @return a cluster, not yet joined; [Cluster.listen] throws an IOException if this computer cannot listen at [ClusterSettings.bind]
+     * @throws IOException if certificates are missing or cannot be read; the message is for a person
+     */
+    fun open(settings: ClusterSettings): Cluster =
+        GroupCluster(JGroupsGroup(settings), settings.hosts.keys, ThreadLoop("fleet-${settings.here}"))
+}
+
+/** A group on a channel of JGroups. A member's address there is a random number with the computer's name in it. */
+internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Receiver {
+    private val address = ExtendedUUID.randomUUID().put(NAME, settings.here.toByteArray())
+    val channel: JChannel
+    private lateinit var listener: GroupListener
+
+    /** The members of the last view: both ways, so that nothing is looked up by text. */
+    @Volatile
+    private var members = mapOf<Address, Member>()
+
+    @Volatile
+    private var addresses = mapOf<Member, Address>()
+
+    override val here = memberOf(address)
+
+    init {
+        quieten()
+        val certificates = settings.certificates?.let(::FleetCertificates)
+        val sockets = FleetSockets(Entrance(Greeting.of(settings), certificates, settings.hosts))
+        channel = JChannel(stackOf(settings, sockets))
+        channel.addAddressGenerator { address }
+        channel.setName(settings.here)
+        channel.receiver = this
+    }
+
+    override fun join(listener: GroupListener) {
+        this.listener = listener
+        try {
+            channel.connect(settings.fleet)
+        } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+            channel.close()
+            val reason = generateSequence<Throwable>(e) { it.cause }.last().message
+            throw IOException("this computer cannot listen at ${settings.bind.hostString}:${settings.bind.port}: $reason", e)
+        }
+    }
+
+    override fun viewAccepted(view: View) {
+        members = view.members.associateWith(::memberOf)
+        addresses = members.entries.associate { it.value to it.key }
+        listener.viewed(members.values.toList())
+    }
+
+    override fun receive(message: Message) {
+        val from = members[message.src] ?: return // not a member here yet; it sends again
+        if (message is BytesMessage) listener.arrived(from, message.array.copyOfRange(message.offset, message.offset + message.length))
+    }
+
+    override fun transmit(to: Member, frame: ByteArray) {
+        val destination = addresses[to] ?: return
+        try {
+            channel.send(BytesMessage(destination, frame).setFlag(Message.Flag.NO_RELIABILITY))
+        } catch (e: IllegalStateException) {
+            LOG.log(System.Logger.Level.DEBUG, "the channel is closed", e)
+        }
+    }
+
+    override fun close() = channel.close()
+
+    private fun memberOf(address: Address): Member {
+        val name = (address as? ExtendedUUID)?.get(NAME)?.let { String(it) }
+        return Member(name ?: "?", (address as? org.jgroups.util.UUID)?.toStringLong() ?: address.toString())
+    }
+
+    private companion object {
+        const val NAME = "n"
+        val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
+        val JGROUPS: Logger = Logger.getLogger("org.jgroups")
+
+        /**
+         * JGroups warns of each connection that ends, by the name of its classes; what a user has to know is told by this package. And it
+         * reads no Java objects: nobody sends any but strangers. It reads this property once.
+         */
+        fun quieten() {
+            LogFactory.useJdkLogger(true)
+            if (JGROUPS.level == null) JGROUPS.level = Level.OFF
+            System.setProperty(Global.DESERIALIZATION_FILTER, System.getProperty(Global.DESERIALIZATION_FILTER) ?: "!*")
+        }
+    }
+}

@@ -1,0 +1,35 @@
+package argo.fleet.cluster
+
+import java.util.concurrent.RejectedExecutionException
+import java.util.concurrent.ScheduledThreadPoolExecutor
+import java.util.concurrent.TimeUnit
+
+/** A loop on a daemon thread called [name]. */
+internal class ThreadLoop(name: String) : Loop {
+    private val executor = ScheduledThreadPoolExecutor(1) { Thread(it, name).apply { isDaemon = true } }
+
+    override fun now(): Long = System.nanoTime()
+
+    override fun execute(task: () -> Unit) = try {
+        executor.execute { guarded(task) }
+    } catch (e: RejectedExecutionException) {
+        LOG.log(System.Logger.Level.DEBUG, "the cluster is closed", e)
+    }
+
+    override fun every(millis: Long, task: () -> Unit) {
+        executor.scheduleWithFixedDelay({ guarded(task) }, millis, millis, TimeUnit.MILLISECONDS)
+    }
+
+    /** An exception would end a task that runs every so often without a word. */
+    private fun guarded(task: () -> Unit) = try {
+        task()
+    } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
+        LOG.log(System.Logger.Level.ERROR, "a task of the cluster failed", e)
+    }
+
+    override fun close() = executor.shutdown()
+
+    private companion object {
+        val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
+    }
+}

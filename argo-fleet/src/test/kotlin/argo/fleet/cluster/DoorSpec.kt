@@ -1,0 +1,175 @@
+package argo.fleet.cluster
+
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.engine.spec.tempdir
+import io.kotest.matchers.collections.shouldHaveSize
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import java.io.IOException
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.net.Socket
+import java.net.SocketException
+import java.util.concurrent.CopyOnWriteArrayList
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
+
+/** A door of the computer `base`, which notes what it tells, and whom it lets in. */
+private class TestDoor(entrance: Entrance) : AutoCloseable {
+    val told = LinkedBlockingQueue<String>()
+    val admitted = LinkedBlockingQueue<Socket>()
+    private val door = Door(entrance, Refusals(log = told::add)).apply { bind(InetSocketAddress(InetAddress.getLoopbackAddress(), 0)) }
+    val address = InetSocketAddress(InetAddress.getLoopbackAddress(), door.localPort)
+
+    init {
+        thread(isDaemon = true) {
+            try {
+                while (true) admitted += door.accept()
+            } catch (e: SocketException) {
+                check(e.message == "closed")
+            }
+        }
+    }
+
+    fun toldNext(): String = told.poll(10, TimeUnit.SECONDS) ?: error("nothing was told")
+
+    fun stranger(vararg bytes: Byte): ByteArray = Socket(address.address, address.port).use {
+        it.getOutputStream().run {
+            write(bytes)
+            flush()
+        }
+        runCatching { it.getInputStream().readAllBytes() }.getOrDefault(ByteArray(0))
+    }
+
+    override fun close() = door.close()
+}
+
+/** Who is let in at a computer's port, and how others are refused. */
+class DoorSpec : FunSpec({
+    blockingTest = true
+
+    val hosts = listOf("base", "scout").associateWith { InetSocketAddress("127.0.0.1", 4000 + it.length) }
+    fun settings(name: String, fleet: String = "garden", of: Map<String, InetSocketAddress> = hosts) =
+        ClusterSettings(fleet, name, of, ClusterSettings.loopback(0))
+    fun entrance(settings: ClusterSettings, certificates: FleetCertificates? = null) =
+        Entrance(Greeting.of(settings), certificates, settings.hosts)
+    val told = CopyOnWriteArrayList<String>()
+    fun TestDoor.greet(entrance: Entrance): Socket = FleetSocket(entrance, Refusals(log = told::add)).apply { connect(address, 1000) }
+
+    test("a computer of the fleet is let in, and bytes go both ways") {
+        TestDoor(entrance(settings("base"))).use { door ->
+            door.greet(entrance(settings("scout"))).use { socket ->
+                val other = door.admitted.poll(10, TimeUnit.SECONDS)!!
+                socket.getOutputStream().write(42)
+                other.getInputStream().read() shouldBe 42
+                other.getOutputStream().write(43)
+                socket.getInputStream().read() shouldBe 43
+            }
+        }
+    }
+
+    test("others are refused with one line at each end") {
+        TestDoor(entrance(settings("base"))).use { door ->
+            val three = hosts + ("tail" to InetSocketAddress("127.0.0.1", 4009))
+            listOf(
+                settings("scout", fleet = "field") to "scout belongs to the fleet field, and base to garden",
+                settings("scout", of = three) to "the hosts of scout have other names than those of base: give both the same project",
+            ).forEach { (other, reason) ->
+                val there = "127.0.0.1:${door.address.port}, where a computer of the fleet should be,"
+                shouldThrow<IOException> { door.greet(entrance(other)) }.message shouldBe "$there refuses the connection: $reason"
+                door.toldNext() shouldBe "a stranger at 127.0.0.1 $reason (told once in 10 minutes)"
+            }
+            door.told shouldHaveSize 0
+        }
+    }
+
+    test("where no hosts are named, any computer of the fleet is let in") {
+        TestDoor(entrance(settings("base", of = mapOf()))).use { door ->
+            door.greet(entrance(settings("anybody", of = mapOf()))).close()
+            door.admitted.poll(10, TimeUnit.SECONDS)!!.close()
+        }
+    }
+
+    test("garbage, another version and JGroups without a greeting are refused, each once") {
+        TestDoor(entrance(settings("base"))).use { door ->
+            repeat(2) { String(door.stranger(*"GET / HTTP/1.1\r\n".toByteArray())) shouldContain "refused speaks no language of a fleet" }
+            door.toldNext() shouldBe
+                "a stranger at 127.0.0.1 speaks no language of a fleet: it sent \"GET / HTTP/1.1?\" (told once in 10 minutes)"
+            door.stranger(*"argo-fleet 2 garden scout 0 and more\n".toByteArray())
+            door.toldNext() shouldContain "speaks version 2 of the fleet's language, and this computer 1: use one argo-fleet.jar"
+            door.stranger(*ByteArray(1000) { it.toByte() })
+            door.toldNext() shouldContain "it sent \"??????????\""
+            door.told shouldHaveSize 0
+        }
+    }
+
+    test("whoever says nothing is sent away, and does not keep others out") {
+        TestDoor(entrance(settings("base"))).use { door ->
+            Socket(door.address.address, door.address.port).use { silent ->
+                door.greet(entrance(settings("scout"))).close()
+                silent.getInputStream().readAllBytes()
+            }
+            door.toldNext() shouldContain "does not greet within 1500 ms"
+        }
+    }
+
+    test("a crowd of strangers costs a few threads") {
+        TestDoor(entrance(settings("base"))).use { door ->
+            val crowd = List(40) { Socket(door.address.address, door.address.port) }
+            door.toldNext() shouldContain "connections of strangers come faster than they can be refused"
+            Thread.getAllStackTraces().keys.count { it.name == "fleet-porter" } shouldBe 8
+            crowd.forEach(Socket::close)
+        }
+    }
+
+    test("with certificates, exactly those of the fleet are let in, and under their own names") {
+        val made = TestCertificates(tempdir().toPath(), "base", "scout", "eve")
+        val base = FleetCertificates(made.of("base", "base", "scout"))
+        TestDoor(entrance(settings("base"), base)).use { door ->
+            val scout = FleetCertificates(made.of("scout", "base", "scout"))
+            door.greet(entrance(settings("scout"), scout)).use { socket ->
+                val other = door.admitted.poll(10, TimeUnit.SECONDS)!!
+                socket.getOutputStream().write("secret".toByteArray())
+                String(other.getInputStream().readNBytes(6)) shouldBe "secret"
+            }
+            val eve = FleetCertificates(made.of("eve", "base", "scout"))
+            shouldThrow<IOException> { door.greet(entrance(settings("scout"), eve)) }
+            door.toldNext() shouldContain "does not begin TLS as the fleet does: it shows a certificate that is not in"
+            shouldThrow<IOException> { door.greet(entrance(settings("scout"))) }.message shouldContain "speaks no language of a fleet"
+            door.toldNext() shouldContain "does not begin TLS as the fleet does"
+            door.stranger(*ByteArray(20))
+            door.told shouldHaveSize 0 // the same again
+            door.admitted shouldHaveSize 0
+        }
+    }
+
+    test("a computer cannot show another one's certificate, and a fleet may share one") {
+        val made = TestCertificates(tempdir().toPath(), "base", "scout", "tail")
+        val three = hosts + ("tail" to InetSocketAddress("127.0.0.1", 4009))
+        TestDoor(entrance(settings("base", of = three), FleetCertificates(made.of("base", "scout", "tail")))).use { door ->
+            val tail = FleetCertificates(made.of("tail", "base"))
+            shouldThrow<IOException> { door.greet(entrance(settings("scout", of = three), tail)) }.message shouldContain
+                "the computer that calls itself scout has the certificate of tail"
+        }
+        val shared = FleetCertificates(made.of("scout"))
+        TestDoor(entrance(settings("base"), shared)).use { it.greet(entrance(settings("scout"), shared)).close() }
+    }
+
+    test("missing certificates are told") {
+        val folder = tempdir().toPath()
+        shouldThrow<IOException> { FleetCertificates(folder) }.message shouldBe
+            "there is no certificate of this computer: put it into $folder/computer.crt, and its key beside it"
+    }
+
+    test("what listens beyond the loopback needs certificates or a word") {
+        val there = InetSocketAddress("10.8.0.1", 4711)
+        shouldThrow<IllegalArgumentException> { ClusterSettings("garden", "base", mapOf(), there) }.message shouldBe
+            "10.8.0.1 can be reached by others, and without certificates everybody among them may take part in the fleet:" +
+            " put certificates into .argo/tls of your home, or say insecure"
+        ClusterSettings("garden", "base", mapOf(), there, insecure = true).here shouldBe "base"
+        shouldThrow<IllegalArgumentException> { settings("tail") }.message shouldBe
+            "no computer of the fleet garden is called tail; it has base, scout"
+    }
+})

@@ -1,0 +1,103 @@
+package argo.fleet.cluster
+
+/**
+ * Computers of a fleet in one program, without sockets, threads and real time: nothing happens outside of [run] and [advance]. Who cannot
+ * reach whom is known at once.
+ *
+ * @param hosts the computers that the fleet consists of
+ * @param isLost whether a frame gets lost on its way
+ */
+internal class InMemoryNetwork(private val hosts: Set<String>, private val isLost: (Member, Member) -> Boolean = { _, _ -> false }) {
+    private inner class Node(override val here: Member) : Group, Loop {
+        private val repeated = mutableListOf<() -> Unit>()
+        var listener: GroupListener? = null
+        val isUp get() = listener != null
+
+        override fun join(listener: GroupListener) {
+            this.listener = listener
+            tellViews()
+        }
+
+        override fun transmit(to: Member, frame: ByteArray) {
+            val copy = frame.copyOf()
+            if (!isUp) return
+            enqueue { nodes.lastOrNull { it.here == to && reaches(this, it) && !isLost(here, to) }?.listener?.arrived(here, copy) }
+        }
+
+        override fun now(): Long = nanos
+        override fun execute(task: () -> Unit) = enqueue(task)
+
+        override fun every(millis: Long, task: () -> Unit) {
+            check(millis == TICK_MILLIS)
+            repeated += task
+        }
+
+        fun tick() = repeated.forEach { if (isUp) it() }
+
+        /** The group's and the loop's end. */
+        override fun close() {
+            if (!isUp) return
+            listener = null
+            tellViews()
+        }
+    }
+
+    private val nodes = mutableListOf<Node>()
+    private val tasks = ArrayDeque<() -> Unit>()
+    private var sides = listOf<Set<String>>()
+    private var nanos = 0L
+    private var starts = 0
+
+    /** A computer starts its program, also once more. It joins with [Cluster.listen]. */
+    @Synchronized
+    fun join(name: String): Cluster {
+        val node = Node(Member(name, "session ${++starts}"))
+        nodes += node
+        return GroupCluster(node, hosts, node)
+    }
+
+    /** Computers reach those of their side only; those that are on none reach each other. */
+    fun part(vararg sides: Set<String>) {
+        this.sides = sides.toList()
+        tellViews()
+    }
+
+    fun heal() = part()
+
+    /** The program on [name] ends without a word. */
+    fun crash(name: String) {
+        nodes.filter { it.here.name == name }.forEach { it.listener = null }
+        tellViews()
+    }
+
+    /** Does what is due, until nothing is. */
+    fun run() {
+        while (true) (synchronized(this) { tasks.removeFirstOrNull() } ?: return)()
+    }
+
+    /** Lets [millis] go by, and does what falls due. */
+    fun advance(millis: Long) = repeat((millis / TICK_MILLIS).toInt()) {
+        run()
+        nanos += TICK_MILLIS * NANOS_PER_MILLI
+        nodes.toList().forEach(Node::tick)
+        run()
+    }
+
+    @Synchronized
+    private fun enqueue(task: () -> Unit) {
+        tasks += task
+    }
+
+    private fun side(node: Node) = sides.indexOfFirst { node.here.name in it }
+    private fun reaches(one: Node, other: Node) = one.isUp && other.isUp && side(one) == side(other)
+
+    private fun tellViews() = nodes.filter { it.isUp }.forEach { node ->
+        val seen = nodes.filter { reaches(node, it) }.map { it.here }
+        enqueue { if (node.isUp) node.listener?.viewed(seen) }
+    }
+
+    private companion object {
+        const val TICK_MILLIS = 100L
+        const val NANOS_PER_MILLI = 1_000_000L
+    }
+}

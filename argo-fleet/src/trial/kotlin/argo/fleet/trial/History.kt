@@ -1,0 +1,73 @@
+package argo.fleet.trial
+
+/**
+ * What happened in a fleet, as its programs noted it. It keeps the fleet's promises if it has no [faults]:
+ *
+ * - each message is taken once at most, only where it was sent to, and those of one session in the order in which it sent them;
+ * - each message has one end, unless its sender crashed; one that ended as taken was taken;
+ * - an agent that outlives its computer never runs twice at a time.
+ */
+class History(events: List<Event>) {
+    private data class Message(val session: String, val number: Long)
+    private class Taking(val by: String, val message: Message)
+    private class Run(val agent: String, val session: String, val from: Long, val to: Long)
+
+    private val bySession = events.sortedBy { it.nanos }.groupBy { it.session }
+    private val crashes = events.filter { it.kind == Kind.CRASHED }.associate { it.session to it.nanos }
+    private val end = events.maxOfOrNull { it.nanos } ?: 0
+    private val receivers = events.filter { it.kind == Kind.SENT }.associate { Message(it.session, it.about[1].toLong()) to it.about[0] }
+    private val takings = bySession.values.flatten().filter { it.kind == Kind.TOOK }
+        .map { Taking(it.session, Message(it.about[0], it.about[1].toLong())) }
+
+    private val taken = takings.mapTo(HashSet()) { it.message }
+    private val sent = receivers.keys.groupBy { it.session }
+
+    /** How many events of a kind there are. */
+    fun count(kind: Kind): Int = bySession.values.sumOf { events -> events.count { it.kind == kind } }
+
+    /** Each broken promise, in words. */
+    fun faults(): List<String> =
+        misled() + doubled() + disordered() + bySession.flatMap { (session, events) -> ends(session, events) } + twice()
+
+    private fun misled() = takings.filter { it.by.substringBefore('#') != receivers[it.message] }
+        .map { "${it.by} took ${it.message.text()}, which was sent to ${receivers[it.message] ?: "nobody"}" }
+
+    private fun doubled() = takings.groupBy { it.message }.filterValues { it.size > 1 }
+        .map { (message, by) -> "${message.text()} was taken ${by.size} times, by ${by.joinToString { it.by }}" }
+
+    private fun disordered() = takings.groupBy { it.by to it.message.session }.flatMap { (pair, list) ->
+        list.map { it.message.number }.zipWithNext().filter { (one, next) -> next < one }
+            .map { (one, next) -> "${pair.first} took message $next of ${pair.second} behind message $one" }
+    }
+
+    private fun ends(session: String, events: List<Event>): List<String> {
+        val ends = events.filter { it.kind == Kind.TAKEN || it.kind == Kind.FAILED }.groupBy { it.about[0].toLong() }
+        val isComplete = events.any { it.kind == Kind.FINISHED }
+        return sent[session].orEmpty().mapNotNull { message ->
+            val found = ends[message.number].orEmpty().map { it.kind }
+            when {
+                found.size > 1 -> "${message.text()} ended ${found.size} times"
+                found.isEmpty() && isComplete -> "${message.text()} had no end"
+                found == listOf(Kind.TAKEN) && message !in taken -> "${message.text()} ended as taken, and nobody took it"
+                else -> null
+            }
+        }
+    }
+
+    private fun twice() = bySession.flatMap { (session, events) -> runs(session, events) }.groupBy { it.agent }.flatMap { (agent, runs) ->
+        runs.sortedBy { it.from }.zipWithNext().filter { (one, next) -> next.from < one.to }.map { (one, next) ->
+            "$agent ran on ${one.session} and on ${next.session} for ${(minOf(one.to, next.to) - next.from) / NANOS_PER_MICRO} microseconds"
+        }
+    }
+
+    private fun runs(session: String, events: List<Event>): List<Run> = events.filter { it.kind == Kind.BEGAN }.map { begin ->
+        val last = events.firstOrNull { it.kind == Kind.ENDED && it.about == begin.about && it.nanos >= begin.nanos }?.nanos
+        Run(begin.about[0], session, begin.nanos, last ?: crashes[session] ?: end)
+    }
+
+    private fun Message.text() = "message $number of $session"
+
+    private companion object {
+        const val NANOS_PER_MICRO = 1000
+    }
+}

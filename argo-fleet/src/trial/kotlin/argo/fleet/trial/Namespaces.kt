@@ -1,0 +1,74 @@
+package argo.fleet.trial
+
+import java.io.File
+import java.util.concurrent.TimeUnit
+
+/**
+ * Computers of a network on this one: each has a network namespace with one interface, and all are plugged into one switch. They are
+ * removed when this is closed. Only root can make them, on Linux.
+ *
+ * @throws IllegalStateException if they cannot be made; see [missing]
+ */
+class Namespaces(private val names: List<String>) : AutoCloseable {
+    private val addresses = names.withIndex().associate { (index, name) -> name to "$NETWORK.${index + 1}" }
+
+    init {
+        removeAll()
+        ip("link add $SWITCH type bridge")
+        ip("link set $SWITCH up")
+        names.forEach(::make)
+    }
+
+    private fun make(name: String) {
+        val cable = cable(name)
+        ip("netns add $cable")
+        ip("link add $cable type veth peer name eth0 netns $cable")
+        ip("link set $cable master $SWITCH up")
+        ip("-n $cable addr add ${address(name)}/24 dev eth0")
+        ip("-n $cable link set eth0 up")
+        ip("-n $cable link set lo up")
+    }
+
+    private fun cable(name: String) = "$SWITCH${names.indexOf(name) + 1}"
+
+    /** The address of a computer. */
+    fun address(name: String): String = addresses.getValue(name)
+
+    /** What to put before a command that is to run on a computer. */
+    fun prefix(name: String): List<String> = listOf("ip", "netns", "exec", cable(name))
+
+    fun unplug(name: String) = ip("link set ${cable(name)} down")
+
+    fun plug(name: String) = ip("link set ${cable(name)} up")
+
+    /** The bytes that a computer has sent, with all headers. */
+    fun bytesSent(name: String): Long = File("/sys/class/net/${cable(name)}/statistics/rx_bytes").readText().trim().toLong()
+
+    override fun close() = removeAll()
+
+    private fun removeAll() {
+        names.forEach { run("netns del ${cable(it)}") }
+        run("link del $SWITCH")
+    }
+
+    companion object {
+        private const val SWITCH = "argofl"
+        private const val NETWORK = "10.231.7"
+
+        /** Why namespaces cannot be made on this computer; null if they can. */
+        val missing: String? by lazy {
+            runCatching { Namespaces(listOf("test")).close() }.exceptionOrNull()
+                ?.let { "network namespaces cannot be made here: ${it.message}" }
+        }
+
+        private fun ip(arguments: String) = run(arguments).let { check(it.isEmpty()) { "ip $arguments: $it" } }
+
+        /** @return what it complains about */
+        private fun run(arguments: String): String {
+            val process = ProcessBuilder(listOf("ip") + arguments.split(' ')).redirectErrorStream(true).start()
+            val said = String(process.inputStream.readAllBytes())
+            check(process.waitFor(10, TimeUnit.SECONDS)) { "ip $arguments does not end" }
+            return if (process.exitValue() == 0) "" else said.ifBlank { "exit ${process.exitValue()}" }
+        }
+    }
+}

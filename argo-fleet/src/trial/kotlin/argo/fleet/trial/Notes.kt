@@ -1,0 +1,56 @@
+package argo.fleet.trial
+
+import argo.fleet.cluster.Cluster
+import argo.fleet.cluster.ClusterListener
+import argo.fleet.cluster.ClusterView
+import java.util.concurrent.atomic.AtomicLong
+
+/**
+ * Sends and takes messages over a cluster, which it joins, and notes each. A message names its session and its number, with bytes behind
+ * for its length.
+ *
+ * @param session this start of the program, as `scout1#2`
+ * @param note takes each event before what follows it happens; by several threads at once
+ */
+class Notes(private val cluster: Cluster, private val session: String, private val note: (Event) -> Unit) : ClusterListener {
+    private val sent = AtomicLong()
+    private val ended = AtomicLong()
+
+    /** Messages without an end. */
+    val underWay: Long get() = sent.get() - ended.get()
+
+    @Volatile
+    var computers: Set<String> = emptySet()
+        private set
+
+    init {
+        cluster.listen(this)
+    }
+
+    /** Sends a message of [length] bytes, or longer where its head needs them. One thread at a time. */
+    fun send(to: String, length: Int) {
+        val number = sent.incrementAndGet()
+        note(Kind.SENT, to, "$number")
+        cluster.send(to, "$session $number ".padEnd(length, '.').toByteArray()).whenComplete { _, failure ->
+            note(if (failure == null) Kind.TAKEN else Kind.FAILED, "$number")
+            ended.incrementAndGet()
+        }
+    }
+
+    /** Everything has ended. */
+    fun finish() = note(Kind.FINISHED)
+
+    override fun message(from: String, message: ByteArray) {
+        val (session, number) = String(message).split(' ')
+        note(Kind.TOOK, session, number)
+    }
+
+    override fun changed(view: ClusterView) {
+        computers = view.computers.keys
+        note(Kind.VIEWED, view.computers.keys.sorted().joinToString(",") { it })
+    }
+
+    override fun refused(reason: String) = error("$session was refused: $reason")
+
+    private fun note(kind: Kind, vararg about: String) = note(Event(System.nanoTime(), session, kind, about.toList()))
+}

@@ -1,0 +1,70 @@
+package argo.fleet.trial
+
+import argo.fleet.cluster.ClusterSettings
+import argo.fleet.cluster.JGroupsCluster
+import java.io.File
+import java.io.FileOutputStream
+import java.net.InetSocketAddress
+import java.nio.file.Path
+import kotlin.concurrent.thread
+import kotlin.random.Random
+import kotlin.system.exitProcess
+
+/** Messages without an end that a node has at most; it sends some hundred a second. */
+private const val UNDER_WAY = 500L
+private const val LONGEST = 200
+private const val PAUSE_MILLIS = 1L
+
+/**
+ * The program of one computer of a [Trial]: `SESSION NOTES CERTIFICATES NAME=ADDRESS:PORT…`, where CERTIFICATES is a folder or `-`. From
+ * the line `send` on its standard input on it sends messages to all computers, also to those that are off, until the line `finish`; then it
+ * waits for their ends, and ends with the input. It prints the computers in touch as they change.
+ */
+fun main(args: Array<String>) {
+    val (session, notes, certificates) = args
+    val hosts = args.drop(3).associate { it.substringBefore('=') to address(it.substringAfter('=')) }
+    val here = session.substringBefore('#')
+    val settings = ClusterSettings(
+        "trial", here, hosts, hosts.getValue(here), certificates.takeIf { it != "-" }?.let(Path::of), insecure = certificates == "-",
+    )
+    val file = NoteFile(File(notes))
+    val computer = Notes(JGroupsCluster.open(settings), session) {
+        file.write(it)
+        if (it.kind == Kind.VIEWED) println("${it.nanos} ${it.about[0]}")
+    }
+    val commands = generateSequence(::readlnOrNull).iterator()
+    while (commands.hasNext()) when (val command = commands.next()) {
+        "send" -> Sender(computer, hosts.keys.toList(), session.hashCode()).start()
+        "finish" -> Sender.isEnding = true
+        else -> System.err.println("unknown: $command")
+    }
+    exitProcess(0)
+}
+
+private fun address(text: String) = InetSocketAddress(text.substringBeforeLast(':'), text.substringAfterLast(':').toInt())
+
+/** A killed program leaves all that it noted: each line is the system's before the next step. */
+private class NoteFile(file: File) {
+    private val out = FileOutputStream(file, true)
+
+    @Synchronized
+    fun write(event: Event) = out.write("$event\n".toByteArray())
+}
+
+private class Sender(private val computer: Notes, private val names: List<String>, seed: Int) {
+    private val random = Random(seed)
+
+    fun start() = thread(isDaemon = true) {
+        while (!isEnding) {
+            if (computer.underWay < UNDER_WAY) computer.send(names.random(random), random.nextInt(LONGEST))
+            Thread.sleep(PAUSE_MILLIS)
+        }
+        while (computer.underWay > 0) Thread.sleep(PAUSE_MILLIS)
+        computer.finish()
+    }
+
+    companion object {
+        @Volatile
+        var isEnding = false
+    }
+}

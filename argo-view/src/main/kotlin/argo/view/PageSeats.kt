@@ -1,0 +1,23 @@
+package argo.view
+
+import java.util.concurrent.Semaphore
+
+/** Limits how many pages, of all agents together, watch at once. Any thread may call it. */
+internal class PageSeats {
+    private val free = Semaphore(MAX_PAGES)
+
+    /** Calls [watch] and returns true. If too many pages watch, returns false at once. */
+    fun take(watch: () -> Unit): Boolean {
+        if (!free.tryAcquire()) return false
+        try {
+            watch()
+        } finally {
+            free.release()
+        }
+        return true
+    }
+
+    private companion object {
+        const val MAX_PAGES = 12
+    }
+}
