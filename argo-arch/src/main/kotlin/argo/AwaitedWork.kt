@@ -2,7 +2,7 @@ package argo
 
 import java.util.concurrent.ConcurrentHashMap
 
-/** The work outside of an agent that suspended intentions of the agent wait for, and that can be given up. Safe for use by several threads. */
+/** The work outside of an agent that its suspended intentions wait for, and that can be given up. Safe for use by several threads. */
 internal class AwaitedWork {
     private val begun = ConcurrentHashMap<String, () -> Unit>()
 

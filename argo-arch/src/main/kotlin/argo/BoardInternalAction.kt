@@ -62,8 +62,8 @@ abstract class BoardInternalAction internal constructor(private val name: String
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
         /**
-         * Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails; and the text
-         * of the answer, or null. The agent's thread calls [giveUp], perhaps late, if it drops the intention before the outcome is there.
+         * Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails; and with
+         * the text of the answer, or null. The agent's thread calls [giveUp], perhaps late, if it drops the intention before the outcome.
          */
         fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)

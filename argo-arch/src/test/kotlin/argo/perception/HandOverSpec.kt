@@ -38,7 +38,7 @@ class HandOverSpec : FunSpec({
         }
 
         test("gives each snapshot that is an event, in their order, and then the newest") {
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }))
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
             for (n in 1L..4) handOver.put(snapshot(n, isEvent = n in 2..3))
             handOver.put(snapshot(5))
             generateSequence(handOver::take).map { it.receivedNanos }.toList() shouldBe listOf(2L, 3L, 5L)
@@ -46,7 +46,7 @@ class HandOverSpec : FunSpec({
 
         test("of more events than may wait the oldest are lost, and counted") {
             val told = ArrayList<Long>()
-            val handOver = FreshHandOver(Backlog(CommandLedger { Robot }), told::add)
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }), told::add)
             for (n in 1L..FreshHandOver.MAX_EVENTS + 2) handOver.put(snapshot(n, isEvent = true))
             handOver.take()?.receivedNanos shouldBe 3
             told shouldBe listOf(1L, 2L)
