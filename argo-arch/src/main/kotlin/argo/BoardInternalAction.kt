@@ -8,6 +8,7 @@ import argo.calls.ArgumentException
 import argo.calls.Failure
 import argo.calls.NO_ANSWER
 import argo.calls.wrongArgument
+import argo.filters.jason.PerceptSyntaxException
 import argo.observing.CommandFailure
 import jason.JasonException
 import jason.architecture.AgArch
@@ -84,7 +85,12 @@ abstract class BoardInternalAction internal constructor(private val name: String
         private fun differing(key: String, awaited: Term, answer: String?): Failure? {
             if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
             val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped it
-            val isAlike = intention.peek().unif.unifies(awaited, termOf(answer))
+            val term = try {
+                termOf(answer)
+            } catch (unreadable: PerceptSyntaxException) {
+                return Failure(NO_ANSWER, "it was carried out, but its answer cannot be read: ${unreadable.message}")
+            }
+            val isAlike = intention.peek().unif.unifies(awaited, term)
             return if (isAlike) null else Failure("other_answer", "it was carried out, and the answer $answer does not unify with $awaited")
         }
     }

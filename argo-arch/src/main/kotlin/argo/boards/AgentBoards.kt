@@ -140,7 +140,7 @@ internal class AgentBoards(
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
         val tellLost = { count: Long ->
-            if (count.countOneBits() == 1) log.warning("$count messages of port ${board.term} that count each were lost: too many waited")
+            if (count.countOneBits() == 1) log.warning("the agent is too slow for the events of port ${board.term}: $count are lost")
         }
         return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             late.report("late") {

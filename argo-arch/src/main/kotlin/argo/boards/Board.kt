@@ -161,7 +161,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
-        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos, message.isEvent)
+        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos, message.event)
         answer.read(nextNanos)
         agent.ready.answered(this)
         if (!isWanted) return

@@ -128,13 +128,14 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  * @property text the message's percepts, each with its `;`
  * @property receivedNanos the arrival time of its end, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
- * @property isEvent whether the agent perceives it even if newer messages have come; others are only kept until a newer one comes
+ * @property event the percept in [text] that the agent perceives in its turn, even if newer messages have come; empty: none, between two
+ * equal ones; null: the message has no such percept
  */
 class BoardMessage(
     val text: String,
     val receivedNanos: Long,
     val seenNanos: Map<String, Long> = emptyMap(),
-    val isEvent: Boolean = false,
+    val event: String? = null,
 )
 
 /**

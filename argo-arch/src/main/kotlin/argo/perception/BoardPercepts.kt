@@ -76,14 +76,16 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.isEvent, it.seenNanos) }
+        handOver.drain().forEach {
+            perceive(it.port, it.texts, it.receivedNanos, isMessage = false, it.event?.texts?.joinToString(""), it.seenNanos)
+        }
     }
 
     /**
      * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Percepts
      * stay that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
-     * @param isEvent see [argo.links.BoardMessage.isEvent]
+     * @param event see [argo.links.BoardMessage.event]
      * @return true if the message was wanted
      */
     fun received(
@@ -92,7 +94,7 @@ internal class BoardPercepts(
         askedNanos: Long,
         receivedNanos: Long,
         seenNanos: Map<String, Long> = emptyMap(),
-        isEvent: Boolean = false,
+        event: String? = null,
     ): Boolean {
         val texts = perceptsOf(message)
         return lock.withLock {
@@ -101,7 +103,7 @@ internal class BoardPercepts(
                     reports.dropBefore(askedNanos)
                     this.message = texts
                     val times = times(reports.texts, seenNanos, receivedNanos)
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, isEvent, times)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, event, times)
                 }
             }
         }
@@ -176,14 +178,20 @@ internal class BoardPercepts(
         texts: List<String>,
         receivedNanos: Long,
         isMessage: Boolean,
-        isEvent: Boolean = false,
+        event: String? = null,
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         logDropped(texts)
         val perception = session.perceive(texts, nowMs())
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
-        leave(port, perception, receivedNanos, seenNanos, isEvent)
+        leave(port, perception, receivedNanos, seenNanos, event?.let { eventOf(it, perception.percepts) })
+    }
+
+    /** Returns the event [text] as it is among [percepts]; null: the filter drops it. */
+    private fun eventOf(text: String, percepts: List<Literal>): PerceptEvent? {
+        if (text.isEmpty()) return PerceptEvent(emptyList(), emptyList())
+        return reader.read(text).filter(percepts::contains).takeIf { it.isNotEmpty() }?.let { PerceptEvent(listOf(text), it) }
     }
 
     private fun leave(
@@ -191,7 +199,7 @@ internal class BoardPercepts(
         perception: MessagePerception,
         receivedNanos: Long,
         seenNanos: ((Literal) -> Long?)?,
-        isEvent: Boolean = false,
+        event: PerceptEvent? = null,
     ) {
         val texts = perception.texts
         if (seenNanos == null) lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
@@ -199,7 +207,7 @@ internal class BoardPercepts(
         dueMs = texts.nextDueMs
         val snapshot = Snapshot(
             port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
-            seenNanos, isEvent,
+            seenNanos, event,
         )
         newest = snapshot
         board.filtered(snapshot)

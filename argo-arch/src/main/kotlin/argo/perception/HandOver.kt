@@ -40,8 +40,8 @@ internal interface HandOver {
  * A snapshot is handed over at once if it has a critical percept that the last one did not have. Until then a newer snapshot replaces it
  * only if the newer one meets the same critical rules. So there are never more such snapshots than rules. A board that is always critical
  * must not make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is
- * done. Snapshots that are [events][Snapshot.isEvent] are handed over one by one, before the newest. Of more than [MAX_EVENTS] the oldest
- * are lost.
+ * done. Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. Of more than [MAX_EVENTS]
+ * the oldest are lost.
  * @param tellLost called at each loss, with the number of lost events
  * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
@@ -52,7 +52,8 @@ internal class FreshHandOver(
 ) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
-    private val events = ConcurrentLinkedQueue<Snapshot>() // changed under the lock only, as their number
+    private val events = ConcurrentLinkedQueue<PerceptEvent>() // changed under the lock only, as their number
+    private var last: Snapshot? = null // the last taken snapshot, without its event
     private var eventCount = 0
     private var lost = 0L
     private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
@@ -73,7 +74,11 @@ internal class FreshHandOver(
     }
 
     private fun keep(snapshot: Snapshot) {
-        if (snapshot.isEvent) return keepEvent(snapshot)
+        snapshot.event?.let(::add)
+        keepNewest(snapshot.withoutEvent())
+    }
+
+    private fun keepNewest(snapshot: Snapshot) {
         val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
         if (snapshot.critical.any { it.percept !in known }) {
             val met = rules(snapshot)
@@ -85,15 +90,14 @@ internal class FreshHandOver(
         }
     }
 
-    private fun keepEvent(snapshot: Snapshot) {
-        newest = null // the event's message has all that holds now
-        events += snapshot
+    private fun add(event: PerceptEvent) {
+        events += event
         if (++eventCount <= MAX_EVENTS) return
         takeEvent()
         tellLost(++lost)
     }
 
-    private fun takeEvent(): Snapshot? = events.poll()?.also { eventCount-- }
+    private fun takeEvent(): PerceptEvent? = events.poll()?.also { eventCount-- }
 
     private fun isWaiting() = newest != null || events.isNotEmpty()
 
@@ -122,11 +126,17 @@ internal class FreshHandOver(
     }
 
     private fun next(isInTurn: Boolean): Snapshot? {
-        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeEvent() ?: takeNewest() else null) ?: return null
+        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeInTurn() else null) ?: return null
         if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
         known = next.critical.mapTo(HashSet()) { it.percept }
         waitingSince = null
+        last = next.withoutEvent()
         return next
+    }
+
+    private fun takeInTurn(): Snapshot? {
+        val state = takeNewest() ?: last?.takeIf { events.isNotEmpty() } ?: return null
+        return takeEvent()?.let(state::with) ?: state
     }
 
     private fun takeNewest(): Snapshot? = newest.also { newest = null }
@@ -134,14 +144,17 @@ internal class FreshHandOver(
     private fun rules(snapshot: Snapshot) = snapshot.critical.mapTo(HashSet()) { it.rule }
 
     override fun drain() = lock.withLock {
-        val all = critical + generateSequence(::takeEvent) + listOfNotNull(takeNewest())
-        all.sortedBy { it.receivedNanos }.also { critical.clear() }
+        val state = newest ?: critical.lastOrNull() ?: last
+        val inTurn = generateSequence(::takeEvent).mapNotNull { state?.with(it) }.toList().ifEmpty { listOfNotNull(newest) }
+        newest = null
+        (critical + inTurn).sortedBy { it.receivedNanos }.also { critical.clear() }
     }
 
     override fun clear() = lock.withLock {
         critical.clear()
         events.clear()
         eventCount = 0
+        last = null
         earlyRules.clear()
         known = emptySet()
         newest = null
@@ -155,7 +168,7 @@ internal class FreshHandOver(
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
 
-        /** The most snapshots that are events and wait for an agent. */
+        /** The most events that wait for an agent. */
         const val MAX_EVENTS = 1000
     }
 }

@@ -2,6 +2,7 @@ package argo.ros
 
 import javino.NoSuchPortException
 import java.net.URI
+import java.net.URISyntaxException
 
 /**
  * The address of a bridge with the name of the mapping for its robot: `ros://robot.local:9090`, `ros://robot:9090#left`; with encryption
@@ -22,7 +23,13 @@ internal data class RosAddress(val socket: URI, val mapping: String) {
             val socketPort = if (number.isEmpty()) usualPort else number.toInt()
             if (socketPort !in 1..MAX_PORT) throw malformed(port)
             val protocol = if (scheme == "wss") scheme else "ws"
-            return RosAddress(URI("$protocol://$host:$socketPort${path.ifEmpty { "/" }}"), mapping.ifEmpty { USUAL_MAPPING })
+            val socket = try {
+                URI("$protocol://$host:$socketPort${path.ifEmpty { "/" }}")
+            } catch (_: URISyntaxException) {
+                throw malformed(port)
+            }
+            if (socket.host == null) throw NoSuchPortException(port, "\"$host\" is no name of a host that Java takes; use its address")
+            return RosAddress(socket, mapping.ifEmpty { USUAL_MAPPING })
         }
 
         private fun malformed(port: String) = if ('?' in port) NoSuchPortException(

@@ -41,6 +41,7 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import java.net.URI
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 import java.util.logging.Level
@@ -96,7 +97,8 @@ internal class RosLink private constructor(
             if (commands.heard(operation) || api.heard(operation, now)) return true
             when (operation.text("op")) {
                 "publish" -> published(operation, now)
-                "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
+                "service_response", "action_result" ->
+                    warn("an answer came for a command whose time was over, or whose intention was dropped; it is not used")
                 else -> return false
             }
             return true
@@ -129,7 +131,7 @@ internal class RosLink private constructor(
     /** Takes the transforms in [message] of [topic], and the poses that follow from them. */
     private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
         frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
-        for (rule in mapping.poses) {
+        for (rule in mapping.poses.distinctBy { it.topic }) {
             val pose = frames.pose(checkNotNull(rule.frames), nowNanos) ?: continue
             topics.add(rule.topic, pose.json, pose.trueNanos, nowNanos)
         }
@@ -187,7 +189,12 @@ internal class RosLink private constructor(
     }
 
     /** Looks for the reasons why topics have said nothing since they were subscribed to. */
-    fun explainSilence() = explain(lock.withLock { subscribed.keys.filterNot(topics::hasHeard) })
+    fun explainSilence() = explain(
+        lock.withLock {
+            frames.explain()
+            subscribed.keys.filterNot(topics::hasHeard)
+        },
+    )
 
     private fun explain(silentTopics: Collection<String>) = lock.withLock { silentTopics.mapNotNull(subscribed::get) }
         .filter { it.topic != Frames.STATIC }.forEach { graph.explainSilence(it.topic, it.type) }
@@ -256,7 +263,8 @@ internal class RosLink private constructor(
 
     private fun tell(message: String) = log(Level.INFO, "port $port: $message")
 
-    private fun gone(reason: String) {
+    /** Ends the link. The connection is closed when [farewell] has left, or soon after. */
+    private fun gone(reason: String, farewell: List<Outgoing> = emptyList()) {
         lock.withLock {
             if (end != null) return
             end = reason
@@ -265,14 +273,17 @@ internal class RosLink private constructor(
         }
         api.close()
         commands.gone(reason)
-        bridge?.close()
+        CompletableFuture.allOf(*farewell.map { it.left }.toTypedArray()).whenComplete { _, _ -> bridge?.close() }
+        if (farewell.isNotEmpty()) clock.schedule(FAREWELL_NANOS) { bridge?.close() }
     }
 
-    override fun close() = gone("it was closed")
+    /** Cancels all goals that are under way, and closes the link. */
+    override fun close() = gone("it was closed", if (isOpen) commands.cancellations().onEach(::send) else emptyList())
 
     companion object {
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
         private const val CHECKING_MS = 3_000L
+        private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
         /**
          * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.

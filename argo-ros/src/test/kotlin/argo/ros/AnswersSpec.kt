@@ -16,6 +16,7 @@ import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import javino.LineClock
 import javino.PortFaultException
+import javino.link.SendOptions
 import kotlinx.serialization.json.Json
 import java.net.URI
 
@@ -45,12 +46,13 @@ class AnswersSpec : FunSpec({
         listOf(
             Triple("argo.act(go, [answer(R)])", "no_answer", "has no answer to \"go\", which was not sent"),
             Triple("argo.act(add(1,2), [answer(R)])", "no_answer", "the message has no field sum; it has "),
+            Triple("argo.act(odd, [answer(R)])", "no_answer", "it has a field whose name no agent can read"),
             Triple("argo.act(where, [answer(at(2,_))])", "other_answer", "the answer at(1,\"map\") does not unify with at(2,_"),
         ).forEach { (plan, error, reason) ->
             test(plan) {
                 agent(".wait(100); $plan; +done").use {
                     it.shouldBelieve("port(\"$PORT\",on)")
-                    it.board.publishes("/where", """{"pose": {"x": 1, "frame": "map"}}""")
+                    it.board.publishes("/where", """{"pose": {"x": 1, "frame": "map"}}""").publishes("/odd", """{"it's": 1}""")
                     it.shouldBelieve("why($error)").shouldNotBelieve("done")
                     it.printed.joinToString() shouldContain reason
                     it.board.published.none { sent -> "/go" in sent } shouldBe true
@@ -132,6 +134,18 @@ class AnswersSpec : FunSpec({
                     }
                 }
             }
+        }
+    }
+
+    test("a port that is closed cancels the goals that are under way") {
+        TestBridge().use { bridge ->
+            val mapping = mappingOf("commands:\n  - dock -> action /dock my_msgs/DockAction\n  - turn -> action /turn a/action/Turn", "t")
+            fun heard(op: String, topic: String) = bridge.heard(op).count { it.text("topic").orEmpty().ifEmpty { it.text("action") } == topic }
+            RosLink.open("robot", URI("ws://127.0.0.1:${bridge.number}/"), mapping, true, LineClock.system()).use { link ->
+                for (command in listOf("dock", "turn")) link.send(command, SendOptions.defaults())
+                eventually(LIMIT) { heard("publish", "/dock/goal") + heard("send_action_goal", "/turn") shouldBe 2 }
+            }
+            eventually(LIMIT) { heard("publish", "/dock/cancel") + heard("cancel_action_goal", "/turn") shouldBe 2 }
         }
     }
 

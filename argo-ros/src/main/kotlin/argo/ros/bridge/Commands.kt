@@ -113,7 +113,11 @@ internal class Commands(
 
     private fun ended(id: String, rule: CommandRule) {
         pending -= id
-        if (rule.feedback != null && pending.values.none { it.rule === rule }) progress(rule.feedback, null)
+        forgetFeedback(rule)
+    }
+
+    private fun forgetFeedback(rule: CommandRule) {
+        if (rule.feedback != null && pending.values.none { it.rule === rule && !it.outcome.isDone }) progress(rule.feedback, null)
     }
 
     private fun known() = rules.joinToString(", ") { "${it.name}/${it.parameters.size}" }.ifEmpty { "none" }
@@ -176,6 +180,10 @@ internal class Commands(
     private fun unconfirmed(entry: Pending, reason: String): PortException =
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
+    /** Returns the cancellations of all goals that are under way. */
+    fun cancellations(): List<Outgoing> = pending.entries.filter { (_, entry) -> entry.message.hasBegun }
+        .mapNotNull { (id, entry) -> cancellation(entry.rule, id)?.let { Outgoing(it, isUrgent = true) } }
+
     fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
@@ -204,7 +212,9 @@ internal class Commands(
 
     private fun progressed(entry: Pending, feedback: JsonObject?) {
         val rule = entry.rule.feedback ?: return
-        if (feedback != null && !entry.outcome.isDone) progress(rule, feedback)
+        if (feedback == null || entry.outcome.isDone) return
+        progress(rule, feedback)
+        if (entry.outcome.isDone) forgetFeedback(entry.rule) // it has ended meanwhile
     }
 
     /** Ends the command of [entry], which [response] has answered. */

@@ -20,6 +20,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
 
     private val frames = HashMap<String, Frame>()
     private var begunNanos: Long? = null // the time of the first message
+    private val told = HashSet<Frames>()
 
     /**
      * Takes the transforms in [message], which came at [nowNanos].
@@ -34,6 +35,10 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
             val parent = header?.text("frame_id") ?: continue
             val child = one.text("child_frame_id") ?: continue
             val transform = one.part("transform")?.let(Transform::of) ?: continue
+            if (frames.size >= MAX_FRAMES && nameOf(child) !in frames) {
+                warn("there are more than $MAX_FRAMES frames; the others, as ${nameOf(child).take(SHOWN)}, are left out")
+                return
+            }
             val trueNanos = if (isStatic) nowNanos else trueAt(header.part("stamp")?.rosNanos())
             frames[nameOf(child)] = Frame(nameOf(parent), transform, trueNanos, isStatic)
         }
@@ -43,7 +48,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     fun pose(of: Frames, nowNanos: Long): Pose? {
         val (up, down) = wayFrom(of.child) to wayFrom(of.parent)
         if (topOf(of.child, up) != topOf(of.parent, down)) {
-            if (nowNanos - (begunNanos ?: nowNanos) > LIMIT_NANOS) warn("frames ${of.parent} and ${of.child} are not connected; ${known()}")
+            if (nowNanos - (begunNanos ?: nowNanos) > LIMIT_NANOS) tellApart(of)
             return null
         }
         val transform = inTop(down).inverse() * inTop(up)
@@ -51,6 +56,13 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
         val trueNanos = between.filter { !it.isStatic }.minOfOrNull { it.trueNanos - nowNanos } ?: 0
         return Pose(transform.json, nowNanos + trueNanos)
     }
+
+    private fun tellApart(of: Frames) {
+        if (told.add(of)) warn("frames ${of.parent} and ${of.child} are not connected; ${known()}")
+    }
+
+    /** Warns of frames that are not connected, however short the time. */
+    fun explain() = wanted.filter { pose(it, begunNanos ?: 0) == null }.forEach(::tellApart)
 
     /** Returns the frames from [name] upwards, but the topmost; nodes may publish a circle, which ends it. */
     private fun wayFrom(name: String): List<Frame> {
@@ -72,6 +84,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     private companion object {
         val LIMIT_NANOS = SilentTopics.LIMIT_NANOS
         const val SHOWN = 500
+        const val MAX_FRAMES = 1_000
     }
 }
 

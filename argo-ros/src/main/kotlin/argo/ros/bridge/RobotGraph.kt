@@ -33,6 +33,7 @@ internal class RobotGraph(
 
     /** Warns if nobody serves the service of [rule], or one of another type. */
     private fun lookForService(rule: CommandRule) {
+        if ("/_" in rule.target) return // hidden, so that rosapi does not show it
         api.ask("/rosapi/service_type", mapOf("service" to rule.target)).thenAccept { answer ->
             val type = answer.text("type") ?: return@thenAccept
             if (type.isEmpty()) warn("rosapi shows no service ${rule.target} yet")

@@ -28,7 +28,7 @@ internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
         when {
             everyMs == null -> emptyList()
             its.any { it.frames != null } -> Frames.TOPICS.map { Subscription(it, Frames.TYPE, 0, 0) }
-            its.any { it.needsEach } -> listOf(Subscription(topic, its.first().type, 0, 0))
+            kept.any { it.needsEach } -> listOf(Subscription(topic, its.first().type, 0, 0))
             else -> listOf(Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt()))
         }
     }.groupBy { it.topic }.values.map { its -> its.minBy { it.throttleMs } }

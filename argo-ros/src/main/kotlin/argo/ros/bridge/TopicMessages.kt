@@ -64,7 +64,7 @@ internal class TopicMessages(
         events += percept
         if (events.size <= MAX_EVENTS) return
         val topic = events.removeFirst().topic
-        if ((++lost).countOneBits() == 1) warn("$lost messages of $topic and others were lost, since more than $MAX_EVENTS waited")
+        if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
     }
 
     fun keepOnly(topics: Collection<String>) {
@@ -107,13 +107,13 @@ internal class TopicMessages(
         takenNanos = nowNanos
         expiryNanos = null
         val event = nextEvent()
-        val isEvent = event != null || events.isNotEmpty()
+        val eventText = event?.text ?: "".takeIf { events.isNotEmpty() }
         val seen = LinkedHashMap<String, Long>()
         for (percept in rules.mapNotNull { heldBy(it, nowNanos) } + listOfNotNull(event)) {
             seen.merge(percept.text, percept.trueNanos) { one, other -> if (other - one > 0) other else one }
         }
         val received = newest.values.map { it.receivedNanos }.maxWithOrNull { a, b -> (a - b).compareTo(0) } ?: nowNanos
-        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, isEvent)
+        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
     }
 
     /** Takes the next event; null: there is none, or it equals the last one, so that a message without it must come between them. */

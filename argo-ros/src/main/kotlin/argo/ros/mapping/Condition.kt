@@ -14,10 +14,15 @@ internal sealed interface Condition : Expression {
             return when {
                 number != null && other != null -> truth(meets(number.compareTo(other)))
                 text == null || otherText == null -> incomparable(a, b)
+                isOtherThanTruth(a, right, otherText) || isOtherThanTruth(b, left, text) -> incomparable(a, b)
                 operator == "==" || operator == "!=" -> truth((text == otherText) == (operator == "=="))
                 else -> incomparable(a, b)
             }
         }
+
+        /** Returns true if [value] is true or false, and [constant] is neither, as in `data == 'True'` of a Bool. */
+        private fun isOtherThanTruth(value: Value, constant: Expression, text: String) =
+            (value == Value.TRUE || value == Value.FALSE) && constant is Expression.Constant && text != "true" && text != "false"
 
         private fun meets(order: Int) = when (operator) {
             "==" -> order == 0

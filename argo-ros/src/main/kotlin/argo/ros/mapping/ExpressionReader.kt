@@ -8,6 +8,12 @@ internal class ExpressionReader(
     private val cursor: Cursor,
     private val nameOf: (String, Place) -> Expression = { name, place -> Expression.Field(place, listOf(Step.Name(name))) },
 ) {
+    /** The literals without quotes within others that have been read, with their places. */
+    val literals = ArrayList<Pair<String, Place>>()
+
+    /** The atoms without quotes that have been read. */
+    val atoms = ArrayList<Expression>()
+
     /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression = several("or", Value.TRUE, isArgument) { one ->
         several("and", Value.FALSE, one, ::negation)
@@ -84,7 +90,7 @@ internal class ExpressionReader(
 
     private fun usable(expression: Expression, place: Place): Expression {
         if (expression !is Expression.Compound) return expression
-        throw Refusal(place, "${expression.functor} is no function; there are ${Function.entries.joinToString(", ") { it.written }}")
+        throw Refusal(place, "${expression.functor} is no function; ${functions()}")
     }
 
     private fun factor(isArgument: Boolean): Expression {
@@ -101,8 +107,11 @@ internal class ExpressionReader(
         if (name == "true" || name == "false") return Expression.Constant(Value.Symbol(name))
         if (cursor.take("(")) return called(name, place)
         val path = listOf(Step.Name(name)) + steps()
-        return if (path.size == 1 && isArgument) nameOf(name, place) else Expression.Field(place, path)
+        if (path.size > 1 || !isArgument) return Expression.Field(place, path)
+        return nameOf(name, place).also { if (it is Expression.Constant) atoms += it }
     }
+
+    private fun functions() = "there are ${Function.entries.joinToString(", ") { it.written }}"
 
     private fun numberOf(text: String, place: Place): Value.Number {
         val number = text.toDouble()
@@ -120,8 +129,12 @@ internal class ExpressionReader(
     private fun called(name: String, place: Place): Expression {
         val function = Function.of(name)
         if (function != null) return Expression.Call(function, arguments(isLiteral = false))
-        val meant = Function.meant(name) ?: return Expression.Compound(name, arguments(isLiteral = true))
-        throw Refusal(place, "$name is no function; is ${meant.written} meant? A literal would be written '$name'(…)")
+        if (name in Function.FOREIGN || Function.meant(name) != null) {
+            val meant = Function.meant(name)?.let { "is ${it.written} meant? A" } ?: "${functions()}; a"
+            throw Refusal(place, "$name is no function; $meant literal would be written '$name'(…)")
+        }
+        literals += name to place
+        return Expression.Compound(name, arguments(isLiteral = true))
     }
 
     private fun steps(): Path {

@@ -30,9 +30,16 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
     companion object {
         fun of(name: String): Function? = entries.find { it.written == name }
 
+        /** Functions of other languages, with those that take their place here; null: there is none. */
+        val FOREIGN: Map<String, Function?> = mapOf(
+            "count" to LEN, "length" to LEN, "size" to LEN, "average" to MEAN, "avg" to MEAN, "minimum" to MIN, "maximum" to MAX,
+            "degrees" to DEG, "int" to FLOOR, "tan" to null, "atan" to null, "atan2" to null, "pow" to null, "rad" to null,
+            "radians" to null, "median" to null,
+        )
+
         /** Returns the function that [name], which is none, probably means; null: it may be a literal. */
         fun meant(name: String): Function? =
-            if (name == "count") LEN else entries.find { it.written.length >= SHORTEST_SLIP && isNear(name, it.written) }
+            FOREIGN[name] ?: entries.find { it.written.length >= SHORTEST_SLIP && isNear(name, it.written) }
     }
 }
 

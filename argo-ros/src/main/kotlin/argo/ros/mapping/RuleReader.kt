@@ -19,6 +19,7 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val usual = if (frames == null) UsualType.of(type) else UsualType.FRAME_POSE
     val shown = if (frames == null) type else "the pose of a frame"
     val reader = ExpressionReader(cursor) { name, place -> argumentOf(name, place, shown, usual) }
+    val literalPlace = cursor.place
     val percept = when {
         cursor.take("->") -> reader.readLiteral()
         frames == null -> shortForm(topic, type, usual, cursor)
@@ -28,10 +29,12 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val forMs = if (cursor.take("for")) duration(cursor) else null
     val allPlace = cursor.place
     val isOfEach = cursor.take("all")
+    if (isOfEach && frames != null) throw Refusal(allPlace, "the pose of a frame is no event; each message of /tf tells many frames")
     if (isOfEach && forMs != null) throw Refusal(allPlace, "a percept of all messages is an event, and does not last for a time")
-    end(cursor, "-> LITERAL, if CONDITION, for TIME, all or nothing")
+    end(cursor, "-> LITERAL, then if CONDITION, then for TIME or all")
     val rule = PerceptRule(start, topic, type, percept, condition, forMs, isOfEach, frames)
     if (usual != null) rule.fields().forEach { checkField(it, shown, usual.fields) }
+    if (usual != null) checkAtoms(rule, reader, shown, usual.fields, literalPlace)
     return rule
 }
 
@@ -52,10 +55,26 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = cond
 
 private val NO_PERCEPT = Value.Text("")
 
+/**
+ * Refuses names that were meant as fields: an atom without quotes stands before the first field, as `f` in `dist(f, range)`, and no field
+ * is a functor.
+ */
+private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>, place: Place) {
+    val fields = known.joinToString(", ")
+    reader.literals.find { (name, _) -> name in known }?.let { (name, at) ->
+        throw Refusal(at, "$name is a field of $type, and no literal; an item of a list is $name[0]")
+    }
+    val first = rule.percept.arguments.indexOfFirst { it.fields().isNotEmpty() }
+    val suspects = rule.percept.arguments.drop(maxOf(0, first)).takeIf { first >= 0 || rule.condition == null }.orEmpty()
+    val atom = suspects.find { it in reader.atoms } as? Expression.Constant ?: return
+    val name = atom.value.plainText()
+    throw Refusal(place, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
+}
+
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
     val name = (field.path.first() as Step.Name).name
     if (name in known || constantIn(field.path) != null) return
-    throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")
+    throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}; an atom would be written '$name'")
 }
 
 private fun argumentOf(name: String, place: Place, type: String, usual: UsualType?): Expression {
@@ -64,6 +83,7 @@ private fun argumentOf(name: String, place: Place, type: String, usual: UsualTyp
     val meant = usual.fields.find { isNear(name, it) }
     if (meant != null) throw Refusal(place, "$type has no field $name; is $meant meant? An atom $name would be written '$name'")
     if (!name[0].isLowerCase()) throw Refusal(place, "$type has no field $name, and it is no atom")
+    if (Function.of(name) != null) throw Refusal(place, "$name is a function, as $name(FIELD), and no field of $type")
     return Expression.Constant(Value.Symbol(name))
 }
 
@@ -119,18 +139,19 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val withinMs = if (cursor.take("within")) duration(cursor) else kind.defaultMs.toInt()
     val inResponse = ExpressionReader(cursor)
     val feedbackPlace = cursor.place
-    val feedback = if (cursor.take("feedback")) feedbackOf(inResponse.readLiteral(), kind, target, type, feedbackPlace) else null
+    val owner = "$target for ${literal.functor}/${parameters.size}"
+    val feedback = if (cursor.take("feedback")) feedbackOf(inResponse.readLiteral(), kind, owner, type, feedbackPlace) else null
     val answerPlace = cursor.place
     val answer = if (cursor.take("answer")) inResponse.read(isArgument = true) else null
     if (answer != null && kind == Kind.TOPIC) throw Refusal(answerPlace, "nobody answers a message of a topic; services and actions answer")
-    end(cursor, "within TIME, feedback LITERAL, answer VALUE or nothing")
+    end(cursor, "within TIME, then feedback LITERAL, then answer VALUE")
     return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs, answer, feedback)
 }
 
-private fun feedbackOf(percept: Expression.Compound, kind: Kind, target: String, type: String, place: Place): PerceptRule {
+private fun feedbackOf(percept: Expression.Compound, kind: Kind, owner: String, type: String, place: Place): PerceptRule {
     if (kind != Kind.ACTION) throw Refusal(place, "only actions have feedback")
     val feedbackType = if (isRos2Action(type)) type else type.removeSuffix("Action") + "Feedback"
-    return PerceptRule(place, "the feedback of $target", feedbackType, percept, null, null)
+    return PerceptRule(place, "the feedback of $owner", feedbackType, percept, null, null)
 }
 
 internal fun isRos2Action(type: String) = "/action/" in type
@@ -154,6 +175,9 @@ private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldVal
         cursor.expect("=", "behind ${path.joinToString(".")}")
         val value = reader.read()
         value.fields().forEach { checkParameter(it, parameters) }
+        reader.literals.firstOrNull()?.let { (name, at) ->
+            throw Refusal(at, "$name is no function; a literal would be written '$name'(…)")
+        }
         fields.find { startsWith(path, it.path) || startsWith(it.path, path) }?.let {
             throw Refusal(place, "${path.joinToString(".")} has a value already, as ${it.path.joinToString(".")}")
         }
@@ -174,7 +198,7 @@ private fun checkParameter(field: Expression.Field, parameters: List<String>) {
 
 private fun shortFields(cursor: Cursor, functor: String, parameters: List<String>, kind: Kind, type: String): List<FieldValue> {
     if (parameters.isEmpty()) return emptyList()
-    val fields = UsualType.of(type)?.command?.takeIf { kind == Kind.TOPIC && it.size >= parameters.size } ?: throw cursor.refusal(
+    val fields = UsualType.of(type)?.command?.takeIf { kind == Kind.TOPIC && it.size == parameters.size } ?: throw cursor.refusal(
         "expected the fields that the arguments of $functor are for, as $type(field = ${parameters[0]}), but found ${cursor.found}",
     )
     return parameters.zip(fields) { parameter, field ->

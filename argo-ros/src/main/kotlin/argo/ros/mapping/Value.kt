@@ -75,7 +75,7 @@ internal fun Value.asTerm(): Value = when (this) {
 
 private fun listOf(array: JsonArray): Value {
     if (array.size > MAX_ITEMS) {
-        return Value.None("it has ${array.size} items, and a list has $MAX_ITEMS at most; take items of it, or min, max or count")
+        return Value.None("it has ${array.size} items, and a list has $MAX_ITEMS at most; take items of it, or min, max or len")
     }
     return terms(array.map { it to "" })
 }
@@ -89,13 +89,26 @@ private fun terms(items: List<Pair<JsonElement, String>>): Value {
         val value = Value.of(item)
         val term = if (value is Value.None) NOT_MEASURED else value.asTerm()
         if (term !is Value.Symbol) return term
+        if (functor == UNREADABLE) return Value.None("it has a field whose name no agent can read")
+        if (value is Value.Text && value.value.length > MAX_TEXT) {
+            return Value.None("a text in it has ${value.value.length} characters, and in lists and messages a text has $MAX_TEXT at most")
+        }
         if (functor.isEmpty()) term.text else "$functor(${term.text})"
     }
     return Value.Symbol(terms.joinToString(",", "[", "]"))
 }
 
 /** Returns the field's [name] as a functor: in quotes if it is none by itself. */
-internal fun functorOf(name: String) = if (GroundTerm.ofOrNull("$name(0)") is GroundTerm.Structure) name else "'$name'"
+private fun functorOf(name: String) = when {
+    GroundTerm.ofOrNull("$name(0)") is GroundTerm.Structure -> name
+    name.isEmpty() || name.any { it == '\'' || it == '\\' || it.isISOControl() } -> UNREADABLE
+    else -> "'$name'"
+}
+
+private const val UNREADABLE = "\u0000"
+
+/** The length of the longest text in a list or a message, which are often unread; a text that a rule names may be longer. */
+private const val MAX_TEXT = 10_000
 
 /** An item or a field that is infinite or no number: an atom, so that the others keep their places. */
 private val NOT_MEASURED = Value.Symbol("null")

@@ -17,20 +17,20 @@ class EachMessageSpec : FunSpec({
     val told = ArrayList<String>()
     fun messages(rule: String) = TopicMessages(mappingOf("percepts:\n  - $rule", "t").percepts, { null }, told::add)
     fun data(value: Any) = JsonObject(mapOf("data" to if (value is Boolean) JsonPrimitive(value) else JsonPrimitive("$value")))
-    fun TopicMessages.texts() = generateSequence { if (hasNews(0)) take(0) else null }.map { it.text to it.isEvent }.toList()
+    fun TopicMessages.texts() = generateSequence { if (hasNews(0)) take(0) else null }.map { it.text to it.event }.toList()
     beforeTest { told.clear() }
 
     test("each message is a message of the robot, with one without it between two that are alike") {
         val messages = messages("/said std_msgs/String -> said(data) all")
         for (word in listOf("a", "b", "b")) messages.add("/said", data(word), 0, 0)
         messages.texts() shouldBe
-            listOf("said(\"a\");" to true, "said(\"b\");" to true, "" to true, "said(\"b\");" to true, "" to false)
+            listOf("said(\"a\")", "said(\"b\")", "", "said(\"b\")", null).map { (if (it.isNullOrEmpty()) "" else "$it;") to it }
     }
     test("of more events than may wait the oldest are lost, and counted") {
         val messages = messages("/said std_msgs/String -> said(data) all")
         repeat(1_003) { messages.add("/said", data(it), 0, 0) }
         messages.take(0).text shouldBe "said(\"3\");"
-        told shouldBe listOf(1, 2).map { "$it messages of /said and others were lost, since more than 1000 waited" }
+        told shouldBe listOf(1, 2).map { "$it events of /said and others are lost, since more than 1000 waited" }
     }
     test("a percept with a condition and a time lasts that long from the last message that meets the condition") {
         val ms = TimeUnit.MILLISECONDS.toNanos(1)

@@ -62,6 +62,11 @@ class FrameTreeSpec : FunSpec({
         tree.xyYaw(baseInMap, 2 * SilentTopics.LIMIT_NANOS) shouldBe null
         told shouldBe listOf("frames map and base are not connected; there are base_link, laser, map, odom")
     }
+    test("of more frames than a robot has the others are left out, which is told") {
+        val tree = tree()
+        for (n in 1..1_001) tree.add("map", "frame$n", 0.0, 0.0, 0.0)
+        told shouldBe listOf("there are more than 1000 frames; the others, as frame1001, are left out")
+    }
     test("a circle of frames, and transforms that are none, do no harm") {
         val tree = tree()
         tree.add("base", "odom", 0.0, 0.0, 0.0)

@@ -19,13 +19,14 @@ internal class LinkDescription private constructor(scheme: String, actions: List
     companion object {
         private const val LISTENING_MS = 1_500
         private const val INTERVAL_MS = 100
+        private const val ANSWER_MS = 1_000
 
         /** Asks the board on [link] for its actions, and listens to it for a moment. */
         fun of(link: BoardLink): LinkDescription {
             link.wants(Wish(true, INTERVAL_MS, null))
             val end = System.nanoTime() + LISTENING_MS * 1_000_000L
             var text = ""
-            while (System.nanoTime() - end < 0) link.listen(INTERVAL_MS * 2)?.let { text = it.text }
+            while (System.nanoTime() - end < 0) link.listen(ANSWER_MS)?.let { text = it.text }
             return LinkDescription(link.port.substringBefore(':'), link.actions?.map(::written), perceptsOf(text))
         }
     }

@@ -75,8 +75,7 @@ internal class SendCommand : MessageCommand() {
             throw failed.cause ?: failed
         }
         if (json) return out.println(jsonOf("port" to link.port, "sent" to message, "acted" to true, "answer" to answer?.text))
-        val words = answer?.text?.let { "the answer is $it" } ?: answer?.why
-        out.println(printable(listOfNotNull("done", words).joinToString("; ")))
+        out.println(printable("done" + answer?.text?.let { "; the answer is $it" }.orEmpty()))
     }
 
     override fun exchange(link: Link) {

@@ -11,9 +11,6 @@ internal interface MonitoredBoard {
     /** True if it is asked for each message; false: it sends them itself. */
     val isAsked: Boolean
 
-    /** True if the board may be silent for long, and yet be there. */
-    val mayBeSilent: Boolean get() = !isAsked
-
     /** Its protocol, in words. */
     val speaks: String
 
