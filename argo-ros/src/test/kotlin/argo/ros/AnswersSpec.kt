@@ -140,7 +140,7 @@ class AnswersSpec : FunSpec({
     test("a port that is closed cancels the goals that are under way") {
         TestBridge().use { bridge ->
             val mapping = mappingOf("commands:\n  - dock -> action /dock my_msgs/DockAction\n  - turn -> action /turn a/action/Turn", "t")
-            fun heard(op: String, topic: String) = bridge.heard(op).count { it.text("topic").orEmpty().ifEmpty { it.text("action") } == topic }
+            fun heard(op: String, name: String) = bridge.heard(op).count { it.text("topic") == name || it.text("action") == name }
             RosLink.open("robot", URI("ws://127.0.0.1:${bridge.number}/"), mapping, true, LineClock.system()).use { link ->
                 for (command in listOf("dock", "turn")) link.send(command, SendOptions.defaults())
                 eventually(LIMIT) { heard("publish", "/dock/goal") + heard("send_action_goal", "/turn") shouldBe 2 }
