@@ -128,13 +128,23 @@ internal class ExpressionReader(
 
     private fun called(name: String, place: Place): Expression {
         val function = Function.of(name)
-        if (function != null) return Expression.Call(function, arguments(isLiteral = false))
+        if (function != null) return Expression.Call(function, argumentsOf(function))
         if (name in Function.FOREIGN || Function.meant(name) != null) {
             val meant = Function.meant(name)?.let { "is ${it.written} meant? A" } ?: "${functions()}; a"
             throw Refusal(place, "$name is no function; $meant literal would be written '$name'(…)")
         }
         literals += name to place
         return Expression.Compound(name, arguments(isLiteral = true))
+    }
+
+    private fun argumentsOf(function: Function): List<Expression> {
+        val first = read()
+        if (function.takesSeveral) {
+            val others = generateSequence { if (cursor.take(",")) read() else null }.toList()
+            return (listOf(first) + others).also { cursor.expect(")", "behind the arguments of ${function.written}") }
+        }
+        cursor.expect(")", "behind the one argument of ${function.written}")
+        return listOf(first)
     }
 
     private fun steps(): Path {

@@ -26,6 +26,7 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
     YAW("a quaternion with the numbers x, y, z and w", { arguments -> arguments.singleOrNull()?.let(::yawOf) });
 
     val written = name.lowercase()
+    val takesSeveral get() = taken == NUMBERS
 
     companion object {
         fun of(name: String): Function? = entries.find { it.written == name }
