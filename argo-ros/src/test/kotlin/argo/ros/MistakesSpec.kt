@@ -50,7 +50,11 @@ class MistakesSpec : FunSpec({
                 "fieldtypes": ["bool", "string"], "fieldarraylen": [-1, -1]}]}"""
             true to Json.parseToJsonElement(type)
         }
-        serve("/rosapi/topic_type") { word("type", it.text("topic").let { topic -> TOPICS[topic]?.first ?: TAKEN[topic] }.orEmpty()) }
+        fun advertised(topic: String?) = heard("advertise").find { it.text("topic") == topic }?.text("type")
+        serve("/rosapi/topic_type") {
+            val topic = it.text("topic")
+            word("type", (TOPICS[topic]?.first ?: TAKEN[topic] ?: advertised(topic)).orEmpty())
+        }
         serve("/rosapi/publishers") { list("publishers", if (it.text("topic") in TOPICS) listOf("/robot") else emptyList()) }
         serve("/rosapi/subscribers") { list("subscribers", if (it.text("topic") in TAKEN) listOf("/robot") else emptyList()) }
         serve("/rosapi/service_type") { word("type", SERVICES[it.text("service")].orEmpty()) }

@@ -11,8 +11,8 @@ internal class ExpressionReader(
     /** The literals without quotes within others that have been read, with their places. */
     val literals = ArrayList<Pair<String, Place>>()
 
-    /** The atoms without quotes that have been read. */
-    val atoms = ArrayList<Expression>()
+    /** The atoms without quotes that have been read, with their places. */
+    val atoms = ArrayList<Pair<Expression, Place>>()
 
     /** Reads an expression. A bare name is a field or a parameter; for an argument of a literal, [nameOf] decides. */
     fun read(isArgument: Boolean = false): Expression = several("or", Value.TRUE, isArgument) { one ->
@@ -108,7 +108,7 @@ internal class ExpressionReader(
         if (cursor.take("(")) return called(name, place)
         val path = listOf(Step.Name(name)) + steps()
         if (path.size > 1 || !isArgument) return Expression.Field(place, path)
-        return nameOf(name, place).also { if (it is Expression.Constant) atoms += it }
+        return nameOf(name, place).also { if (it is Expression.Constant) atoms += it to place }
     }
 
     private fun functions() = "there are ${Function.entries.joinToString(", ") { it.written }}"

@@ -19,7 +19,6 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val usual = if (frames == null) UsualType.of(type) else UsualType.FRAME_POSE
     val shown = if (frames == null) type else "the pose of a frame"
     val reader = ExpressionReader(cursor) { name, place -> argumentOf(name, place, shown, usual) }
-    val literalPlace = cursor.place
     val percept = when {
         cursor.take("->") -> reader.readLiteral()
         frames == null -> shortForm(topic, type, usual, cursor)
@@ -34,7 +33,7 @@ internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     end(cursor, "-> LITERAL, then if CONDITION, then for TIME or all")
     val rule = PerceptRule(start, topic, type, percept, condition, forMs, isOfEach, frames)
     if (usual != null) rule.fields().forEach { checkField(it, shown, usual.fields) }
-    if (usual != null) checkAtoms(rule, reader, shown, usual.fields, literalPlace)
+    if (usual != null) checkAtoms(rule, reader, shown, usual.fields)
     return rule
 }
 
@@ -59,16 +58,16 @@ private val NO_PERCEPT = Value.Text("")
  * Refuses names that were meant as fields: an atom without quotes stands before the first field, as `f` in `dist(f, range)`, and no field
  * is a functor.
  */
-private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>, place: Place) {
+private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")
     reader.literals.find { (name, _) -> name in known }?.let { (name, at) ->
         throw Refusal(at, "$name is a field of $type, and no literal; an item of a list is $name[0]")
     }
     val first = rule.percept.arguments.indexOfFirst { it.fields().isNotEmpty() }
     val suspects = rule.percept.arguments.drop(maxOf(0, first)).takeIf { first >= 0 || rule.condition == null }.orEmpty()
-    val atom = suspects.find { it in reader.atoms } as? Expression.Constant ?: return
-    val name = atom.value.plainText()
-    throw Refusal(place, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
+    val (atom, at) = suspects.firstNotNullOfOrNull { one -> reader.atoms.find { it.first === one } } ?: return
+    val name = (atom as Expression.Constant).value.plainText()
+    throw Refusal(at, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
 }
 
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {

@@ -192,7 +192,7 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n  - tf map base" to "expected '->' and a literal, as -> pose(x, y, yaw)",
             "percepts:\n  - tf map -> pose(x, y)" to "expected two frames, as tf map base_link",
             "percepts:\n  - tf map base -> pose(x, y, yaw) all" to "the pose of a frame is no event",
-            "percepts:\n  - /odom nav_msgs/Odometry -> pose(x, y)" to "2:32: x is no field of nav_msgs/Odometry, which has header",
+            "percepts:\n  - /odom nav_msgs/Odometry -> pose(x, y)" to "2:37: x is no field of nav_msgs/Odometry, which has header",
             "percepts:\n  - tf map base -> pose(x, y, theta)" to "theta is no field of the pose of a frame",
             "percepts:\n  - /imu sensor_msgs/Imu -> heading(yaw)" to "yaw is a function, as yaw(FIELD), and no field of sensor_msgs/Imu",
             "percepts:\n  - /scan sensor_msgs/LaserScan -> free(ranges(0))" to "ranges is a field of sensor_msgs/LaserScan, and no literal",
