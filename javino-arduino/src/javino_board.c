@@ -492,7 +492,7 @@ bool javino_board_send(javino_board *board, const char *text, size_t length)
 {
     javino_link *link = &board->link;
 #ifndef JAVINO_VERSION_1_ONLY
-    const uint8_t most = PART_MAX - JAVINO_ITEM_HEADER;
+    const uint8_t most = (uint8_t)(PART_MAX - JAVINO_ITEM_HEADER);
 #ifdef JAVINO_VERSION_2_ONLY
     if (!link->session)
         return false;

@@ -93,7 +93,7 @@ typedef struct {
     uint32_t drained_ms;
 } javino_link;
 
-/** True if the message in hand is of version 2; without one, if the next sent message will be. A message of version 1 ends the session. */
+/** True if the message in hand, or else the next message sent, is of version 2. A message of version 1 ends the session. */
 #if defined(JAVINO_VERSION_1_ONLY)
 #define JAVINO_IS_2(link) false
 #elif defined(JAVINO_VERSION_2_ONLY)

@@ -46,19 +46,20 @@ typedef struct {
     bool negative;
 } decimal;
 
-static decimal read_decimal(const char *text, uint8_t length)
+static void read_decimal(decimal *d, const char *text, uint8_t length)
 {
-    decimal d = {text, length, 0, *text == '-'};
+    d->negative = *text == '-';
     if (*text == '-' || *text == '+') {
-        d.text++;
-        d.length--;
+        text++;
+        length--;
     }
-    while (d.length && *d.text == '0') {
-        d.text++;
-        d.length--;
+    while (length && *text == '0') {
+        text++;
+        length--;
     }
-    d.whole = digits(d.text, d.length);
-    return d;
+    d->text = text;
+    d->length = length;
+    d->whole = digits(text, length);
 }
 
 static char digit_at(const decimal *d, uint8_t i)
@@ -67,19 +68,19 @@ static char digit_at(const decimal *d, uint8_t i)
 }
 
 /* Returns a number below 0 if a < b, 0 if they are equal, and a number above 0 if a > b. */
-static int8_t compare(decimal a, decimal b)
+static int8_t compare(const decimal *a, const decimal *b)
 {
     bool zero = true;
     int8_t order = 0;
     uint8_t i;
-    if (a.whole != b.whole) {
-        order = a.whole < b.whole ? -1 : 1;
+    if (a->whole != b->whole) {
+        order = a->whole < b->whole ? -1 : 1;
         zero = false;
     } else {
-        for (i = 0; i < a.length || i < b.length; i++) {
-            char x = digit_at(&a, i);
-            char y = digit_at(&b, i);
-            if (i == a.whole)
+        for (i = 0; i < a->length || i < b->length; i++) {
+            char x = digit_at(a, i);
+            char y = digit_at(b, i);
+            if (i == a->whole)
                 continue; /* the point */
             if (x != '0' || y != '0')
                 zero = false;
@@ -87,11 +88,11 @@ static int8_t compare(decimal a, decimal b)
                 order = x < y ? -1 : 1;
         }
     }
-    if (zero || !(a.negative || b.negative))
+    if (zero || !(a->negative || b->negative))
         return order;
-    if (a.negative && b.negative)
+    if (a->negative && b->negative)
         return -order;
-    return a.negative ? -1 : 1;
+    return a->negative ? -1 : 1;
 }
 
 /* ---- One rule: its number, functor 00, { place operator value 00 }, [ 02 reflex ] ---- */
@@ -133,12 +134,16 @@ static bool holds(const char *condition, uint8_t length, const char *text, uint8
     uint8_t n = javino_argument(text, text_length, (uint8_t)(*condition - '1'), &argument);
     bool number = n && is_number(argument, n);
     int8_t order;
+    decimal a, b; /* sdcc passes no structs by value */
     if (!n || number != is_number(value, length))
         return how == '!';
-    if (number)
-        order = compare(read_decimal(argument, n), read_decimal(value, length));
-    else
+    if (number) {
+        read_decimal(&a, argument, n);
+        read_decimal(&b, value, length);
+        order = compare(&a, &b);
+    } else {
         order = n != length || memcmp(argument, value, n) != 0;
+    }
     switch (how) {
     case '<': return order < 0;
     case '>': return order > 0;

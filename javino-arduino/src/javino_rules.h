@@ -15,7 +15,7 @@ extern "C" {
 /** The largest number of rules on a board, if their texts have room. */
 #define JAVINO_RULES_MAX 8
 
-/** Bytes of an answer in a part while rules are set: a critical report then waits only for little. */
+/** Bytes of an answer in each part while rules are set: a critical report waits at most for one such part. */
 #define JAVINO_SHORT_PART 12
 
 /** Milliseconds between two looks at the sensors. */

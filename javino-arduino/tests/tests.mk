@@ -11,7 +11,10 @@
 #   make cortex-m  the robot of extras/ and sketches for a Cortex-M3 without Arduino, and their sizes
 #   make riscv     the same for a RISC-V microcontroller
 #   make coldfire  the same for a ColdFire
-#   make cortex-m-e2e, make riscv-e2e, make coldfire-e2e   those programs under QEMU
+#   make mips      the same for a MIPS32
+#   make cortex-m-e2e, make riscv-e2e, make coldfire-e2e, make mips-e2e   those programs under QEMU
+#   make mips-vectors   all vectors on a MIPS32
+#   make 8051      the vectors on a simulated 8051; make 8051-differential: random streams there
 #   make size      bytes of flash and RAM
 #   make kits      the library as a part of ESP-IDF, Zephyr and pico-sdk projects, with stand-ins for these
 #   make registries   what the Arduino IDE, PlatformIO and the ESP component registry read of the library
@@ -97,9 +100,12 @@ host: $(HOST)/tests $(HOST)/short/tests cores switches
 	$(HOST)/tests
 	$(HOST)/short/tests
 
-$(HOST)/differential_board: tests/differential_board.c $(C_SOURCES) $(HEADERS)
+# The core driven by a test, as a program of its own.
+DRIVEN := tests/driven/board.c tests/driven/hosted.c $(C_SOURCES)
+DRIVEN_HEADERS := tests/driven/stream.h $(HEADERS)
+$(HOST)/driven: $(DRIVEN) $(DRIVEN_HEADERS)
 	@mkdir -p $(@D)
-	$(CC) -std=c99 -pedantic $(WARNINGS) $(SANITIZE) -Isrc $(filter %.c,$^) -o $@
+	$(CC) -std=c99 -pedantic $(WARNINGS) $(SANITIZE) -Isrc $(DRIVEN) -o $@
 
 # TlsRobot with mbedTLS, on this machine's sockets.
 TLS_FLAGS := -std=gnu++11 $(WARNINGS) $(SANITIZE) -DARDUINO=10812 -DESP32 -Itests/tls -Itests/stub -Isrc
@@ -128,7 +134,7 @@ exchange:
 exchange-defects:
 	python3 tests/exchange.py --defects
 
-differential: $(HOST)/differential_board
+differential: $(HOST)/driven
 	python3 tests/differential.py $<
 
 # ---- other families ----
@@ -189,7 +195,7 @@ e2e: sim avr
 
 # ---- microcontrollers without Arduino, under QEMU ----
 
-MACHINES := cortex-m riscv coldfire
+MACHINES := cortex-m riscv coldfire mips
 cortex-m_PREFIX := arm-none-eabi
 cortex-m_FLAGS := -mcpu=cortex-m3 -mthumb
 riscv_PREFIX := riscv64-unknown-elf
@@ -198,6 +204,9 @@ riscv_FLAGS := -march=rv32imac -mabi=ilp32 -misa-spec=2.2
 coldfire_PREFIX := m68k-linux-gnu
 # A compiler for Linux; its note would lie before the vectors.
 coldfire_FLAGS := -mcpu=5208 -fno-pic -fno-asynchronous-unwind-tables -Wl,--build-id=none -Wl,--no-warn-rwx-segments
+mips_PREFIX := mipsel-linux-gnu
+# A compiler for Linux, whose code need not move.
+mips_FLAGS := -march=24kf -fno-pic -mno-shared -mplt -G0 -no-pie -static -Wl,--build-id=none -Wl,--no-warn-rwx-segments
 
 # A function of string.c is not to call itself.
 MACHINE_FLAGS := -Os -ffreestanding -fno-tree-loop-distribute-patterns -ffunction-sections -fdata-sections $(WARNINGS) \
@@ -208,7 +217,7 @@ MACHINE_HEADERS := $(HEADERS) $(wildcard extras/bare-metal/*.h tests/machines/*.
 MACHINE_OBJECTS := machine.c start.c pins.c string.c $(C_SOURCES:src/%=%)
 SKETCH_OBJECTS := sketch.cpp $(MACHINE_OBJECTS) $(CXX_SOURCES:src/%=%)
 MACHINE_SKETCHES := Blink Bare LinkLost Gripper Robot4WD Echo Stall
-vpath %.c src extras/bare-metal extras/bare-metal/libc
+vpath %.c src extras/bare-metal extras/bare-metal/libc tests/driven
 vpath %.cpp src tests/machines
 
 define MACHINE_RULES
@@ -235,6 +244,35 @@ $(1)-e2e: $(patsubst %,$(BUILD)/$(1)/%.elf,robot $(MACHINE_SKETCHES))
 	python3 tests/e2e/simulated.py --board $(1)
 endef
 $(foreach machine,$(MACHINES),$(eval $(call MACHINE_RULES,$(machine))))
+
+# The tests of all vectors, as a program for Linux on a MIPS32.
+$(BUILD)/mips/vectors: $(C_SOURCES) tests/host/main.cpp tests/host/frame_test.cpp tests/host/vectors_test.cpp $(HEADERS) $(wildcard tests/host/*.h)
+	@mkdir -p $@.objects
+	cd $@.objects && mipsel-linux-gnu-gcc -std=c99 -O1 -c $(C_SOURCES:%=$(CURDIR)/%)
+	mipsel-linux-gnu-g++ -std=c++17 $(WARNINGS) -O0 -static -Isrc -Itests/stub -idirafter /usr/include -DVECTORS='"vectors/javino-vectors.json"' \
+	  -DVECTORS_2='"vectors/javino2-vectors.json"' $(filter %.cpp,$^) $@.objects/*.o -o $@
+
+mips-vectors: $(BUILD)/mips/vectors
+	qemu-mipsel $< -tc='*vectors*'
+
+# ---- an 8051, in sdcc's simulator ----
+
+# Functions that are called by pointers take their arguments from the stack; it is the only thing in internal memory.
+SDCC := sdcc -mmcs51 --model-large --stack-auto --std-c99 --Werror -Isrc -Itests/driven
+
+$(BUILD)/8051/%.rel: %.c $(DRIVEN_HEADERS)
+	@mkdir -p $(@D)
+	$(SDCC) -c $< -o $@
+
+$(BUILD)/8051/driven.ihx: $(patsubst %.c,$(BUILD)/8051/%.rel,board.c mcs51.c $(C_SOURCES:src/%=%))
+	$(SDCC) $^ -o $@
+
+.PHONY: mips-vectors 8051 8051-differential
+8051: $(BUILD)/8051/driven.ihx
+	@tests/driven/sizes
+	python3 tests/driven_vectors.py $<
+8051-differential: $(BUILD)/8051/driven.ihx
+	python3 tests/differential.py --streams 100 --seed 2 $<
 
 # ---- kits and registries ----
 

@@ -1,6 +1,6 @@
 /**
- * @file The functions that a program needs from a microcontroller: serial ports and a clock. cortex-m/machine.c and riscv/machine.c supply
- * these functions for two machines. To support another machine, write a machine.c and a linker script for it.
+ * @file The functions that a program needs from a microcontroller: serial ports and a clock. The machine.c of cortex-m, riscv, coldfire and
+ * mips supply them. To support another machine, write a machine.c and a linker script for it.
  */
 #ifndef MACHINE_H
 #define MACHINE_H

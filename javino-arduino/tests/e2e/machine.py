@@ -18,6 +18,7 @@ import tty
 MACHINES = {
     "cortex-m": ["qemu-system-arm", "-M", "mps2-an385"],
     "coldfire": ["qemu-system-m68k", "-M", "mcf5208evb"],
+    "mips": ["qemu-system-mipsel", "-M", "malta", "-cpu", "24Kf", "-vga", "none", "-nic", "none"],
     "riscv": ["qemu-system-riscv32", "-M", "sifive_e"],
 }
 

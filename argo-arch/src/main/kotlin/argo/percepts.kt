@@ -4,7 +4,7 @@ import argo.calls.ArgumentException
 
 /**
  * The internal action `argo.percepts(open)` starts perceiving through the port in use; `argo.percepts(block)`, or `close`, stops
- * perceiving. At the start it is blocked. Beliefs stay while it is blocked.
+ * perceiving. At the start perceiving is blocked. Beliefs stay while perceiving is blocked.
  *
  * Fails the plan with `error(wrong_arguments)` or `error(not_argo)`.
  */

@@ -105,7 +105,7 @@ public final class Transports {
         return providers;
     }
 
-    /** Returns whether both are of one class, which two class loaders may have loaded. */
+    /** Returns whether both providers are of one class, although two class loaders may have loaded it. */
     private static boolean isSame(TransportProvider one, TransportProvider other) {
         return one.getClass().getName().equals(other.getClass().getName());
     }

@@ -32,7 +32,7 @@ internal class ExpectedAnswer {
         expectedNanos = usualNanos?.let { nanos + it }
     }
 
-    /** Notes that the answer has not come in time. No answer is expected until one has come. */
+    /** Notes that the answer has not come in time. No further answer is expected until the board answers again. */
     fun stayedOut() {
         usualNanos = null
         expectedNanos = null

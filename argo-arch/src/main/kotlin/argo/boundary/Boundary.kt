@@ -33,9 +33,9 @@ interface Boundary {
     fun call(call: InternalCall, live: () -> Any): Any
 
     /**
-     * Returns the callback of an intention that waits for something outside. Any thread may call it, once, at the end of that. Then
-     * [complete] is called, at once or in a later cycle, with null or with the reason of a failure, and with the text of the answer from
-     * outside, or null.
+     * Returns the callback of an intention that waits for something outside. Any thread may call the callback, once, when the wait is over.
+     * After that [complete] is called, at once or in a later cycle, with null or with the reason of a failure, and with the
+     * text of the answer from outside, or null.
      */
     fun suspended(complete: (failure: CommandFailure?, answer: String?) -> Unit): (failure: CommandFailure?, answer: String?) -> Unit
 

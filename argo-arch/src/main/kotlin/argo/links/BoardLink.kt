@@ -126,7 +126,7 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  * A message of a board. Immutable.
  *
  * @property text the message's percepts, each with its `;`
- * @property receivedNanos the arrival time of its end, by the platform's clock
+ * @property receivedNanos the arrival time of the message's end, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
  * @property event the percept in [text] that the agent perceives in its turn, even if newer messages have come; empty: none, between two
  * equal ones; null: the message has no such percept

@@ -4,8 +4,8 @@ import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
 
 /**
- * Follows the events of one agent, like its live view or a recorder. An [AgentObserverProvider] opens it; an agent may have several
- * observers.
+ * Follows the events of one agent, like its live view or a recorder. An [AgentObserverProvider] opens an observer; an agent may have
+ * several observers.
  *
  * The thread of the event calls each function: the agent's, the sensing thread of a port, or the thread that sends commands. So a function
  * must return at once and be safe for use by several threads. Exceptions are caught: they end neither the agent nor its sensing. The first

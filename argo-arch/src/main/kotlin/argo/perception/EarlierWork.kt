@@ -76,8 +76,8 @@ internal class EarlierWork(
 
     /**
      * Returns true if no work is left.
-     * @param isAwaited whether the agent's thread asks because a snapshot waits. Then, if only intentions are left, they are awaited for a
-     *     limited time from now
+     * @param isAwaited whether the agent's thread asks because a snapshot waits. If only intentions are left, this call limits the
+     *     time for which the agent awaits them
      */
     fun isDone(isAwaited: Boolean = false): Boolean = kindLeft(isAwaited) == null
 

@@ -61,7 +61,7 @@ internal class Waker(private val arch: AgArch, private val platform: Platform = 
         isWoken = false
     }
 
-    /** Returns true if the agent was not woken since it began to perceive. Its thread calls this last, when it decides about its sleep. */
+    /** Returns true if the agent was not woken since it began to perceive. The agent's thread calls this last, when it decides to sleep. */
     fun maySleep(): Boolean {
         val thread = Thread.currentThread()
         if (isOneThread != false) isOneThread = thread === perceiver

@@ -15,7 +15,7 @@ final class Command implements SessionCommand {
     }
 
     private final Frame frame;
-    private final CommandItem.Rule rule; // null: it is a text for the board's program
+    private final CommandItem.Rule rule; // null: the command is a text for the board's program
     private final SendOptions options;
     private final long submittedAt;
     private final CompletableFuture<Void> outcome = new CompletableFuture<>();
@@ -109,7 +109,7 @@ final class Command implements SessionCommand {
         return state == State.WAITING && !isOver();
     }
 
-    /** Marks the command as going out behind the first {@code bytes} bytes of its line. The caller has found it waiting. */
+    /** Marks the command as going out behind the first {@code bytes} bytes of its line. The command must be waiting. */
     void begin(long bytes) {
         state = State.BEGUN;
         beganBehind = bytes;

@@ -54,7 +54,7 @@ public class Javino implements AutoCloseable {
         return succeeds(() -> link(port).sendAndAwait(msg, timeoutMillis));
     }
 
-    /** Sends a request, such as {@code getPercepts}. True when its answer is in {@link #getData()}. */
+    /** Sends a request, such as {@code getPercepts}. Returns true when the answer is in {@link #getData()}. */
     public boolean requestData(String port, String msg) {
         return succeeds(() -> data = link(port).request(msg, timeoutMillis).text());
     }

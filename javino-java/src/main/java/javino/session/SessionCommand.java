@@ -12,6 +12,6 @@ public interface SessionCommand {
         return null;
     }
 
-    /** Returns whether the command's time is over or nobody waits for its outcome. Then the board must not carry it out any more. */
+    /** Returns whether the command's time is over or nobody waits for its outcome. The board must not carry out such a command. */
     boolean isOver();
 }

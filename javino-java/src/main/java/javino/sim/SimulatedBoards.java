@@ -18,7 +18,7 @@ import javino.Transport;
  * program has one table, as a machine has for its devices. All methods are safe on any thread.
  */
 public final class SimulatedBoards {
-    /** The scheme of their ports. */
+    /** The scheme of simulated boards' ports. */
     public static final String SCHEME = "sim";
 
     private static final Map<String, BoardSocket> SOCKETS = new ConcurrentSkipListMap<>();

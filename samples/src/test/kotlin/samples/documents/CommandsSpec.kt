@@ -71,6 +71,7 @@ private val NOT_TRIED = mapOf(
     "./split " to "is run by javino-arduino/check",
     "cc " to "is run by FirmwareSnippetsSpec",
     "riscv64-unknown-elf-gcc" to "is for a microcontroller of the reader's; the Makefile's rules are the same",
+    "sdcc " to "is run by javino-arduino/check",
     "qemu-system-riscv32" to "runs the reader's own program",
     "./board " to "needs a board; javino-arduino/tests/e2e/posix.py runs it on a pseudo-terminal",
 )

@@ -56,7 +56,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers. A longer one would cost the robot's computer time and memory. The recording has more. */
+        /** The time that the timeline covers. A longer timeline would cost the robot's computer time and memory. The recording has more. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }
