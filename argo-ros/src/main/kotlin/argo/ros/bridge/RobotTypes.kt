@@ -95,7 +95,7 @@ internal class RobotTypes(
         }
         val problems = synchronized(this) {
             isChecked = true
-            if (missing.isNotEmpty()) tell(if (missing.size == questions.size) NO_ROSAPI else unchecked())
+            if (missing.isNotEmpty()) tell(if (missing.size == questions.size && !api.isThere) NO_ROSAPI else unchecked())
             questions.flatMap(::problemsOf)
         }
         if (problems.isNotEmpty()) throw MappingException(problems)
