@@ -1,38 +1,38 @@
-// Shares the places that must be watched among the scouts that it hears of, and anew when one falls silent or joins.
+// Shares the places that must be watched among the scouts that are there, and anew when one comes or goes. When its own computer goes, it
+// goes on on another one.
 
 place(north). place(east). place(south). place(west).
-patience(10). // rounds of 200 ms without a report until a scout counts as lost: several of its reports
 
-load(Scout,N) :- silent(Scout,_) & .count(watches(Scout,_),N).
+load(Scout,N) :- known(Scout) & .count(watches(Scout,_),N).
 
 !oversee.
 
-@hear[atomic]
-+!hear[source(Scout)] : silent(Scout,Rounds) <-
-    -silent(Scout,Rounds);
-    +silent(Scout,0).
-
-// a scout that comes back after it counted as lost must not go on with places that others watch by now
++!hear[source(Scout)] : known(Scout).
+// a scout that comes back must not go on with places that others watch by now
 +!hear[source(Scout)] <-
-    +silent(Scout,0);
     .print(Scout, " is there");
-    .send(Scout, achieve, stand_by).
+    .send(Scout, achieve, stand_by);
+    +known(Scout).
+
+// It has come to another computer, and believes what was so a second or two ago: the scouts do by that, whatever it has said since.
++agent(coordinator,_) <- for (known(Scout)) { !remind(Scout) }.
+
++!remind(Scout) <-
+    .send(Scout, achieve, stand_by);
+    for (watches(Scout,Place)) { !give(Scout,Place) }.
+-!remind(_)[error(unreachable)].
 
 +!visited(Place)[source(Scout)] <- .print(Scout, " has visited ", Place).
 
 +!oversee <-
-    for (silent(Scout,_)) { !count(Scout) };
+    for (known(Scout) & not agent(Scout,_)) { !lose(Scout) };
     for (place(Place) & not watches(_,Place)) { !assign(Place) };
     !balance;
     .wait(200);
     !oversee.
 
-@count[atomic]
-+!count(Scout) : silent(Scout,Rounds) & patience(Most) & Rounds < Most <-
-    -silent(Scout,Rounds);
-    +silent(Scout,Rounds+1).
-+!count(Scout) <-
-    .abolish(silent(Scout,_));
++!lose(Scout) <-
+    -known(Scout);
     .abolish(watches(Scout,_));
     .print(Scout, " is lost").
 
@@ -40,12 +40,17 @@ load(Scout,N) :- silent(Scout,_) & .count(watches(Scout,_),N).
 +!assign(_). // nobody is there yet
 
 +!balance : load(Idle,Few) & load(Busy,Many) & Many > Few + 1 & watches(Busy,Place) <-
-    -watches(Busy,Place);
-    .send(Busy, achieve, leave(Place));
+    !take(Busy,Place);
     !give(Idle,Place).
 +!balance.
+
++!take(Scout,Place) <-
+    .abolish(watches(Scout,Place));
+    .send(Scout, achieve, leave(Place)).
+-!take(_,_)[error(unreachable)]. // it is told to stand by when it comes back
 
 +!give(Scout,Place) <-
     +watches(Scout,Place);
     .print(Scout, " watches ", Place);
     .send(Scout, achieve, watch(Place)).
+-!give(Scout,Place)[error(unreachable)] <- .abolish(watches(Scout,Place)).

@@ -84,6 +84,8 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         super.init()
         val log = Logger.getLogger("${Arch::class.java.name}.$agName")
         val options = ArchOptions(ts.settings, log)
+        Infrastructure.check(log)
+        Infrastructure.checkFleetOption(ts.settings.getUserParameter(Infrastructure.FLEET_OPTION), architectures(ts).last(), log)
         policy = options.policy
         val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }

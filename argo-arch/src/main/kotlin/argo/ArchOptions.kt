@@ -51,7 +51,7 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     private companion object {
         const val SENSING = "argo_sensing"
-        val OWN = setOf(SENSING, PerceptLimit.OPTION)
+        val OWN = setOf(SENSING, PerceptLimit.OPTION, Infrastructure.FLEET_OPTION)
 
         /** Modules of this project that add an option; a message names a missing one. */
         val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording", "argo_ros" to "argo-ros")

@@ -10,12 +10,13 @@ import kotlin.system.exitProcess
  */
 internal val OWN_NAMES =
     listOf(
-        "argo/", "javino/", "jason/", "kotlin/", "org/jetbrains/annotations/", "org/intellij/lang/annotations/", "com/fazecast/", "org/jgroups/",
+        "argo/", "javino/", "jason/", "kotlin/", "org/jetbrains/annotations/", "org/intellij/lang/annotations/", "com/fazecast/",
+        "org/jgroups/",
     )
 
 /**
- * Packs a jar: both builds run this with JAR VERSION CLASSPATH for `argo.jar`, and with JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`, so
- * that the jars of both hold the same.
+ * Packs a jar: both builds run this with JAR VERSION CLASSPATH for `argo.jar`, and with JAR VERSION CLASSPATH BESIDE for `argo-fleet.jar`,
+ * so that the jars of both hold the same.
  */
 fun main(arguments: Array<String>) {
     if (arguments.size !in 3..4) {

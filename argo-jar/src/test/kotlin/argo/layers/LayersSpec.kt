@@ -60,7 +60,7 @@ class LayersSpec : FunSpec({
         product.map { it.packageName }.toSet() shouldContainAll listOf(
             "argo", "argo.links", "argo.connecting", "argo.sensing", "argo.acting", "argo.perception", "argo.view",
             "argo.filters", "argo.filters.format", "argo.filters.matching", "argo.filters.jason", "argo.check.syntax", "argo.tools",
-            "argo.lsp", "argo.ros",
+            "argo.lsp", "argo.ros", "argo.fleet", "argo.fleet.agents", "argo.fleet.node", "argo.fleet.cluster",
             "argo.ros.bridge", "argo.ros.mapping", "argo.ros.joining", "argo.ros.checking", "argo.mcap", "argo.recording.storage", "javino",
             "javino.link", "javino.serial", "javino.tcp", "javino.sim",
         )
@@ -156,6 +156,27 @@ class LayersSpec : FunSpec({
         test("are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.ros..").should()
                 .dependOnClassesThat().resideInAPackage("argo.ros..").check(product)
+        }
+    }
+
+    context("fleets") {
+        test("have computers in touch, which know no agents, nor anything of the product") {
+            noClasses().that().resideInAPackage("argo.fleet.cluster").should()
+                .dependOnClassesThat(productBut("argo.fleet.cluster", "javino.tcp").or(packages("jason.."))).check(product)
+        }
+        test("know who is where without Jason") {
+            noClasses().that().resideInAPackage("argo.fleet.node").should()
+                .dependOnClassesThat(productBut("argo.fleet.node", "argo.fleet.cluster").or(packages("jason.."))).check(product)
+        }
+        test("know of the rest how messages are written, and what a tool is") {
+            noClasses().that().resideInAPackage("argo.fleet..").should()
+                .dependOnClassesThat(productBut("argo.fleet..", "argo.recording.agent", "argo.tools.command", "javino.tcp")).check(product)
+        }
+        test("know JGroups in the cluster only, and are known by nobody") {
+            noClasses().that().resideOutsideOfPackage("argo.fleet.cluster").should()
+                .dependOnClassesThat().resideInAPackage("org.jgroups..").check(product)
+            noClasses().that().resideOutsideOfPackage("argo.fleet..").should()
+                .dependOnClassesThat().resideInAPackage("argo.fleet..").check(product)
         }
     }
 

@@ -46,6 +46,22 @@ class JarSpec : FunSpec({
         services.flatMap { (_, bytes) -> providers(bytes) }.filterNot { it.replace('.', '/') in jar.classes }.shouldBeEmpty()
     }
 
+    context("argo-fleet.jar, beside it") {
+        val fleets = Path.of(System.getProperty("argo.fleet.jar"))
+        val beside = Source.read(fleets)
+
+        test("holds fleets and JGroups, and nothing that argo.jar holds") {
+            listOf("argo/fleet/MainKt", "org/jgroups/JChannel").forEach { beside.classes shouldContain it }
+            beside.classes.filter { it in jar.classes }.shouldBeEmpty()
+            JarFile(fleets.toFile()).use { it.manifest.mainAttributes.getValue("Class-Path") } shouldBe "argo.jar"
+        }
+        test("whatever its classes of ARGO name is in one of them, in Java or in Jason") {
+            val there = jar.classes.toSet() + beside.classes
+            beside.classes.filter { it.startsWith("argo/") }.flatMap { names(beside.entries.getValue("$it.class")) }.toSet()
+                .filterNot { it in there || it.startsWith("jason/") || isOfJava(it) }.shouldBeEmpty()
+        }
+    }
+
     val gradles = Path.of("build/libs/argo.jar")
     val mavens = Path.of("target/argo.jar")
     val areBothBuilt = gradles.exists() && mavens.exists()

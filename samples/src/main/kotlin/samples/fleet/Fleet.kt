@@ -2,55 +2,62 @@ package samples.fleet
 
 import java.net.InetAddress
 import java.net.ServerSocket
-import java.net.URL
 import java.nio.file.Path
-import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
 
-/** The containers of the sample `fleet`, each a process on this computer: `main` with the coordinator, and two scouts. */
-internal class Fleet private constructor(private val containers: List<Container>) : AutoCloseable {
-    val ports: List<Int> = containers.map { it.port }
+/**
+ * The computers of the sample `fleet`, each a process: `base` with the coordinator, and two scouts.
+ *
+ * @property ports the ports at which they listen, by their names
+ */
+internal class Fleet private constructor(
+    private val project: Path,
+    val ports: Map<String, Int>,
+    private val printed: (String) -> Unit,
+) : AutoCloseable {
+    private val computers = ports.keys.associateWithTo(LinkedHashMap()) { FleetComputer.start(project, it, printed) }
 
-    /** Ends the process of [container] like a power failure. */
-    fun kill(container: String) = containers.first { it.name == container }.kill()
+    /** Ends the process of [computer] as a power failure does. */
+    fun kill(computer: String) = computers.getValue(computer).kill()
 
-    fun isAlive(container: String) = containers.first { it.name == container }.isAlive
+    /** Starts the process of [computer] again. */
+    fun start(computer: String) {
+        computers[computer] = FleetComputer.start(project, computer, printed)
+    }
 
-    override fun close() = containers.asReversed().forEach(Container::close)
+    fun isAlive(computer: String) = computers.getValue(computer).isAlive
+
+    override fun close() {
+        computers.values.forEach(FleetComputer::close)
+        project.parent.toFile().deleteRecursively()
+    }
 
     companion object {
-        private val SCOUTS = listOf("scout1", "scout2")
-        private const val START_LIMIT_S = 60L
+        private val FILES = listOf("fleet.mas2j", "coordinator.asl", "scout.asl")
+        private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 
         /**
-         * Starts the containers, the coordinator first.
-         * @param printed receives each line that they print, on several threads
-         * @throws IllegalStateException if the coordinator does not start
+         * Starts them from a copy of the project, in which they listen at free ports.
+         *
+         * @param printed receives each line that they print, from threads of their own
          */
         fun start(printed: (String) -> Unit): Fleet {
-            val ports = freePorts(SCOUTS.size + 1)
-            val started = CountDownLatch(1)
-            val main = Container.start(project(), "main", ports[0], ports[0]) {
-                if ("starting coordinator" in it) started.countDown()
-                printed(it)
-            }
-            if (!started.await(START_LIMIT_S, TimeUnit.SECONDS)) {
-                main.close()
-                error("the main container has not started its agent within $START_LIMIT_S s")
-            }
-            return Fleet(listOf(main) + SCOUTS.mapIndexed { i, name -> Container.start(project(), name, ports[i + 1], ports[0], printed) })
+            val directory = createTempDirectory("fleet")
+            FILES.forEach { directory.resolve(it).writeText(source(it)) }
+            val project = directory.resolve(FILES.first())
+            val names = ADDRESS.findAll(project.readText()).map { it.groupValues[1] }.toList()
+            val ports = names.zip(freePorts(names.size)).toMap()
+            project.writeText(ADDRESS.replace(project.readText()) { "${it.groupValues[1]}(\"127.0.0.1:${ports[it.groupValues[1]]}\")" })
+            return Fleet(project, ports, printed)
         }
 
-        private fun project(): Path {
-            val source: URL = checkNotNull(Fleet::class.java.getResource("/fleet/fleet.mas2j")) {
-                "fleet/fleet.mas2j is not on the class path"
-            }
-            check(source.protocol == "file") { "JADE reads agents from files only, and the project is in an archive: $source" }
-            return Path.of(source.toURI())
-        }
+        private fun source(file: String): String =
+            checkNotNull(Fleet::class.java.getResource("/fleet/$file")) { "fleet/$file is not on the class path" }.readText()
 
         private fun freePorts(count: Int): List<Int> {
-            val sockets = List(count) { ServerSocket(0, 1, InetAddress.getByName(Container.HOST)) }
+            val sockets = List(count) { ServerSocket(0, 1, InetAddress.getLoopbackAddress()) }
             return sockets.map { it.localPort }.also { sockets.forEach(ServerSocket::close) }
         }
     }

@@ -10,15 +10,16 @@ import kotlin.concurrent.thread
 @Command(
     name = "fleet",
     description = [
-        "Two robots and a coordinator, each in a process of its own, on Jason's JADE infrastructure. One robot's process is killed, and",
-        "the other one gets what it had to do. The boards are simulated, and everything listens on 127.0.0.1 only.",
+        "Two robots and a coordinator on three computers, which are processes here. The process of a robot is killed, and the other one",
+        "gets what it had to do; then the coordinator's, which goes on on another computer. The boards are simulated, and everything",
+        "listens on 127.0.0.1 only.",
     ],
     sortOptions = false,
 )
 internal class FleetCommand : ToolCommand() {
     @Option(
-        names = ["--seconds"], paramLabel = "n", defaultValue = "8",
-        description = ["how long the robots run before the process is killed, and after it (default: \${DEFAULT-VALUE})"],
+        names = ["--seconds"], paramLabel = "n", defaultValue = "6",
+        description = ["how long the robots run between two events (default: \${DEFAULT-VALUE})"],
     )
     private var seconds = 0
 
@@ -35,13 +36,20 @@ internal class FleetCommand : ToolCommand() {
                 System.err.println("the scouts have not started within $START_LIMIT_S s")
                 return 1
             }
-            TimeUnit.SECONDS.sleep(seconds.toLong())
-            fleet.kill("scout2")
-            println("the process of scout2 has been killed")
-            TimeUnit.SECONDS.sleep(seconds.toLong())
+            listOf("scout2", "base").forEach { computer ->
+                pause()
+                fleet.kill(computer)
+                println("the process of $computer has been killed")
+                pause()
+                fleet.start(computer)
+                println("the process of $computer has been started again")
+            }
+            pause()
         }
         return 0
     }
+
+    private fun pause() = TimeUnit.SECONDS.sleep(seconds.toLong())
 
     private companion object {
         const val SCOUTS = 2

@@ -93,12 +93,20 @@ class CommandCheck(private val root: Path) {
         return when {
             options.any { !Regex("--enable-native-access=ALL-UNNAMED|-Xmx\\d+m").matches(it) } -> "an option that Java has not: $options"
             rest.isEmpty() -> null
-            rest[0] == "-jar" -> if (Path.of(rest[1]).name == "argo.jar") tool(rest.drop(2)) else "there is no ${rest[1]}"
+            rest[0] == "-jar" -> when (Path.of(rest[1]).name) {
+                "argo.jar" -> tool(rest.drop(2))
+                "argo-fleet.jar" -> fleet(rest.drop(2))
+                else -> "there is no ${rest[1]}"
+            }
             rest[0].endsWith(".java") -> missing(root.resolve(rest[0]).takeIf { it.exists() }, rest[0])
             rest[0] == "-cp" -> missing(runCatching { Class.forName(rest[2], false, javaClass.classLoader) }.getOrNull(), rest[2])
             else -> "Java is not told what to run"
         }
     }
+
+    private fun fleet(words: List<String>): String? = unheardOf(
+        root.resolve("argo-fleet/src/main/kotlin/argo/fleet/FleetCommand.kt"), words.filter { it.startsWith("--") }.map { "\"$it\"" },
+    )
 
     private fun maven(words: List<String>): String? {
         val own = listOf(root.resolve("pom.xml"), root.resolve(NEW_PROJECT).resolve("pom.xml")).joinToString("\n") { it.readText() }

@@ -6,8 +6,6 @@ import io.kotest.matchers.collections.shouldBeEmpty
 import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.shouldNotBe
-import samples.fleet.Container
-import samples.fleet.Container.Address
 import java.nio.file.Path
 
 /** Every command that a page tells its reader to type exists, with these options. */
@@ -48,16 +46,6 @@ class CommandsSpec : FunSpec({
 
     test("what is not tried is still told somewhere") {
         NOT_TRIED.keys.filterNot { start -> commands.values.flatten().any { it.text.startsWith(start) } }.shouldBeEmpty()
-    }
-
-    test("containers on several computers are started as the sample starts its own") {
-        val main = Address("10.8.0.1", 1099)
-        val page = commands.entries.single { it.key.name == "docs/several-computers.md" }.value
-        val told = page.filter { it.words[0] == "java" }.map { it.words.drop(3) }
-        told shouldBe listOf(
-            Container.program("fleet.mas2j", "main", main, main),
-            Container.program("fleet.mas2j", "scout1", Address("10.8.0.11", 1100), main),
-        )
     }
 })
 

@@ -126,7 +126,8 @@ class DocumentsSpec : FunSpec({
  * programs in `python` that import `javino`, RosDocumentSpec `yaml`.
  */
 private val LANGUAGES = setOf(
-    "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "java", "python", "text",
+    "agentspeak", "mas2j", "xml", "json", "kotlin", "kts", "sh", "console", "cpp", "c", "jcm", "properties", "ini", "java", "python",
+    "text",
     "yaml",
 )
 

@@ -43,7 +43,13 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             "argo_ros" to KnownOption("the address of a rosbridge_server, as \"robot:9090\"") { value ->
                 value.isNotBlank() && value.toIntOrNull() == null
             },
+            OF_FLEET to KnownOption("computers and agents, or one of them, as \"computers,agents\"") { value ->
+                value.split(',').all { it.trim() in setOf("computers", "agents") }
+            },
         )
+
+        /** The option that a fleet reads, also of agents without the architecture. */
+        const val OF_FLEET = "argo_fleet"
 
         private fun isRecording(value: String): Boolean {
             val last = Regex("last\\((.*)\\)").matchEntire(value.trim())

@@ -13,6 +13,7 @@ import argo.check.syntax.TokenKind
 /** Architectures, options and programs of agents in project files. */
 internal object ProjectFileRules {
     private const val ARCHITECTURE = MasAgent.ARCHITECTURE
+    private val INFRASTRUCTURES = setOf("Local", "Jade", "Fleet")
     private val OTHER_ARGO = Regex("chon-group[:/](argo)\\b", RegexOption.IGNORE_CASE)
 
     fun check(project: Project): List<Finding> = project.projectFiles.flatMap { check(project, it) }
@@ -65,14 +66,20 @@ internal object ProjectFileRules {
     }
 
     private fun infrastructure(tokens: List<Token>, at: Int, report: Report) {
-        if (!words(tokens, at, "infrastructure", ":", "Centralised")) return
-        report.hint("infrastructure", tokens[at].span, "the name of this infrastructure is Local now",
-            "Jason reads the old one with a message", "infrastructure: Local")
+        val name = tokens.getOrNull(at + 2)?.takeIf { words(tokens, at, "infrastructure", ":") } ?: return
+        when (name.text) {
+            in INFRASTRUCTURES -> {}
+            "Centralised" -> report.hint("infrastructure", tokens[at].span, "the name of this infrastructure is Local now",
+                "Jason reads the old one with a message", "infrastructure: Local")
+            else -> report.warning("infrastructure", name.span, "neither Jason nor ARGO has an infrastructure ${name.text}",
+                "unless the project has a launcher for it, Jason runs all agents on one computer",
+                Names.near(name.text, INFRASTRUCTURES)?.let { "did you mean $it?" } ?: "there are ${INFRASTRUCTURES.joinToString()}")
+        }
     }
 
     private fun agent(project: Project, file: MasFile, agent: MasAgent, report: Report) {
         agent.options.forEach { option(it, report) }
-        val options = agent.options.filter { it.name.text.startsWith("argo_") }
+        val options = agent.options.filter { it.name.text.startsWith("argo_") && it.name.text != KnownOption.OF_FLEET }
         if (!agent.isArgo && agent.architectures.isEmpty()) options.firstOrNull()?.let {
             report.error("no-architecture", it.name.span, "${it.name} has no effect", "only the architecture $ARCHITECTURE reads it",
                 "${agent.name} … agentArchClass $ARCHITECTURE;")

@@ -118,6 +118,17 @@ class MigrationSpec : FunSpec({
         findings("new.mas2j" to "MAS m { agents: bob agentArchClass argo.Arch; }", "bob.asl" to "+!s <- .port(a).").shouldBeEmpty()
     }
 
+    test("an unknown infrastructure is noted, since Jason ignores it; a fleet is known, and its option needs no architecture") {
+        val unknown = findings("a.mas2j" to "MAS a { infrastructure: Fleets(hosts([b])) agents: a at \"b\"; }", "a.asl" to "")
+        unknown.single().run {
+            level shouldBe Level.WARNING
+            what shouldBe "neither Jason nor ARGO has an infrastructure Fleets"
+            remedy shouldBe "did you mean Fleet?"
+        }
+        val fleet = "MAS a { infrastructure: Fleet(hosts([b])) agents: a [argo_fleet=\"agents\"] at \"b\"; }"
+        findings("a.mas2j" to fleet, "a.asl" to "").shouldBeEmpty()
+    }
+
     test("the architecture in the wrong case is found, since Java tells upper from lower case") {
         val advice = findings("new.mas2j" to "MAS m { agents: bob agentArchClass argo.arch; }").single()
         advice.level shouldBe Level.ERROR
@@ -141,6 +152,9 @@ class MigrationSpec : FunSpec({
         of("argo_sensing=never").single().what shouldBe "argo_sensing of argo.Arch is fresh or every or in_cycle, not never"
         of("argo_diary=on").single().level shouldBe Level.HINT
         of("verbose=2, argo_sensing=every, argo_view=8080, argo_record=\"last(5)\", argo_ros=\"robot:9090\"").shouldBeEmpty()
+        of("argo_fleet=\"computers, agents\"").shouldBeEmpty()
+        of("argo_fleet=robots").single().what shouldBe
+            "argo_fleet of argo.Arch is computers and agents, or one of them, as \"computers,agents\", not robots"
         of("argo_ros=9090").single().what shouldBe
             "argo_ros of argo.Arch is the address of a rosbridge_server, as \"robot:9090\", not 9090"
         of("argo_ros=\"\"").single().what shouldContain "not "

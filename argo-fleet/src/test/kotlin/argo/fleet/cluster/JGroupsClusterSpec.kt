@@ -2,22 +2,28 @@ package argo.fleet.cluster
 
 import io.kotest.core.annotation.Tags
 import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.shouldBe
+import org.jgroups.Message
+import org.jgroups.ObjectMessage
 import org.jgroups.util.Util
+import java.io.Serializable
 import java.net.InetSocketAddress
 import java.net.ServerSocket
 
-/** Computers on the loopback interface, each with sockets of its own. */
-private class JGroupsWorld : ClusterWorld {
-    private val hosts = listOf("a", "b", "c").associateWith { loopback() }
+/** Computers on the loopback interface, each with sockets of its own; without [areNamed] they have to find each other. */
+private class JGroupsWorld(private val areNamed: Boolean = true) : ClusterWorld {
+    private val addresses = listOf("a", "b", "c").associateWith { loopback() }
     private val running = mutableListOf<Triple<String, JGroupsGroup, Cluster>>()
 
     private fun loopback() = ServerSocket(0).use { InetSocketAddress("127.0.0.1", it.localPort) }
 
     override fun start(name: String): Cluster {
-        val isFree = running.none { it.first == name }
-        val group = JGroupsGroup(ClusterSettings("garden", name, hosts, if (isFree) hosts.getValue(name) else loopback()))
-        return GroupCluster(group, hosts.keys, ThreadLoop(name)).also { running += Triple(name, group, it) }
+        val bind = if (running.none { it.first == name }) addresses.getValue(name) else loopback()
+        val group = JGroupsGroup(ClusterSettings("garden", name, if (areNamed) addresses else emptyMap(), bind))
+        return GroupCluster(group, addresses.keys, ThreadLoop(name)).also { running += Triple(name, group, it) }
     }
+
+    fun channel(name: String) = running.first { it.first == name }.second.channel
 
     override fun crash(name: String) {
         running.filter { it.first == name }.forEach { Util.shutdown(it.second.channel, false) }
@@ -35,8 +41,47 @@ private class JGroupsWorld : ClusterWorld {
     override fun close() = running.forEach { it.third.close() }
 }
 
+/** Springs when Java reads it as an object. */
+private class Trap : Serializable {
+    @Suppress("unused") // Java's serialization calls it
+    private fun readResolve(): Any {
+        isSprung = true
+        return this
+    }
+
+    companion object {
+        private const val serialVersionUID = 1L
+
+        @Volatile
+        var isSprung = false
+    }
+}
+
 /** The cluster over JGroups, in real time. */
 @Tags("Thorough")
 class JGroupsClusterSpec : FunSpec({
-    clusterContract(::JGroupsWorld)(this)
+    blockingTest = true
+    clusterContract { JGroupsWorld() }(this)
+
+    test("computers whose addresses nobody named find each other on their network") {
+        JGroupsWorld(areNamed = false).use { world ->
+            val logs = listOf("a", "b").map { name -> Log().also { world.start(name).listen(it) } }
+            world.await("a view of both") { logs.all { it.computers == setOf("a", "b") } }
+        }
+    }
+
+    test("a Java object that a member of the group sends is not read") {
+        JGroupsWorld().use { world ->
+            val log = Log()
+            val (a, b) = listOf("a", "b").map(world::start)
+            a.listen(log)
+            b.listen(Log())
+            world.await("a view of both") { log.computers == setOf("a", "b") }
+            val channel = world.channel("b")
+            channel.send(ObjectMessage(world.channel("a").address, Trap()).setFlag(Message.Flag.NO_RELIABILITY))
+            b.send("a", "after it".toByteArray())
+            world.await("the message after it") { log.from("b") == listOf("after it") }
+            Trap.isSprung shouldBe false
+        }
+    }
 })

@@ -1,0 +1,62 @@
+package argo.fleet
+
+import argo.fleet.cluster.JGroupsCluster
+import argo.fleet.node.Fleet
+import argo.tools.command.ToolCommand
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import picocli.CommandLine.Parameters
+import java.io.IOException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.util.logging.Logger
+
+@Command(
+    name = "fleet",
+    description = ["Runs the agents of one computer of a fleet: those that the project has \"at\" its name."],
+    sortOptions = false,
+)
+internal class FleetCommand : ToolCommand() {
+    @Parameters(paramLabel = "PROJECT.mas2j", description = ["the project, the same on all computers"])
+    private lateinit var project: Path
+
+    @Option(names = ["--at"], paramLabel = "NAME", required = true, description = ["this computer's name in the project"])
+    private lateinit var here: String
+
+    @Option(
+        names = ["--bind"], paramLabel = "ADDRESS",
+        description = ["the address at which this computer listens, if the project has no hosts; 127.0.0.1 unless given"],
+    )
+    private var bind: String? = null
+
+    @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
+    @Suppress("unused") // Main reads it, before Jason is there
+    private var classPath: String? = null
+
+    override fun call(): Int {
+        if (!Files.isReadable(project)) return failed("there is no readable file $project")
+        val mas = FleetMas()
+        try {
+            val described = mas.read("$project")
+            val settings = described.settings(here, bind)
+            val fleet = Fleet(JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG))
+            Runtime.getRuntime().addShutdownHook(Thread(fleet::close, "argo-fleet-leaving"))
+            mas.run(fleet, described.agents, described.hosts.size)
+        } catch (refused: FleetProjectException) {
+            return failed("$project: ${refused.message}")
+        } catch (broken: IOException) {
+            return failed("$here cannot join the fleet: ${broken.message}")
+        }
+        mas.waitEnd()
+        return 0
+    }
+
+    private fun failed(reason: String): Int {
+        err.println(reason)
+        return 1
+    }
+
+    companion object {
+        const val CLASS_PATH = "--class-path"
+    }
+}

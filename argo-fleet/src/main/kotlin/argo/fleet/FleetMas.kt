@@ -1,0 +1,167 @@
+package argo.fleet
+
+import argo.fleet.agents.DirectoryFacilitator
+import argo.fleet.agents.FleetAgArch
+import argo.fleet.agents.FleetServices
+import argo.fleet.agents.restore
+import argo.fleet.cluster.Refused
+import argo.fleet.node.Directory
+import argo.fleet.node.Fleet
+import argo.fleet.node.Kill
+import argo.fleet.node.LeasedAgents
+import argo.fleet.node.Leases
+import argo.fleet.node.LocalAgents
+import argo.fleet.node.MindNews
+import argo.fleet.node.Reign
+import argo.fleet.node.Say
+import argo.fleet.node.Stop
+import jason.infra.local.LocalAgArch
+import jason.infra.local.RunLocalMAS
+import jason.mas2j.ClassParameters
+import jason.runtime.MASConsoleLogFormatter
+import jason.runtime.RuntimeServicesFactory
+import java.io.InputStream
+import java.util.concurrent.CountDownLatch
+import java.util.logging.ConsoleHandler
+import java.util.logging.Level
+import java.util.logging.LogManager
+import java.util.logging.Logger
+import kotlin.concurrent.thread
+
+/** The agents of one computer of a fleet, run by Jason's infrastructure of one computer. */
+internal class FleetMas :
+    RunLocalMAS(),
+    LocalAgents,
+    LeasedAgents {
+    private lateinit var placed: List<PlacedAgent>
+    private lateinit var leases: Leases
+    private lateinit var fleet: Fleet
+    private lateinit var services: FleetServices
+    private lateinit var facilitator: DirectoryFacilitator
+    private val ended = CountDownLatch(1)
+    private val log = Logger.getLogger(LOG)
+
+    /** Reads the project in [file]; Jason ends the program if it cannot be read. */
+    fun read(file: String): FleetProject {
+        init(arrayOf(file, "--no-net"))
+        useJasonsFormat()
+        val read = FleetProject(project)
+        project.infrastructure = ClassParameters(LOCAL) // its options are those of Jason's infrastructure of one computer
+        return read
+    }
+
+    /** Without a file of the project's, the log goes to the console; Jason would open a window. */
+    override fun getDefaultLogProperties(): InputStream = DEFAULT_LOG.byteInputStream()
+
+    /** Java looks for the formatter that the log's settings name on the class path of the program, where Jason need not be. */
+    private fun useJasonsFormat() {
+        val wanted = LogManager.getLogManager().getProperty("java.util.logging.ConsoleHandler.formatter")
+        if (wanted != MASConsoleLogFormatter::class.java.name) return
+        Logger.getLogger("").handlers.filterIsInstance<ConsoleHandler>().forEach { it.formatter = MASConsoleLogFormatter() }
+    }
+
+    /** Creates the agents of this computer among [agents], and joins [fleet] with them; then they begin. */
+    fun run(fleet: Fleet, agents: List<PlacedAgent>, hosts: Int) {
+        this.fleet = fleet
+        placed = agents
+        facilitator = DirectoryFacilitator(fleet) { getAg(it.receiver)?.receiveMsg(it) }
+        services = FleetServices(this, fleet, facilitator, log)
+        leases = Leases(fleet, agents.filter { it.isMovable }.associate { it.name to it.computers }, hosts, this, log)
+        RuntimeServicesFactory.set(services)
+        create()
+        fleet.join(this, leases)
+        start()
+        leases.begin()
+    }
+
+    override fun createAgs() = placed.filter { it.computers == listOf(fleet.here) }.forEach { agent ->
+        create(agent) { FleetAgArch(fleet) }?.let(createdAgents::add)
+    }
+
+    /** Creates [agent] and returns its infrastructure; null: that failed, and the log says why. */
+    private fun create(agent: PlacedAgent, architecture: () -> FleetAgArch): FleetAgArch? {
+        val wanted = agent.parameters
+        val odd = wanted.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
+        if (odd.isNotEmpty()) log.warning("${agent.name}: ${odd.joinToString()} has no effect in a fleet")
+        try {
+            services.createOwn(agent.name, architecture) {
+                createAgent(
+                    agent.name, "${wanted.source}", wanted.agClass.className, wanted.agArchClasses, wanted.bbClass,
+                    wanted.getAsSetts(debug, project.controlClass != null), null,
+                )
+            }
+            return getAg(agent.name) as FleetAgArch
+        } catch (failed: Exception) {
+            log.log(Level.SEVERE, "agent ${agent.name} cannot be created: ${failed.message}", failed)
+            return null
+        }
+    }
+
+    /** On a thread of its own: to read a program takes longer than the leases may wait. */
+    override fun start(agent: String, reign: Reign, mind: MindNews?) {
+        thread(name = "argo-fleet-start-$agent") {
+            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, leases::keep) } ?: return@thread
+            try {
+                if (mind != null) restore(created.ts, mind.program, log)
+            } catch (unreadable: IllegalArgumentException) {
+                log.severe("$agent begins anew, since what it believed cannot be read: ${unreadable.message}")
+            }
+            if (reign.isValid()) services.startAgent(agent) else stop(agent)
+        }
+    }
+
+    override fun stop(agent: String) {
+        getAg(agent)?.stopAg()
+        delAg(agent)
+    }
+
+    override fun addAg(agent: LocalAgArch) {
+        super.addAg(agent)
+        fleet.came(agent.agName)
+    }
+
+    override fun delAg(name: String): LocalAgArch? = super.delAg(name)?.also {
+        facilitator.agentEnded(name)
+        fleet.gone(name)
+    }
+
+    override fun take(message: Say) {
+        val receiver = getAg(message.to) as? FleetAgArch ?: throw Refused("there is no agent ${message.to} on ${fleet.here}")
+        receiver.take(message)
+    }
+
+    override fun kill(wanted: Kill) {
+        if (!services.killAgent(wanted.agent, wanted.by, wanted.deadlineMs)) {
+            throw Refused("${wanted.agent} is not on ${fleet.here}, or does not let itself be killed")
+        }
+    }
+
+    override fun stop(wanted: Stop) = finish(wanted.deadlineMs, wanted.stopsJvm, wanted.exitStatus)
+
+    override fun directoryChanged(before: Directory, now: Directory) {
+        facilitator.directoryChanged(before, now)
+        ags.values.forEach { (it as FleetAgArch).directoryChanged(now) }
+    }
+
+    override fun refused(reason: String) {
+        log.severe("${fleet.here} cannot take part in the fleet, and ends: $reason")
+        finish(0, true, FAILED)
+    }
+
+    /** Waits until the program ends. */
+    override fun waitEnd() = ended.await()
+
+    companion object {
+        /** The name of the fleet's own log. */
+        const val LOG = "argo.fleet"
+        private val DEFAULT_LOG =
+            """
+            handlers = java.util.logging.ConsoleHandler
+            java.util.logging.ConsoleHandler.formatter = ${MASConsoleLogFormatter::class.java.name}
+            .level = INFO
+            """.trimIndent()
+        private const val LOCAL = "Local"
+        private const val FAILED = 1
+        private val OPTIONS_OF_POOLS = setOf("rc", "cycles", "cycles_sense", "cycles_deliberate", "cycles_act")
+    }
+}

@@ -1,0 +1,60 @@
+package argo.fleet
+
+import argo.tools.command.refusingInWords
+import picocli.CommandLine
+import java.io.File
+import java.lang.reflect.InvocationTargetException
+import java.net.URL
+import java.net.URLClassLoader
+import kotlin.system.exitProcess
+
+/**
+ * Runs the agents of one computer of a fleet: `java -jar argo-fleet.jar robots.mas2j --at scout1`.
+ *
+ * Jason, which is not in the jar, is one of the jars in its folder, or on `--class-path`; then everything is loaded anew with Jason, in
+ * this program.
+ */
+fun main(arguments: Array<String>) {
+    if (hasJason(FleetCommand::class.java.classLoader)) exitProcess(run(arguments))
+    val loader = URLClassLoader(places(arguments).toTypedArray(), ClassLoader.getPlatformClassLoader())
+    val wantsHelp = arguments.any { it == "-h" || it == "--help" }
+    if (!wantsHelp && !hasJason(loader)) {
+        System.err.println(
+            "a fleet runs Jason, which argo-fleet.jar does not hold: put jason-interpreter.jar and its libraries into the folder of " +
+                "argo-fleet.jar, or name them, as --class-path 'lib/*'",
+        )
+        exitProcess(1)
+    }
+    if (wantsHelp) exitProcess(run(arguments))
+    Thread.currentThread().contextClassLoader = loader
+    try {
+        loader.loadClass("argo.fleet.MainKt").getMethod("main", Array<String>::class.java).invoke(null, arguments)
+    } catch (failed: InvocationTargetException) {
+        throw failed.targetException
+    }
+}
+
+private fun run(arguments: Array<String>): Int =
+    CommandLine(FleetCommand()).refusingInWords("command").setCommandName("java -jar argo-fleet.jar").execute(*arguments)
+
+private fun hasJason(loader: ClassLoader): Boolean = try {
+    Class.forName("jason.asSemantics.Agent", false, loader)
+    true
+} catch (_: ClassNotFoundException) {
+    false
+}
+
+/** Returns the places of classes: those of this program, the jars beside this one, and those of the option. */
+private fun places(arguments: Array<String>): List<URL> {
+    val own = System.getProperty("java.class.path").split(File.pathSeparator)
+    val beside = File(FleetCommand::class.java.protectionDomain.codeSource.location.toURI()).parentFile
+    val named = arguments.withIndex().firstNotNullOfOrNull { (place, argument) ->
+        if (argument == FleetCommand.CLASS_PATH) arguments.getOrNull(place + 1)
+        else argument.removePrefix("${FleetCommand.CLASS_PATH}=").takeIf { it != argument }
+    }.orEmpty().split(File.pathSeparator)
+    return (own + "$beside/*" + named).filter { it.isNotEmpty() }.flatMap(::expanded).map { it.toURI().toURL() }
+}
+
+private fun expanded(place: String): List<File> =
+    if (place.endsWith("*")) File(place.removeSuffix("*").ifEmpty { "." }).listFiles { it -> it.name.endsWith(".jar") }.orEmpty().sorted()
+    else listOf(File(place))

@@ -1,0 +1,54 @@
+package argo.fleet.agents
+
+import argo.fleet.node.Directory
+import jason.asSyntax.ASSyntax
+import jason.asSyntax.Literal
+
+/**
+ * The percepts about a fleet that an agent asks for by the option `argo_fleet="computers,agents"`: `computer(scout1,on)` and
+ * `agent(a,scout1)`. Belongs to the agent's thread.
+ */
+internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
+    private enum class Kind { COMPUTERS, AGENTS }
+
+    private var seen: Directory? = null
+    private var environment: Collection<Literal> = emptyList()
+
+    /**
+     * Returns all percepts of the agent: those of its environment and those about the fleet; null: nothing has changed.
+     *
+     * @param news the percepts of the environment now; null: no news
+     */
+    fun perceive(news: Collection<Literal>?, now: Directory): MutableCollection<Literal>? {
+        if (news == null && now === seen) return null
+        if (news != null) environment = news
+        seen = now
+        return (environment + of(now)).toMutableList()
+    }
+
+    private fun of(directory: Directory): List<Literal> = kinds.flatMap { kind ->
+        when (kind) {
+            Kind.COMPUTERS -> directory.computers.map { literal("computer", it, if (it in directory.inTouch) "on" else "off") }
+            Kind.AGENTS -> directory.agents.map { (agent, computer) -> literal("agent", agent, computer) }
+        }
+    }
+
+    private fun literal(functor: String, vararg atoms: String): Literal =
+        ASSyntax.createLiteral(functor, *atoms.map { ASSyntax.createAtom(it) }.toTypedArray())
+
+    companion object {
+        const val OPTION = "argo_fleet"
+
+        /** The value of the option, for people. */
+        const val USAGE = "computers and agents, or one of them, as \"computers,agents\""
+
+        /** Returns the percepts that [option], the value of the option, asks for; null: none, or [refuse] has been told why not. */
+        fun of(option: String?, refuse: (String) -> Unit): FleetPercepts? {
+            val words = option?.split(',')?.map { it.trim().trim('"') } ?: return null
+            val kinds = words.map { word -> Kind.entries.find { it.name.equals(word, ignoreCase = true) } }
+            if (null !in kinds) return FleetPercepts(kinds.filterNotNull().toSet())
+            refuse("$OPTION=$option: the value is $USAGE; the agent perceives nothing about the fleet")
+            return null
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package argo.fleet.agents
+
+import argo.fleet.node.Fleet
+import argo.fleet.node.Kill
+import argo.fleet.node.Place
+import argo.fleet.node.Stop
+import jason.asSemantics.Agent
+import jason.infra.local.BaseLocalMAS
+import jason.infra.local.LocalAgArch
+import jason.infra.local.LocalRuntimeServices
+import jason.mas2j.ClassParameters
+import jason.runtime.Settings
+import jason.runtime.SourcePath
+import java.util.logging.Logger
+
+/**
+ * The services of Jason's runtime in a fleet: names, services and the end concern all computers; agents are created on this one.
+ *
+ * Jason 3.2.1 has `getAgentsNames`, which Jason 3.3.0 calls `getAgentsName`.
+ */
+internal class FleetServices(
+    private val mas: BaseLocalMAS,
+    private val fleet: Fleet,
+    private val facilitator: DirectoryFacilitator,
+    private val log: Logger,
+) : LocalRuntimeServices(mas) {
+    private class Making(val name: String, val architecture: () -> LocalAgArch)
+
+    /** The agent of the project that the calling thread creates. */
+    private val making = ThreadLocal<Making>()
+
+    /** Creates an agent of the project, under its own [name], by [create]; [architecture] makes its infrastructure. */
+    fun createOwn(name: String, architecture: () -> LocalAgArch, create: FleetServices.() -> Unit) {
+        making.set(Making(name, architecture))
+        try {
+            create()
+        } finally {
+            making.remove()
+        }
+    }
+
+    /** Jason creates agents only while the system runs; those of the project are created before. */
+    override fun isRunning() = making.get() != null || super.isRunning()
+
+    override fun newAgInstance(): LocalAgArch = making.get()?.architecture?.invoke() ?: FleetAgArch(fleet)
+
+    override fun getNewAgentName(base: String): String =
+        if (base == making.get()?.name) base
+        else (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { fleet.directory.find(it) == Place.Unknown }
+
+    /** Jason names an agent's infrastructure among the architectures of a new agent that has those of its [father]. */
+    override fun createAgent(
+        name: String?, source: String?, agentClass: String?, architectures: List<String>?, beliefBase: ClassParameters?,
+        settings: Settings?, father: Agent?,
+    ): String {
+        val given = architectures.orEmpty().ifEmpty { father?.run { others(ts.agArch.agArchClassesChain) }.orEmpty() }
+        if (father?.aslSrc?.startsWith(SourcePath.CRPrefix) == true) mas.project.sourcePaths.addPath(SourcePath.CRPrefix)
+        return super.createAgent(name, source, agentClass, given, beliefBase, settings, null)
+    }
+
+    override fun clone(source: Agent, architectures: List<String>, name: String) = super.clone(source, others(architectures), name)
+
+    private fun others(architectures: List<String>) = architectures - FleetAgArch::class.java.name
+
+    override fun getAgentsNames(): Collection<String> = fleet.directory.names
+
+    /** The same in Jason 3.3.0. */
+    @Suppress("unused")
+    fun getAgentsName(): Collection<String> = agentsNames
+
+    override fun getAgentsQty(): Int = fleet.directory.names.size
+
+    override fun killAgent(agent: String, by: String, deadlineMs: Int): Boolean {
+        val place = fleet.directory.find(agent)
+        if (place !is Place.There) return super.killAgent(agent, by, deadlineMs)
+        Deliveries.add(Delivery(null, agent, fleet.send(place.computer, Kill(agent, by, deadlineMs))), log)
+        return true
+    }
+
+    /** Stops the agents of all computers, and those programs. */
+    override fun stopMAS(deadlineMs: Int, stopsJvm: Boolean, exitStatus: Int) {
+        fleet.stopOthers(Stop(deadlineMs, stopsJvm, exitStatus)).whenComplete { _, _ -> mas.finish(deadlineMs, stopsJvm, exitStatus) }
+    }
+
+    override fun dfRegister(agent: String, service: String, type: String?) = facilitator.register(agent, service)
+
+    override fun dfDeRegister(agent: String, service: String, type: String?) = facilitator.deregister(agent, service)
+
+    override fun dfSearch(service: String, type: String?): Collection<String> = facilitator.search(service)
+
+    override fun dfSubscribe(agent: String, service: String, type: String?) = facilitator.subscribe(agent, service)
+
+    override fun getDF(): Map<String, Set<String>> = facilitator.services()
+}

@@ -1,0 +1,67 @@
+package argo.fleet.node
+
+/** The agents and services of a computer. Immutable. */
+internal data class Roster(val agents: Set<String> = emptySet(), val offers: Set<Offer> = emptySet()) {
+    fun with(news: RosterNews): Roster {
+        val (oldAgents, oldOffers) = if (news.isWhole) emptySet<String>() to emptySet() else agents to offers
+        return Roster(oldAgents - news.gone + news.came, oldOffers - news.withdrawn + news.offered)
+    }
+}
+
+/** Where an agent is. */
+internal sealed interface Place {
+    data object Here : Place
+
+    /** On another computer, which is in touch. */
+    data class There(val computer: String) : Place
+
+    /** On one of [computers], none of which is in touch, or which does not run it yet. */
+    data class Off(val computers: List<String>) : Place
+
+    data object Unknown : Place
+}
+
+/**
+ * Which agents and services are on which computers of a fleet, as far as this computer knows. Immutable.
+ *
+ * @property inTouch the computers in touch, this one among them
+ * @property planned the agents of the project, each with the computers that it may run on
+ * @param rosters the last known rosters, also of computers that are no longer in touch
+ */
+internal data class Directory(
+    val here: String,
+    val inTouch: Set<String> = setOf(here),
+    private val rosters: Map<String, Roster> = emptyMap(),
+    val planned: Map<String, List<String>> = emptyMap(),
+    private val hosts: Set<String> = emptySet(),
+) {
+    private val owners: Map<String, String> = inTouch.sortedDescending().minus(here).plus(here)
+        .flatMap { computer -> roster(computer).agents.map { it to computer } }.toMap()
+
+    /** The names of all agents in touch. */
+    val names: Set<String> get() = owners.keys
+
+    /** All agents in touch, each with its computer. */
+    val agents: Map<String, String> get() = owners
+
+    /** The computers of the fleet that are known, in touch or not. */
+    val computers: Set<String> get() = (hosts + rosters.keys + inTouch).toSortedSet()
+
+    /** The services of all agents in touch. */
+    val offers: Set<Offer> by lazy { inTouch.flatMap { roster(it).offers }.toSet() }
+
+    fun roster(computer: String): Roster = rosters[computer] ?: Roster()
+
+    /** Returns the place of [agent]. Of equal names on several computers, this computer's comes first, then the least computer's. */
+    fun find(agent: String): Place {
+        val owner = owners[agent]
+        if (owner != null) return if (owner == here) Place.Here else Place.There(owner)
+        val lost = rosters.filter { (_, roster) -> agent in roster.agents }.keys
+        val computers = (planned[agent].orEmpty() + lost).distinct()
+        return if (computers.isEmpty()) Place.Unknown else Place.Off(computers)
+    }
+
+    fun with(computer: String, news: RosterNews): Directory = copy(rosters = rosters + (computer to roster(computer).with(news)))
+
+    fun with(inTouch: Set<String>): Directory = copy(inTouch = inTouch)
+}

@@ -1,0 +1,101 @@
+package argo.fleet.node
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+
+/** A message from one computer of a fleet to another. Its bytes are [FORMAT] and JSON. */
+@Serializable
+internal sealed interface FleetMessage {
+    fun encode(): ByteArray = byteArrayOf(FORMAT) + JSON.encodeToString(serializer(), this).encodeToByteArray()
+
+    companion object {
+        /** The first byte of each message. Another one is of another version of ARGO, which may mean other things by the same words. */
+        const val FORMAT: Byte = 1
+        private val JSON = Json { encodeDefaults = false }
+
+        /** Reads a message. @throws UnreadableMessage if [bytes] are none */
+        fun decode(bytes: ByteArray): FleetMessage {
+            val format = bytes.firstOrNull()
+            if (format != FORMAT) throw UnreadableMessage("it is of format $format, and this version of ARGO knows format $FORMAT only")
+            try {
+                return JSON.decodeFromString(serializer(), bytes.decodeToString(1, bytes.size, throwOnInvalidSequence = true))
+            } catch (unreadable: SerializationException) {
+                throw UnreadableMessage("it is no message of a fleet: ${unreadable.message?.lineSequence()?.first()}")
+            } catch (_: CharacterCodingException) {
+                throw UnreadableMessage("it is no text")
+            }
+        }
+    }
+}
+
+/** Bytes of another computer are no message of this version; [message] says why. */
+internal class UnreadableMessage(override val message: String) : Exception(message)
+
+/**
+ * A message of an agent to another.
+ *
+ * @property force the performative, such as `tell`
+ * @property content the text of the content, see [argo.recording.agent.MessageContent]
+ * @property term the term of the reign in which the sender, an agent that outlives its computer, has sent it; 0: it is no such agent
+ */
+@Serializable
+@SerialName("say")
+internal data class Say(
+    val id: String?,
+    val inReplyTo: String? = null,
+    val force: String,
+    val from: String,
+    val to: String,
+    val content: String,
+    val term: Long = 0,
+) : FleetMessage
+
+/** A service that [agent] has registered by `.df_register`. */
+@Serializable
+internal data class Offer(val agent: String, val service: String)
+
+/**
+ * The agents and services of the sending computer.
+ *
+ * @property isWhole whether these are all of them; else they are the changes since the last message of this kind
+ */
+@Serializable
+@SerialName("roster")
+internal data class RosterNews(
+    val isWhole: Boolean = false,
+    val came: Set<String> = emptySet(),
+    val gone: Set<String> = emptySet(),
+    val offered: Set<Offer> = emptySet(),
+    val withdrawn: Set<Offer> = emptySet(),
+) : FleetMessage
+
+/** The agent [by] wants [agent] to be killed in [deadlineMs] ms. */
+@Serializable
+@SerialName("kill")
+internal data class Kill(val agent: String, val by: String, val deadlineMs: Int) : FleetMessage
+
+/** An agent has called `.stopMAS`: see there. */
+@Serializable
+@SerialName("stop")
+internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitStatus: Int) : FleetMessage
+
+/** The sender asks to run [agent], which outlives its computer, from now on, or on. Each request has a greater [number]. */
+@Serializable
+@SerialName("claim")
+internal data class Claim(val agent: String, val number: Long, val term: Long) : FleetMessage
+
+/**
+ * The answer to [Claim]. A computer that grants a claim grants no other computer's until its promise is over.
+ *
+ * @property term the greatest term that the sender knows of this agent
+ */
+@Serializable
+@SerialName("grant")
+internal data class Grant(val agent: String, val number: Long, val term: Long, val isGranted: Boolean) : FleetMessage
+
+/** The beliefs and goals of [agent], which outlives its computer, as AgentSpeak. */
+@Serializable
+@SerialName("mind")
+internal data class MindNews(val agent: String, val term: Long, val number: Long, val program: String) : FleetMessage

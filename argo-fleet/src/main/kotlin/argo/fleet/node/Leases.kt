@@ -1,0 +1,153 @@
+package argo.fleet.node
+
+import argo.fleet.cluster.ClusterView
+import argo.fleet.cluster.Refused
+import java.util.concurrent.Executors
+import java.util.concurrent.ScheduledExecutorService
+import java.util.concurrent.TimeUnit
+import java.util.logging.Level
+import java.util.logging.Logger
+import kotlin.random.Random
+
+/** Starts and stops agents that outlive their computers. Called by one thread of [Leases]. */
+internal interface LeasedAgents {
+    /** Starts [agent] with [mind]; null: it is not known what it believed, or this is its first start. */
+    fun start(agent: String, reign: Reign, mind: MindNews?)
+
+    /** Stops [agent] at once. */
+    fun stop(agent: String)
+}
+
+/** The time during which this computer runs an agent. */
+internal class Reign(private val lease: Lease, val term: Long) {
+    /** Whether the agent may run now. Any thread. */
+    fun isValid(): Boolean = lease.mayRun() && lease.ownTerm == term
+}
+
+/**
+ * The agents of a fleet that outlive their computers: decides which of them this computer runs. An agent runs on the first of its computers
+ * that is there when it is missing, and stays until that goes.
+ *
+ * @param planned the agents, each with its computers
+ * @param hosts the number of computers of the fleet
+ */
+internal class Leases(
+    private val fleet: Fleet,
+    planned: Map<String, List<String>>,
+    hosts: Int,
+    private val agents: LeasedAgents,
+    private val log: Logger,
+) : AutoCloseable {
+    private val nanos = System::nanoTime
+    private val start = nanos()
+    private val held = planned.mapValues { (agent, computers) -> Held(agent, computers, Lease(hosts, start, Random.nextLong(), nanos)) }
+    private val timer: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor { work ->
+        Thread(work, "argo-fleet-leases").apply { isDaemon = true }
+    }
+
+    @Volatile
+    private var hasMajority = false
+
+    /** Begins to claim agents. */
+    fun begin() {
+        if (held.isEmpty()) return
+        timer.scheduleWithFixedDelay(::tick, 0, PERIOD_MS, TimeUnit.MILLISECONDS)
+    }
+
+    fun take(from: String, message: FleetMessage) = synchronized(this) {
+        when (message) {
+            is Claim -> held(message.agent).let { fleet.send(from, it.lease.answer(from, message)) }
+            is Grant -> held(message.agent).lease.take(from, message)
+            is MindNews -> held(message.agent).take(message)
+            else -> throw Refused("$message is not about an agent that outlives its computer")
+        }
+        Unit
+    }
+
+    private fun held(agent: String) = held[agent]
+        ?: throw Refused("$agent outlives no computer by the project of ${fleet.here}; all computers need the same project")
+
+    fun changed(view: ClusterView) {
+        hasMajority = view.hasMajority
+    }
+
+    /** Returns true if [message] comes from a reign that is over: its sender does not know yet that another computer runs it. */
+    fun isOutdated(message: Say): Boolean =
+        message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
+
+    /** Notes the mind of an agent that this computer runs, and tells it to the other computers that may run it. Any thread. */
+    fun keep(mind: MindNews) {
+        synchronized(this) { held(mind.agent).take(mind) }
+        (held(mind.agent).computers - fleet.here).filter { it in fleet.directory.inTouch }.forEach { computer ->
+            fleet.send(computer, mind).exceptionally { failed ->
+                log.log(Level.FINE, failed) { "$computer has not got what ${mind.agent} believes" }
+                null
+            }
+        }
+    }
+
+    override fun close() {
+        timer.shutdownNow()
+    }
+
+    private fun tick() = try {
+        synchronized(this) { held.values.filter { fleet.here in it.computers }.forEach { it.tick() } }
+    } catch (unexpected: RuntimeException) { // the timer would end
+        log.log(Level.SEVERE, unexpected) { "agents that outlive their computers: ${unexpected.message}" }
+    }
+
+    /** One of the agents. */
+    private inner class Held(val agent: String, val computers: List<String>, val lease: Lease) {
+        private var mind: MindNews? = null
+        private var reign: Reign? = null
+        private var missingSince: Long? = null
+
+        fun take(news: MindNews) {
+            val known = mind
+            if (known == null || compareValuesBy(news, known, { it.term }, { it.number }) > 0) mind = news
+        }
+
+        fun tick() {
+            val running = reign
+            if (running != null && !running.isValid()) {
+                log.severe("$agent stops here: most computers of the fleet are out of touch, and another one may run it now")
+                reign = null
+                lease.giveUp()
+                agents.stop(agent)
+            }
+            if (reign != null || isMine()) claim()
+            if (reign == null && lease.ownTerm != 0L && lease.mayRun()) begin()
+        }
+
+        private fun begin() {
+            val begun = Reign(lease, lease.ownTerm)
+            reign = begun
+            val known = mind
+            log.info("$agent runs on ${fleet.here} now" + if (known == null) "" else ", with what it believed")
+            agents.start(agent, begun, known)
+        }
+
+        /** Whether this computer shall run the agent, which nobody in touch runs. */
+        private fun isMine(): Boolean {
+            val isMissing = hasMajority && fleet.directory.find(agent) is Place.Off
+            if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
+            val since = missingSince ?: return false.also { lease.giveUp() }
+            val first = computers.first { it in fleet.directory.inTouch }
+            // computers that begin together find each other first
+            return first == fleet.here && (first == computers.first() || nanos() - since > PATIENCE_NS || nanos() - start > BEGINNING_NS)
+        }
+
+        private fun claim() {
+            val claim = lease.claim(agent)
+            lease.take(fleet.here, lease.answer(fleet.here, claim))
+            (fleet.directory.inTouch - fleet.here).forEach { fleet.send(it, claim) }
+        }
+    }
+
+    private companion object {
+        /** A fifth of a lease's duration: four messages in a row may be late. */
+        const val PERIOD_MS = 300L
+        const val PATIENCE_NS = 2_000_000_000L
+        const val BEGINNING_NS = 10_000_000_000L
+    }
+}

@@ -1,0 +1,57 @@
+package argo.fleet
+
+import argo.fleet.cluster.Cluster
+import argo.fleet.cluster.ClusterListener
+import argo.fleet.cluster.ClusterView
+import argo.fleet.cluster.Computer
+import argo.fleet.node.FleetMessage
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.CompletionStage
+import java.util.concurrent.LinkedBlockingQueue
+import java.util.concurrent.TimeUnit
+
+/** The cluster of the computer [here], whose other computers a test plays. */
+internal class FakeCluster(override val here: String) : Cluster {
+    /** A message that this computer has sent to [to]. The test completes [end]. */
+    class Sent(val to: String, val message: FleetMessage, val end: CompletableFuture<Void>)
+
+    private lateinit var listener: ClusterListener
+    private val sent = LinkedBlockingQueue<Sent>()
+    override var computers = mapOf(here to Computer(here, "1"))
+        private set
+    override var hasMajority = true
+
+    /** What to do with messages of which the test awaits none; by default they arrive. */
+    var answer: (Sent) -> Unit = { it.end.complete(null) }
+
+    override fun listen(listener: ClusterListener) {
+        this.listener = listener
+        listener.changed(ClusterView(computers, hasMajority))
+    }
+
+    override fun send(to: String, message: ByteArray): CompletionStage<Void> {
+        val one = Sent(to, FleetMessage.decode(message), CompletableFuture())
+        if (one.message is argo.fleet.node.Say || one.message is argo.fleet.node.Kill) sent += one else answer(one)
+        return one.end
+    }
+
+    /** Other [computers], each with its session, are in touch now. */
+    fun view(vararg others: Pair<String, String>) {
+        computers = mapOf(here to Computer(here, "1")) + others.associate { (name, session) -> name to Computer(name, session) }
+        listener.changed(ClusterView(computers, hasMajority))
+    }
+
+    /** The computer [from] sends [message]. */
+    fun receives(from: String, message: FleetMessage) = receives(from, message.encode())
+
+    fun receives(from: String, message: ByteArray) = listener.message(from, message)
+
+    /** Returns the next message of an agent, or the next wish to kill one. */
+    fun next(): Sent = sent.poll(PATIENCE_S, TimeUnit.SECONDS) ?: throw AssertionError("nothing has been sent")
+
+    override fun close() = Unit
+
+    private companion object {
+        const val PATIENCE_S = 20L
+    }
+}

@@ -1,0 +1,265 @@
+package argo.fleet
+
+import argo.fleet.cluster.Refused
+import argo.fleet.cluster.Unreachable
+import argo.fleet.node.Kill
+import argo.fleet.node.Offer
+import argo.fleet.node.RosterNews
+import argo.fleet.node.Say
+import argo.fleet.node.Stop
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.collections.shouldContain
+import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
+import io.kotest.matchers.collections.shouldNotContain
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import kotlin.time.Duration.Companion.seconds
+
+/** Agents of one computer of a fleet, whose other computers are played here. */
+class FleetAgentsSpec : FunSpec({
+    fun whole(vararg agents: String) = RosterNews(isWhole = true, came = agents.toSet())
+
+    /** The computer `base` with an agent `a`, which gets the goal `go` when the test says so, and `scout1` with the agent `b`. */
+    suspend fun computer(program: String, options: String = "", also: OneComputer.() -> Unit = {}, test: suspend OneComputer.() -> Unit) =
+        OneComputer("a $options at \"base\"; late at \"scout2\";", "a" to "$program\n+failed(E)[source(self)].").use {
+            it.cluster.view("scout1" to "1")
+            it.cluster.receives("scout1", whole("b"))
+            it.also()
+            it.cluster.receives("scout1", Say("mid1", null, "achieve", "b", "a", "go"))
+            it.test()
+        }
+
+    context("a message to another computer") {
+        test("keeps its content, and the plan goes on when it has been taken") {
+            computer("+!go <- .send(b, tell, x::p(\"q\\\"\",1.5,[X])[e]); +done.") {
+                val sent = cluster.next()
+                sent.to shouldBe "scout1"
+                (sent.message as Say).run {
+                    listOf(force, from, to) shouldBe listOf("tell", "a", "b")
+                    content shouldContain "x::p(\"q\\\"\",1.5,["
+                }
+                believed("a") shouldNotContain "done[source(self)]"
+                sent.end.complete(null)
+                shouldBelieve("a", "done[source(self)]")
+            }
+        }
+
+        test("that has not arrived fails the plan with unreachable") {
+            computer("+!go <- .send(b, tell, x). -!go[error(E)] <- +failed(E).") {
+                cluster.next().end.completeExceptionally(Unreachable("scout1 is off"))
+                shouldBelieve("a", "failed(unreachable)[source(self)]")
+            }
+        }
+
+        test("fails with no_agent if the agent is not there any more, which is also the error of one computer") {
+            computer("+!go <- .send(b, tell, x). -!go[error(no_agent),error(receiver_not_found)] <- +failed(both).") {
+                cluster.next().end.completeExceptionally(Refused("there is no agent b on scout1"))
+                shouldBelieve("a", "failed(both)[source(self)]")
+            }
+        }
+
+        test("fails at once with no_agent if no computer has the agent, and with unreachable if its computer is off") {
+            val program = "+!go <- !say(nobody); !say(late); !say(guest). " +
+                "+!say(To) <- .send(To, tell, x). -!say(To)[error(E)] <- +failed(To,E)."
+            computer(program, also = {
+                cluster.view("scout1" to "1", "scout2" to "1")
+                cluster.receives("scout2", whole("guest"))
+                cluster.view("scout1" to "1")
+            }) {
+                shouldBelieve(
+                    "a", "failed(nobody,no_agent)[source(self)]", "failed(late,unreachable)[source(self)]",
+                    "failed(guest,unreachable)[source(self)]",
+                )
+            }
+        }
+
+        test("may hold a plan, and fails with not_sendable if it holds a Java object") {
+            computer("+!go <- .send(b, tell, {+!g <- +h}); .queue.create(Q); .send(b, tell, Q). -!go[error(E)] <- +failed(E).") {
+                cluster.next().end.complete(null)
+                shouldBelieve("a", "failed(not_sendable)[source(self)]")
+            }
+        }
+
+        test("to several agents waits for all of them, and does not hold up other intentions") {
+            computer("+!go <- .send([b,b], tell, x); +done. +!other <- +meanwhile.") {
+                val (first, second) = cluster.next() to cluster.next()
+                first.end.complete(null)
+                cluster.receives("scout1", Say("mid2", null, "achieve", "b", "a", "other"))
+                shouldBelieve("a", "meanwhile[source(self)]")
+                believed("a") shouldNotContain "done[source(self)]"
+                second.end.complete(null)
+                shouldBelieve("a", "done[source(self)]")
+            }
+        }
+    }
+
+    context("a question to another computer") {
+        val program = "+!go <- .send(b, askOne, p(X), A); +got(A). -!go[error(E)] <- +failed(E)."
+
+        test("is answered") {
+            computer(program) {
+                val sent = cluster.next()
+                sent.end.complete(null)
+                val asked = sent.message as Say
+                cluster.receives("scout1", Say("mid9", asked.id, "tell", "b", "a", "p(7)[source(self)]"))
+                eventually(20.seconds) { believed("a").filter { it.startsWith("got(p(7)") }.size shouldBe 1 }
+            }
+        }
+
+        test("fails if it does not arrive") {
+            computer(program) {
+                cluster.next().end.completeExceptionally(Unreachable("off"))
+                shouldBelieve("a", "failed(unreachable)[source(self)]")
+            }
+        }
+
+        test("fails if that computer goes off before it has answered") {
+            computer(program) {
+                cluster.next().end.complete(null)
+                cluster.view()
+                shouldBelieve("a", "failed(unreachable)[source(self)]")
+            }
+        }
+
+        test("fails once if there is no such agent, and nothing is left that waits") {
+            computer("+!go <- .send(nobody, askOne, p(X), A); +got(A). -!go[error(E)] <- ?n(N); -+n(N+1); +failed(E). n(0).") {
+                shouldBelieve("a", "failed(no_agent)[source(self)]", "n(1)[source(self)]")
+            }
+        }
+    }
+
+    context("a message from another computer") {
+        test("becomes a belief with its source, its variables are not the receiver's, and a question is answered there") {
+            computer("p(7).") {
+                cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "n::told(\"x\")[extra]"))
+                eventually(20.seconds) {
+                    believed("a").filter { it.startsWith("n::told(\"x\")") && "source(b)" in it && "extra" in it }.size shouldBe 1
+                }
+                cluster.receives("scout1", Say("samid5", null, "askOne", "b", "a", "p(X)"))
+                (cluster.next().message as Say).run {
+                    inReplyTo shouldBe "samid5"
+                    content shouldContain "p(7)"
+                }
+            }
+        }
+
+        test("whose answer does not arrive is told in the log, since Jason's own plans send it") {
+            computer("p(7).") {
+                cluster.receives("scout1", Say("samid5", null, "askOne", "b", "a", "p(X)"))
+                cluster.next().end.completeExceptionally(Unreachable("scout1 is off"))
+                shouldLog("a message to b has not arrived: scout1 is off")
+            }
+        }
+
+        test("to an agent that is not here, one that cannot be read, and garbage are refused") {
+            computer("") {
+                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "nobody", "x")) }
+                shouldThrow<Refused> { cluster.receives("scout1", Say("mid2", null, "tell", "b", "a", "p(")) }
+                shouldThrow<Exception> { cluster.receives("scout1", byteArrayOf(7)) }
+                shouldLog("a message of scout1 is refused: it is of format 7")
+                shouldLog("a message of b cannot be read and is refused")
+                cluster.receives("scout1", Say("mid3", null, "tell", "b", "a", "still"))
+                eventually(20.seconds) { believed("a") shouldContain "still[source(b)]" }
+            }
+        }
+    }
+
+    test("names are those of all computers in touch, and broadcasts go to all of them") {
+        computer("+!go <- .all_names(L); +names(L); .broadcast(tell, hello); +done.") {
+            val sent = cluster.next()
+            (sent.message as Say).to shouldBe "b"
+            sent.end.complete(null)
+            shouldBelieve("a", "done[source(self)]")
+            believed("a").single { it.startsWith("names") } shouldContain "b"
+        }
+    }
+
+    test("services of all computers are found, and told to subscribers") {
+        computer("+!go <- .df_register(dig); .df_subscribe(fly); .df_search(dig,L); +found(L).") {
+            shouldBelieve("a", "found([a])[source(self)]")
+            fleet.directory.roster("base").offers shouldBe setOf(Offer("a", "dig"))
+            cluster.receives("scout1", RosterNews(offered = setOf(Offer("b", "fly"))))
+            shouldBelieve("a", "provider(b,\"fly\")[source(df)]")
+        }
+    }
+
+    test("an agent of another computer is killed there, and one here by a wish of another computer") {
+        computer("+!go <- .kill_agent(b); +done.") {
+            val sent = cluster.next()
+            sent.message shouldBe Kill("b", "a", 0)
+            sent.end.complete(null)
+            shouldBelieve("a", "done[source(self)]")
+            cluster.receives("scout1", Kill("a", "b", 0))
+            eventually(20.seconds) { fleet.directory.names shouldNotContain "a" }
+            shouldThrow<Refused> { cluster.receives("scout1", Kill("a", "b", 0)) }
+        }
+    }
+
+    test("a new agent has a name that no agent of the fleet has, and the fleet is told of it") {
+        val news = ArrayList<RosterNews>()
+        computer("+!go <- .create_agent(b); .clone(\"c\"); +done.", also = {
+            cluster.answer = { sent ->
+                (sent.message as? RosterNews)?.let(news::add)
+                sent.end.complete(null)
+            }
+        }) {
+            shouldBelieve("a", "done[source(self)]")
+            fleet.directory.names shouldContainExactlyInAnyOrder listOf("a", "b", "b_1", "c")
+            news shouldContain RosterNews(came = setOf("b_1"))
+        }
+    }
+
+    test("a computer that comes, or starts anew, is told all that is here") {
+        computer("") {
+            val told = ArrayList<Pair<String, RosterNews>>()
+            cluster.answer = { sent ->
+                (sent.message as? RosterNews)?.let { told += sent.to to it }
+                sent.end.complete(null)
+            }
+            cluster.view("scout1" to "2", "scout2" to "1")
+            told shouldContainExactlyInAnyOrder listOf("scout1" to whole("a"), "scout2" to whole("a"))
+            fleet.directory.names shouldNotContain "b" // until scout1, which is new, has told
+        }
+    }
+
+    test("the end of the system is told to all computers") {
+        val stops = ArrayList<Stop>()
+        computer("+!go <- .stopMAS(0,false).", also = {
+            cluster.answer = { sent ->
+                (sent.message as? Stop)?.let(stops::add)
+                sent.end.complete(null)
+            }
+        }) {
+            eventually(20.seconds) { isRunning shouldBe false }
+            stops shouldBe listOf(Stop(0, stopsJvm = false, exitStatus = 0))
+        }
+    }
+
+    test("an option of Jason's pools of threads, and a wrong word about percepts, are told") {
+        computer("", options = "[argo_fleet=robots, cycles=3]") {
+            shouldLog("a: cycles has no effect in a fleet")
+            shouldLog("argo_fleet=robots: the value is computers and agents, or one of them")
+        }
+    }
+
+    test("an agent of a name that another computer's has is told") {
+        computer("") {
+            cluster.receives("scout1", RosterNews(came = setOf("a")))
+            shouldLog("an agent called a runs here and on scout1")
+        }
+    }
+
+    test("an agent perceives computers and agents if it asks for that") {
+        computer("", options = "[argo_fleet=\"computers,agents\"]") {
+            shouldBelieve(
+                "a", "computer(base,on)[source(percept)]", "computer(scout1,on)[source(percept)]", "computer(scout2,off)[source(percept)]",
+                "agent(a,base)[source(percept)]", "agent(b,scout1)[source(percept)]",
+            )
+            cluster.view()
+            shouldBelieve("a", "computer(scout1,off)[source(percept)]")
+            eventually(20.seconds) { believed("a") shouldNotContain "agent(b,scout1)[source(percept)]" }
+        }
+    }
+})

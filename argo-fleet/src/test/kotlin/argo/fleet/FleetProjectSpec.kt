@@ -1,0 +1,83 @@
+package argo.fleet
+
+import argo.fleet.cluster.ClusterSettings
+import io.kotest.assertions.throwables.shouldThrow
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.datatest.withData
+import io.kotest.matchers.shouldBe
+import io.kotest.matchers.string.shouldContain
+import jason.mas2j.MAS2JProject
+import jason.mas2j.parser.mas2j
+
+/** What a `.mas2j` says about its fleet. */
+class FleetProjectSpec : FunSpec({
+    fun project(infrastructure: String, agents: String = "a at \"base\";"): MAS2JProject =
+        mas2j("MAS garden { infrastructure: $infrastructure agents: $agents }".byteInputStream()).mas().apply { setupDefault() }
+
+    fun fleet(infrastructure: String, agents: String = "a at \"base\";") = FleetProject(project(infrastructure, agents))
+
+    test("computers have addresses and ports of their own, or those of the fleet") {
+        val fleet = fleet("Fleet(name(meadow), hosts([base(\"127.0.0.1\"),scout1(\"127.0.0.1:4800\"),scout2(\"[::1]:4801\")]), port(4799))")
+        fleet.name shouldBe "meadow"
+        fleet.hosts.mapValues { (_, address) -> address.port } shouldBe mapOf("base" to 4799, "scout1" to 4800, "scout2" to 4801)
+        fleet.settings("scout1", null).bind.port shouldBe 4800
+    }
+
+    test("a computer without an address has its own name as its host's") {
+        fleet("Fleet(hosts([localhost]))", "a at \"localhost\";").hosts.getValue("localhost").address.isLoopbackAddress shouldBe true
+    }
+
+    test("without hosts a fleet has the project's name, and listens on the loopback interface") {
+        val settings = fleet("Fleet").settings("base", null)
+        settings.fleet shouldBe "garden"
+        settings.hosts shouldBe emptyMap()
+        settings.bind.address.isLoopbackAddress shouldBe true
+        settings.bind.port shouldBe ClusterSettings.DEFAULT_PORT
+    }
+
+    test("agents are at their computers, several of a kind by numbers") {
+        val fleet = fleet("Fleet(hosts([base(\"127.0.0.1:1\"),s(\"127.0.0.1:2\")]))", "a at \"base, s\"; b #2 at \"s\";")
+        fleet.planned shouldBe mapOf("a" to listOf("base", "s"), "b1" to listOf("s"), "b2" to listOf("s"))
+        fleet.agents.filter { it.isMovable }.map { it.name } shouldBe listOf("a")
+    }
+
+    context("a project is refused") {
+        withData(
+            nameFn = { (it, _) -> it },
+            "Local" to "infrastructure: Local",
+            "Fleet(hots([base]))" to "hots is no option of Fleet",
+            "Fleet(name(a), name(b))" to "name twice",
+            "Fleet(insecure, tls(\"x\"))" to "of which only one can be meant",
+            "Fleet(port(70000))" to "a port from 1 to 65535",
+            "Fleet(port(1,2))" to "port(…) with one argument",
+            "Fleet(hosts(base))" to "hosts([base(\"10.8.0.1\")",
+            "Fleet(hosts([base(\"127.0.0.1\",2)]))" to "a computer, as base(",
+            "Fleet(hosts([base(\"127.0.0.1:0\")]))" to "a port is from 1",
+            "Fleet(hosts([base(\"127.0.0.1\"),base(\"127.0.0.1\")]))" to "two computers are called base",
+            "Fleet(hosts([other(\"127.0.0.1\")]))" to "agent a is at base, which is none of the hosts other",
+            "Fleet(hosts([base(\"no such host\")]))" to "no address of the host",
+        ) { (infrastructure, reason) ->
+            shouldThrow<FleetProjectException> { fleet(infrastructure) }.message shouldContain reason
+        }
+    }
+
+    test("an agent without a computer, and two of one name, are refused") {
+        shouldThrow<FleetProjectException> { fleet("Fleet", "a;") }.message shouldContain "agent a is at no computer"
+        shouldThrow<FleetProjectException> { fleet("Fleet", "a at \"base\"; a at \"scout\";") }.message shouldContain
+            "two agents are called a"
+        shouldThrow<FleetProjectException> { fleet("Fleet", "a at \"base, scout\";") }.message shouldContain "most computers have to agree"
+    }
+
+    test("a computer that the project does not know is refused, with those that it knows") {
+        val fleet = fleet("Fleet(hosts([base(\"127.0.0.1:1\"),s(\"127.0.0.1:2\")]))")
+        shouldThrow<FleetProjectException> { fleet.settings("scout9", null) }.message shouldContain
+            "there is no computer scout9 in this fleet; there are base, s"
+        shouldThrow<FleetProjectException> { fleet.settings("base", "127.0.0.1") }.message shouldContain "--bind 127.0.0.1 has no meaning"
+    }
+
+    test("a fleet that others can reach has certificates, or says that it is insecure") {
+        shouldThrow<FleetProjectException> { fleet("Fleet").settings("base", "0.0.0.0") }.message shouldContain "insecure"
+        fleet("Fleet(insecure)").settings("base", "0.0.0.0").insecure shouldBe true
+        fleet("Fleet(tls(\"keys\"))").settings("base", "0.0.0.0").certificates.toString() shouldBe "keys"
+    }
+})

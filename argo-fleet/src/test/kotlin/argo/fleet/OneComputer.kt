@@ -1,0 +1,77 @@
+package argo.fleet
+
+import argo.fleet.node.Fleet
+import io.kotest.assertions.nondeterministic.eventually
+import io.kotest.matchers.collections.shouldContainAll
+import io.kotest.matchers.collections.shouldNotBeEmpty
+import jason.mas2j.ClassParameters
+import jason.mas2j.parser.mas2j
+import jason.util.Config
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.logging.Handler
+import java.util.logging.LogRecord
+import java.util.logging.Logger
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.writeText
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * The computer `base` of a fleet, whose other computers a test plays.
+ *
+ * @param placed the agents of the project file, such as `a at "base";`
+ * @param programs the programs of agents by their names
+ */
+internal class OneComputer(placed: String, vararg programs: Pair<String, String>) : AutoCloseable {
+    private val directory = createTempDirectory("fleet")
+    val cluster = FakeCluster("base")
+    private val mas: FleetMas
+    private val records = ConcurrentLinkedQueue<LogRecord>()
+    private val handler = object : Handler() {
+        override fun publish(record: LogRecord) {
+            records += record
+        }
+
+        override fun flush() = Unit
+        override fun close() = Unit
+    }
+    val fleet: Fleet
+
+    init {
+        Logger.getLogger("").addHandler(handler)
+        Config.get()[Config.START_WEB_MI] = "false" // Jason would start a server
+        programs.forEach { (agent, program) -> directory.resolve("$agent.asl").writeText(program) }
+        val project = mas2j(
+            """
+            MAS test {
+                infrastructure: Fleet(hosts([base("127.0.0.1:1"),scout1("127.0.0.1:2"),scout2("127.0.0.1:3")]))
+                agents: $placed
+                aslSourcePath: "$directory";
+            }
+            """.byteInputStream(),
+        ).mas()
+        project.setupDefault()
+        project.fixAgentsSrc()
+        val described = FleetProject(project)
+        project.infrastructure = ClassParameters("Local")
+        mas = FleetMas().apply { this.project = project }
+        fleet = Fleet(cluster, described.planned, described.hosts.keys, Logger.getLogger("test"))
+        mas.run(fleet, described.agents, described.hosts.size)
+    }
+
+    fun believed(agent: String): List<String> = mas.getAg(agent)?.ts?.ag?.bb?.map { "$it" }.orEmpty()
+
+    /** Waits until [agent] believes all of [beliefs]. */
+    suspend fun shouldBelieve(agent: String, vararg beliefs: String) =
+        eventually(20.seconds) { believed(agent) shouldContainAll beliefs.asList() }
+
+    /** Waits until the log has a line with [text]. */
+    suspend fun shouldLog(text: String) = eventually(20.seconds) { records.map { it.message }.filter { text in it }.shouldNotBeEmpty() }
+
+    val isRunning: Boolean get() = mas.isRunning
+
+    override fun close() {
+        mas.finish(0, false, 0)
+        Logger.getLogger("").removeHandler(handler)
+        directory.toFile().deleteRecursively()
+    }
+}

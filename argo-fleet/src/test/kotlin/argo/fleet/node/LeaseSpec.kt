@@ -1,0 +1,121 @@
+package argo.fleet.node
+
+import io.kotest.assertions.withClue
+import io.kotest.core.spec.style.FunSpec
+import io.kotest.matchers.ints.shouldBeGreaterThan
+import io.kotest.matchers.longs.shouldBeGreaterThan
+import io.kotest.matchers.shouldBe
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.long
+import io.kotest.property.checkAll
+import java.util.PriorityQueue
+import kotlin.random.Random
+
+/** The right to run an agent that outlives its computer: never two have it. In virtual time. */
+class LeaseSpec : FunSpec({
+    test("a computer that most have granted it may run the agent, and no longer than it renews that") {
+        val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
+        world.claim(0)
+        world.advance(10 * MS)
+        world.running() shouldBe listOf(0)
+        world.advance(Lease.DURATION_NS)
+        world.running() shouldBe emptyList()
+    }
+
+    test("while one has it, others ask in vain; when it is silent, the next one gets it under a greater term") {
+        val world = World(3, Random(1)).apply { advance(Lease.DURATION_NS) }
+        world.claim(0)
+        world.advance(10 * MS)
+        world.claim(1)
+        world.advance(10 * MS)
+        world.running() shouldBe listOf(0)
+        val first = world.leases[0].ownTerm
+        world.cut(0)
+        world.advance(2 * Lease.DURATION_NS)
+        repeat(2) { // the first claim may have an old term
+            world.claim(1)
+            world.advance(10 * MS)
+        }
+        world.running() shouldBe listOf(1)
+        world.leases[1].ownTerm shouldBeGreaterThan first
+    }
+
+    test("a computer that has just begun grants nothing, since it may have promised it before") {
+        val world = World(3, Random(1))
+        world.claim(0)
+        world.advance(10 * MS)
+        world.running() shouldBe emptyList()
+    }
+
+    test("however messages are delayed, lost and doubled, computers cut off, stopped and started anew, never two may run it") {
+        var reigns = 0
+        checkAll(200, Arb.long()) { seed ->
+            val random = Random(seed)
+            val world = World(random.nextInt(2, 6), random)
+            repeat(400) {
+                world.step()
+                withClue("seed $seed") { world.running().size shouldBe world.running().take(1).size }
+            }
+            reigns += world.leases.maxOf { it.term }.toInt()
+        }
+        reigns shouldBeGreaterThan 200
+    }
+})
+
+private const val MS = 1_000_000L
+
+/** Computers that claim one agent, and the messages among them. */
+private class World(private val computers: Int, private val random: Random) {
+    private class Sent(val arrivesNs: Long, val act: () -> Unit)
+
+    private var nowNs = 1_000_000_000L
+    private val under = PriorityQueue<Sent>(compareBy { it.arrivesNs })
+    private val isCut = BooleanArray(computers)
+    val leases = MutableList(computers) { begun() }
+
+    private fun begun() = Lease(computers, nowNs, random.nextLong()) { nowNs }
+
+    fun running(): List<Int> = leases.indices.filter { leases[it].mayRun() }
+
+    fun cut(computer: Int) {
+        isCut[computer] = true
+    }
+
+    fun advance(ns: Long) {
+        val end = nowNs + ns
+        while (under.isNotEmpty() && under.peek().arrivesNs <= end) {
+            val sent = under.remove()
+            nowNs = maxOf(nowNs, sent.arrivesNs)
+            sent.act()
+        }
+        nowNs = end
+    }
+
+    fun claim(from: Int) {
+        val claim = leases[from].claim("a")
+        leases.indices.forEach { to ->
+            send(from, to) {
+                val grant = leases[to].answer("c$from", claim)
+                send(to, from) { leases[from].take("c$to", grant) }
+            }
+        }
+    }
+
+    private fun send(from: Int, to: Int, act: () -> Unit) {
+        if (from == to) return act()
+        if (isCut[from] || isCut[to] || random.nextInt(20) == 0) return
+        val delay = if (random.nextInt(10) == 0) random.nextLong(3000) else random.nextLong(20)
+        under += Sent(nowNs + delay * MS, act)
+    }
+
+    fun step() {
+        val computer = random.nextInt(computers)
+        when (random.nextInt(40)) {
+            0 -> isCut[computer] = !isCut[computer]
+            1 -> leases[computer] = begun()
+            2 -> leases[computer].giveUp()
+            else -> claim(computer)
+        }
+        advance(random.nextLong(200) * MS)
+    }
+}
