@@ -17,6 +17,7 @@ ahead(D) :- pose(X, Y, H) & other(A, B) & D = (A - X) * math.cos(H) + (B - Y) * 
 left(D)  :- pose(X, Y, H) & other(A, B) & D = (B - Y) * math.cos(H) - (A - X) * math.sin(H).
 
 +pose(_, _, _) : not there & ahead(A) & left(L) <- !go(A, L).
++other(_, _)   : not there & ahead(A) & left(L) <- !go(A, L). // if it is seen later than the first turtle, which stands
 
 +!go(A, L) : A * A + L * L < 0.25 <- +there; argo.act(stop); .print("is there"); .stopMAS.
 +!go(A, L) : A > 0 <- argo.act(drive(A, 4 * L / (A + 1)), [latest]).

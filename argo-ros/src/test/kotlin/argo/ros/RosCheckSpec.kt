@@ -15,6 +15,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import picocli.CommandLine
 import java.io.PrintWriter
 import java.io.StringWriter
+import java.net.ServerSocket
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.TimeUnit
 import kotlin.io.path.writeText
@@ -74,9 +75,10 @@ class RosCheckSpec : FunSpec({
                 err shouldContain "2:17: a/A has no field y; it has x"
             }
         }
-        check(MAPPING, "127.0.0.1:1").let { (status, _, err) ->
+        val free = ServerSocket(0).use { it.localPort }
+        check(MAPPING, "127.0.0.1:$free").let { (status, _, err) ->
             status shouldBe 1
-            err shouldContain "nothing listens at 127.0.0.1:1"
+            err shouldContain "nothing listens at 127.0.0.1:$free"
         }
     }
 })
