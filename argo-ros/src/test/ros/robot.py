@@ -3,9 +3,10 @@
     robot.py [HZ]
 
 Publishes /count (std_msgs/Int32), /sonar (sensor_msgs/Range, with the time) and /scan (sensor_msgs/LaserScan, with a NaN and an infinite
-range) at HZ, 20 unless given, and each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger) and /lamp (std_srvs/SetBool, no
-success when it is switched off), and the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second,
-one below is aborted, and 0 is rejected.
+range) at HZ, 20 unless given, and each message of /cmd_vel on /driven. Serves /horn (std_srvs/Trigger), /lamp (std_srvs/SetBool, no
+success when it is switched off), /rest (std_srvs/Empty) and /camera (sensor_msgs/SetCameraInfo, which says the distortion model again), and
+the action /drive (actionlib/TestAction): a goal above 0 succeeds after so many tenths of a second, with half of it as feedback before, one
+below is aborted, and 0 is rejected. Goals that were cancelled are on /cancelled (std_msgs/Int32).
 """
 
 import sys
@@ -14,11 +15,12 @@ import time
 
 import rospy
 from actionlib import ActionServer
-from actionlib.msg import TestAction, TestResult
+from actionlib.msg import TestAction, TestFeedback, TestResult
 from geometry_msgs.msg import Twist
 from sensor_msgs.msg import LaserScan, Range
+from sensor_msgs.srv import SetCameraInfo, SetCameraInfoResponse
 from std_msgs.msg import Int32
-from std_srvs.srv import SetBool, SetBoolResponse, Trigger, TriggerResponse
+from std_srvs.srv import Empty, EmptyResponse, SetBool, SetBoolResponse, Trigger, TriggerResponse
 
 goals = {}
 
@@ -32,8 +34,10 @@ def drive(handle):
     cancelled = goals[handle.get_goal_id().id] = threading.Event()
 
     def arrive():
+        handle.publish_feedback(TestFeedback(feedback=goal // 2))
         if cancelled.wait(abs(goal) / 10):
             handle.set_canceled(None, "it was cancelled")
+            cancellations.publish(goal)
         elif goal < 0:
             handle.set_aborted(TestResult(result=goal), "a wall is in the way")
         else:
@@ -47,11 +51,15 @@ def cancel(handle):
 
 
 def main(hz):
+    global cancellations
     rospy.init_node("robot")
+    cancellations = rospy.Publisher("/cancelled", Int32, queue_size=10, latch=True)
     driven = rospy.Publisher("/driven", Twist, queue_size=10)
     rospy.Subscriber("/cmd_vel", Twist, driven.publish)
     rospy.Service("/horn", Trigger, lambda request: TriggerResponse(True, "it sounds"))
     rospy.Service("/lamp", SetBool, lambda request: SetBoolResponse(request.data, "" if request.data else "it has no switch"))
+    rospy.Service("/rest", Empty, lambda request: EmptyResponse())
+    rospy.Service("/camera", SetCameraInfo, lambda request: SetCameraInfoResponse(True, request.camera_info.distortion_model))
     ActionServer("/drive", TestAction, drive, cancel, auto_start=False).start()
     counts = rospy.Publisher("/count", Int32, queue_size=1)
     sonar = rospy.Publisher("/sonar", Range, queue_size=1)

@@ -60,6 +60,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         private set
     internal val perception by lazy { AgentPerception(boards) }
     internal val commands by lazy { CommandRouter(boards) }
+    internal val awaited = AwaitedWork()
 
     internal lateinit var policy: SensingPolicy
         private set
@@ -153,6 +154,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
 
     override fun reasoningCycleFinished() {
         boundary.cycleFinished()
+        awaited.giveUpDropped(ts.c.pendingIntentions.keys)
         observing.each { it.cycleFinished() }
         waker.cycleEnds()
         if (ts.c.isAtomicIntentionSuspended) waker.sleepsUnasked()

@@ -1,11 +1,15 @@
 package argo
 
+import argo.acting.termOf
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Live
 import argo.calls.ArgumentException
 import argo.calls.Failure
+import argo.calls.NO_ANSWER
 import argo.calls.wrongArgument
+import argo.filters.jason.PerceptSyntaxException
+import argo.observing.CommandFailure
 import jason.JasonException
 import jason.architecture.AgArch
 import jason.asSemantics.ConcurrentInternalAction
@@ -23,6 +27,9 @@ abstract class BoardInternalAction internal constructor(private val name: String
     final override fun suspendIntention(): Boolean = suspends
 
     internal open val suspends: Boolean get() = false
+
+    /** Returns the term in [args] with which the answer from outside must unify; null: no answer is awaited. */
+    internal open fun awaitedIn(args: Array<Term>): Term? = null
 
     /** Does the action's work. Called by the agent's thread. */
     internal abstract fun run(call: Call)
@@ -55,13 +62,36 @@ abstract class BoardInternalAction internal constructor(private val name: String
 
         fun failure(error: String, cause: String): JasonException = Failure(error, cause).of(text)
 
-        /** Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails. */
-        fun suspendIntention(): (Failure?) -> Unit {
+        /**
+         * Suspends the intention. Call the returned function once, on any thread, with the outcome: null, or why the plan fails; and with
+         * the text of the answer, or null. The agent's thread calls [giveUp], perhaps late, if it drops the intention before the outcome.
+         */
+        fun suspendIntention(giveUp: (() -> Unit)? = null): (Failure?, String?) -> Unit {
             val key = suspendInt(ts, name, 0)
-            return ts.boundary.suspended { failure ->
-                resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
+            val awaited = awaitedIn(args)
+            if (giveUp != null) arch.awaited.begin(key, giveUp)
+            return ts.boundary.suspended { failure, answer ->
+                arch.awaited.end(key)
+                if (failure != null || awaited == null) end(key, failure)
+                else ts.runAtBeginOfNextCycle { end(key, differing(key, awaited, answer)) }
                 arch.wake { !ts.c.pendingIntentions.containsKey(key) }
             }
+        }
+
+        private fun end(key: String, failure: CommandFailure?) =
+            resume(ts, key, failure != null, failure?.let { Failure(it.error, it.cause).of(text).errorTerms })
+
+        /** Unifies [awaited] with [answer] in the intention; returns the reason if that cannot be. */
+        private fun differing(key: String, awaited: Term, answer: String?): Failure? {
+            if (answer == null) return Failure(NO_ANSWER, "no answer to it is known")
+            val intention = ts.c.pendingIntentions[key] ?: return null // the agent has dropped it
+            val term = try {
+                termOf(answer)
+            } catch (unreadable: PerceptSyntaxException) {
+                return Failure(NO_ANSWER, "it was carried out, but its answer cannot be read: ${unreadable.message}")
+            }
+            val isAlike = intention.peek().unif.unifies(awaited, term)
+            return if (isAlike) null else Failure("other_answer", "it was carried out, and the answer $answer does not unify with $awaited")
         }
     }
 }

@@ -6,6 +6,7 @@ import argo.acting.commandText
 import argo.boards.AgentBoards
 import argo.boards.Board
 import argo.calls.Failure
+import argo.calls.NO_ANSWER
 import argo.connecting.OpenPort
 import argo.filters.jason.PerceptReader
 import argo.filters.jason.PerceptSyntaxException
@@ -37,7 +38,8 @@ internal class CommandRouter(private val boards: AgentBoards) {
      * @param module the namespace of the command's module; null: it is in no module
      * @param cause returns the percept that made the agent send the command, or null; called when the command is under way, before
      *     [outcome]
-     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way
+     * @param outcome returns the receiver of the outcome, see [Transmission.follow]; called when the command is under way, with
+     *     [Transmission.giveUp]
      * @return null: the command was sent; else the reason why the command has no board
      * @throws argo.calls.ArgumentException if the line cannot carry the command
      */
@@ -46,17 +48,22 @@ internal class CommandRouter(private val boards: AgentBoards) {
         options: CommandOptions,
         module: String? = null,
         cause: () -> Literal? = { null },
-        outcome: () -> (Failure?) -> Unit,
+        outcome: (giveUp: (() -> Unit)?) -> (Failure?, String?) -> Unit,
     ): Failure? = when (val route = routeOf(command, options.port, module)) {
         is Route.Nowhere -> route.failure
         is Route.To -> {
-            val sent = boards.send(route.port, commandText(command, route.port.link.isLine), options)
-            hold(sent, route.port, cause(), outcome())
+            val text = commandText(command, route.port.link.isLine)
+            if (options.answer != null && !route.port.link.answers(text)) return Failure(NO_ANSWER, noAnswer(text, route.port))
+            val sent = boards.send(route.port, text, options)
+            hold(sent, route.port, cause(), outcome(sent.giveUp))
             null
         }
     }
 
-    private fun hold(sent: Transmission, port: OpenPort, cause: Literal?, outcome: (Failure?) -> Unit) {
+    private fun noAnswer(text: String, port: OpenPort) = "port ${port.link.port} has no answer to \"$text\", which was not sent; only " +
+        "services and actions of a robot that speaks ROS have one"
+
+    private fun hold(sent: Transmission, port: OpenPort, cause: Literal?, outcome: (Failure?, String?) -> Unit) {
         val causing = cause?.let(boards::of).orEmpty()
         val holder = causing.find { it.port === port } ?: causing.firstOrNull() ?: boards.inUseOn(port)
         val ledger = holder?.ledger ?: return sent.follow({ }, outcome)

@@ -70,7 +70,7 @@ internal class ObservedArch(
         }
         later({}) {
             try {
-                arch.commands.send(term, options.toCommandOptions()) { done }?.let(done)
+                arch.commands.send(term, options.toCommandOptions()) { { failure, _ -> done(failure) } }?.let(done)
             } catch (wrong: ArgumentException) {
                 done(wrongArgument(wrong.message.orEmpty()))
             }

@@ -2,6 +2,7 @@ package argo
 
 import argo.acting.CommandOptions
 import argo.acting.requireCommand
+import jason.asSyntax.Term
 
 /**
  * The internal action `argo.act(W)`: sends the text of W, any literal, to a board: `ledOn`, `speed(120)`. A string is sent without its
@@ -25,16 +26,22 @@ import argo.acting.requireCommand
  * - `latest`: the command replaces all commands of its functor that have not begun to go out, whatever their arguments. Replaced commands
  *   are never sent and fail with `error(act_replaced)`; the new one takes the place of the first. So `argo.act(speed(V), [latest])` sends
  *   the newest speed when the line is free, however often it is called. With `urgent` it waits among the urgent commands
+ * - `answer(R)`: R unifies with the answer of a service or an action of a robot that speaks ROS, as its mapping has it
+ *
+ * If the agent drops the intention while a robot carries the goal of an action out, the goal is cancelled.
  *
  * Fails the plan with `error(wrong_arguments)`, `error(no_port)` if no port is in use, `error(unknown_board)` if no board has the namespace
  * or the port, `error(ambiguous_action)` if the descriptions of several boards have the action, `error(port_gone)`, `error(port_timeout)`,
  * `error(port_failed)` or `error(not_argo)`. With a board of version 2 it also fails with `error(act_refused)`, if the board does not know
  * the action or its arguments, and with `error(act_unconfirmed)`, if the board does not acknowledge the action, though it may have acted.
- * With a robot that speaks ROS it also fails with `error(act_failed)`, if the robot could not carry the command out.
+ * With a robot that speaks ROS it also fails with `error(act_failed)`, if the robot could not carry the command out. With `answer(R)` it
+ * also fails with `error(no_answer)`, and with `error(other_answer)`, if the answer does not unify with R.
  */
 @Suppress("ClassName")
 open class act : BoardInternalAction("argo.act", 1..2) {
     override val suspends get() = true
+
+    override fun awaitedIn(args: Array<Term>) = args.getOrNull(1)?.let(CommandOptions::of)?.answer
 
     override fun run(call: Call) {
         val router = call.arch.commands

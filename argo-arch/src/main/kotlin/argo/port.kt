@@ -31,8 +31,8 @@ open class port : BoardInternalAction("argo.port", 1..2) {
         val name = portName(call.args[0])
         val options = call.args.getOrNull(1)?.let(PortOptions::of)
         val outcome = call.suspendIntention()
-        if (name == "none") ports.closeAll { outcome(null) }
-        else ports.choose(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0])) }
+        if (name == "none") ports.closeAll { outcome(null, null) }
+        else ports.choose(portTerm(call.args[0], name), name, options) { outcome(it?.hinting(call.args[0]), null) }
     }
 }
 

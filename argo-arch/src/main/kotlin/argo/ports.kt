@@ -31,7 +31,7 @@ open class ports : BoardInternalAction("argo.ports", 1..1) {
             throw ArgumentException("the port ${it.first().term} is in the list twice, with different options")
         }
         val outcome = call.suspendIntention()
-        ports.chooseAll(wanted, outcome)
+        ports.chooseAll(wanted) { outcome(it, null) }
     }
 }
 

@@ -13,16 +13,18 @@ import jason.asSyntax.Term
  * @property urgent whether the command goes before waiting commands that are not urgent
  * @property latest whether it replaces waiting commands of the same functor
  * @property port the port of the command's board; null: the options name none
+ * @property answer the term with which the board's answer must unify; null: no answer is asked for
  */
 internal data class CommandOptions(
     val timeoutMs: Int? = null,
     val urgent: Boolean = false,
     val latest: Boolean = false,
     val port: Term? = null,
+    val answer: Term? = null,
 ) {
     companion object {
         private const val MAX_MS = 600_000
-        private const val KNOWN = "timeout(Ms), urgent, latest and port(P)"
+        private const val KNOWN = "timeout(Ms), urgent, latest, port(P) and answer(R)"
 
         /** Reads a list such as `[timeout(200), latest]`. Throws [ArgumentException] if [term] is no list of known options. */
         fun of(term: Term): CommandOptions = withOptions(CommandOptions(), term, "[timeout(200), latest]", KNOWN) { with(it) }
@@ -34,6 +36,7 @@ internal data class CommandOptions(
                 literal?.functor == "latest" && literal.arity == 0 -> copy(latest = true)
                 literal?.functor == "timeout" && literal.arity == 1 -> copy(timeoutMs = whole(literal, 1..MAX_MS))
                 literal?.functor == "port" && literal.arity == 1 -> copy(port = literal.getTerm(0))
+                literal?.functor == "answer" && literal.arity == 1 -> copy(answer = literal.getTerm(0))
                 else -> null
             }
         }

@@ -1,8 +1,10 @@
 package argo.acting
 
 import argo.calls.Failure
+import argo.calls.NO_ANSWER
 import argo.calls.failureOf
 import argo.calls.whileLost
+import argo.links.Answer
 import argo.links.BoardLink
 import argo.links.SentCommand
 import argo.platform.Platform
@@ -31,22 +33,29 @@ internal class CommandSender(
     private val writer = lazy { platform.start("argo-$owner-acting-${link.port}", ::writeCommands) }
 
     /** Queues [text], see [BoardLink.send]; writes it at once if the line is free. */
-    fun send(text: String, options: CommandOptions): Transmission = transmission("\"$text\"", link.send(text, options.forLink()))
+    fun send(text: String, options: CommandOptions): Transmission =
+        transmission("\"$text\"", link.send(text, options.forLink()), options.answer != null)
 
     /** Sends [change], a change of the board's rules, ahead of waiting commands. */
     fun send(change: CommandItem.Rule): Transmission =
-        transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()))
+        transmission("a rule", link.sendRule(change, CommandOptions(urgent = true).forLink()), isAnswered = false)
 
-    private fun transmission(what: String, sent: SentCommand): Transmission {
+    private fun transmission(what: String, sent: SentCommand, isAnswered: Boolean): Transmission {
         if (link.isOpen) writer.value
-        return Transmission { left, outcome -> follow(what, sent, left, outcome) }
+        return Transmission(sent.giveUp) { left, outcome ->
+            follow(what, sent, left) { value, trouble ->
+                val answer = (value as? Answer)?.takeIf { isAnswered }
+                outcome(trouble?.let(::failed) ?: answer?.why?.let { Failure(NO_ANSWER, "$what was carried out, but $it") }, answer?.text)
+            }
+        }
     }
 
-    private fun follow(what: String, sent: SentCommand, left: () -> Unit, outcome: (Failure?) -> Unit) {
+    private fun follow(what: String, sent: SentCommand, left: () -> Unit, outcome: (value: Any?, trouble: Throwable?) -> Unit) {
+        val end = sent.outcome.handle { value: Any?, trouble: Throwable? -> value to trouble }
         val ended =
-            if (sent.left === sent.outcome) sent.outcome.handle { _, trouble -> trouble.also { left() } }
-            else sent.left.handle { _, _ -> left() }.thenCombine(sent.outcome.handle { _, trouble -> trouble }) { _, trouble -> trouble }
-        ended.thenAccept { trouble -> outcome(trouble?.let(::failed)) }.exceptionally { broken ->
+            if (sent.left === sent.outcome) end.thenApply { it.also { left() } }
+            else sent.left.handle { _, _ -> left() }.thenCombine(end) { _, both -> both }
+        ended.thenAccept { (value, trouble) -> outcome(value, trouble) }.exceptionally { broken ->
             null.also { LOG.log(Level.WARNING, "the receiver of the outcome of $what has failed", broken) }
         }
     }

@@ -18,12 +18,15 @@ internal fun commandTerm(command: String): Term {
     val text = command.trim()
     try {
         if (!text.startsWith('"')) return PerceptReader.read(text)
-        val only = PerceptReader.read("text($text)").terms.singleOrNull() // the reader takes only literals
+        val only = PerceptReader.read("text($text)").terms.singleOrNull()
         return only as? StringTerm ?: throw ArgumentException("$text is more than one string in quotes")
     } catch (wrong: PerceptSyntaxException) {
         throw ArgumentException(if (text.startsWith('"')) "$text is no string in quotes" else wrong.message.orEmpty())
     }
 }
+
+/** Reads [text], a term that a link has written. */
+internal fun termOf(text: String): Term = PerceptReader.read("answer($text)").getTerm(0) // the reader takes only literals
 
 /** Refuses [command] unless it is a string, or a literal without variables. */
 internal fun requireCommand(command: Term) {

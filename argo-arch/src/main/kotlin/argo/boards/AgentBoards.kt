@@ -139,7 +139,10 @@ internal class AgentBoards(
     fun handOverOf(board: Board): HandOver {
         if (policy != SensingPolicy.FRESH) return EveryHandOver { log.warning(it) }
         val late = rateLimitedWarning()
-        return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }) { ms, why ->
+        val tellLost = { count: Long ->
+            if (count.countOneBits() == 1) log.warning("the agent is too slow for the events of port ${board.term}: $count are lost")
+        }
+        return FreshHandOver(EarlierWork(board.ledger, queues, platform.nowMs) { isOf(board, it) }, tellLost) { ms, why ->
             late.report("late") {
                 "the newest percepts of port ${board.term} have not reached the agent for $ms ms: $why. " +
                     "Commands with timeout(Ms) or latest do not pile up"
@@ -223,10 +226,10 @@ internal class AgentBoards(
             else -> commands.send(text, options)
         }
         if (issued == null) return transmission
-        return Transmission { left, outcome ->
-            transmission.follow(left) { failure ->
+        return Transmission(transmission.giveUp) { left, outcome ->
+            transmission.follow(left) { failure, answer ->
                 observers.each { it.commandEnded(issued, failure) }
-                outcome(failure)
+                outcome(failure, answer)
             }
         }
     }

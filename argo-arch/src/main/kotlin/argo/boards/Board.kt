@@ -161,7 +161,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
      */
     fun received(port: OpenPort, message: BoardMessage, askedNanos: Long, nextNanos: Long) {
         answer.came(message.receivedNanos)
-        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos)
+        val isWanted = percepts.received(port, message.text, askedNanos, message.receivedNanos, message.seenNanos, message.event)
         answer.read(nextNanos)
         agent.ready.answered(this)
         if (!isWanted) return
@@ -214,7 +214,7 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     fun isStale(port: Term): Boolean = stale.isStale(port)
 
     private fun sendReflex(port: OpenPort, command: String, outcome: (Failure?) -> Unit) =
-        agent.send(port, command, CommandOptions(urgent = true)).follow({ }, outcome)
+        agent.send(port, command, CommandOptions(urgent = true)).follow({ }) { failure, _ -> outcome(failure) }
 
     private fun reflexEnded(rule: CriticalRule, watcher: RuleWatcher, failure: Failure?) {
         agent.observers.reflexEnded(rule, watcher, failure)

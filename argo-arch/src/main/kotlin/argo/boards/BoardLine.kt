@@ -30,7 +30,7 @@ internal class BoardLine(private val port: OpenPort, private val agent: AgentBoa
 
     val rules = BoardRules(
         { agent.boardOn(port)?.takeIf { agent.leavesRulesToBoards }?.critical.orEmpty() },
-        { change, outcome -> commands.send(change).follow({ }, outcome) },
+        { change, outcome -> commands.send(change).follow({ }) { failure, _ -> outcome(failure) } },
     )
 
     override val intervalMs get() = agent.boardOn(port)?.intervalMs ?: agent.intervalMs

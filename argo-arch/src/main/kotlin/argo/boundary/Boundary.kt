@@ -34,9 +34,10 @@ interface Boundary {
 
     /**
      * Returns the callback of an intention that waits for something outside. Any thread may call the callback, once, when the wait is over.
-     * After that [complete] is called, at once or in a later cycle, with null or with the reason of a failure.
+     * After that [complete] is called, at once or in a later cycle, with null or with the reason of a failure, and with the
+     * text of the answer from outside, or null.
      */
-    fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit
+    fun suspended(complete: (failure: CommandFailure?, answer: String?) -> Unit): (failure: CommandFailure?, answer: String?) -> Unit
 
     /** Sends [message]; [live] hands it to the infrastructure. */
     fun send(message: Message, live: () -> Unit)
@@ -86,7 +87,7 @@ internal object Live : Boundary {
     override fun boardOf(percept: Literal, live: () -> String?) = live()
     override fun takeMail(live: () -> Unit) = live()
     override fun call(call: InternalCall, live: () -> Any) = live()
-    override fun suspended(complete: (CommandFailure?) -> Unit) = complete
+    override fun suspended(complete: (CommandFailure?, String?) -> Unit) = complete
     override fun send(message: Message, live: () -> Unit) = live()
     override fun broadcast(message: Message, live: () -> Unit) = live()
     override fun act(action: ActionExec, live: (ActionExec) -> Unit) = live(action)

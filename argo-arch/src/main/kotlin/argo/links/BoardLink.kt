@@ -84,6 +84,9 @@ interface BoardLink : AutoCloseable {
     @Throws(PortException::class)
     fun perceptKinds(timeoutMs: Int): List<PerceptKind> = emptyList()
 
+    /** Returns true if the outcome of the command [text] brings an [Answer]. */
+    fun answers(text: String): Boolean = false
+
     /** Sends [text] as a command without waiting. */
     fun send(text: String, options: SendOptions): SentCommand
 
@@ -125,14 +128,40 @@ class Wish(val isSensed: Boolean, val intervalMs: Int, val filter: PerceptionFil
  * @property text the message's percepts, each with its `;`
  * @property receivedNanos the arrival time of the message's end, by the platform's clock
  * @property seenNanos the times at which percepts older than the message were true, by the same clock
+ * @property event the percept in [text] that the agent perceives in its turn, even if newer messages have come; empty: none, between two
+ * equal ones; null: the message has no such percept
  */
-class BoardMessage(val text: String, val receivedNanos: Long, val seenNanos: Map<String, Long> = emptyMap())
+class BoardMessage(
+    val text: String,
+    val receivedNanos: Long,
+    val seenNanos: Map<String, Long> = emptyMap(),
+    val event: String? = null,
+)
 
 /**
  * A command on its way. Each future is completed once, by any thread and outside of any lock, with a [PortException] if it fails.
  *
- * @property outcome the outcome of the command
+ * @property outcome the outcome of the command: an [Answer], if the far end [answers][BoardLink.answers] such commands
  * @property left the end of the command's way to the board; completes no later than [outcome]. The agent gets no new snapshot before that
  * end. If the outcome takes long, as for a robot's journey, this is a future of its own
+ * @property giveUp ends the command early, without waiting: withdraws it, or tells the far end to stop; null: neither is possible
  */
-class SentCommand(val outcome: CompletableFuture<*>, val left: CompletableFuture<*> = outcome)
+class SentCommand(
+    val outcome: CompletableFuture<*>,
+    val left: CompletableFuture<*> = outcome,
+    val giveUp: (() -> Unit)? = null,
+)
+
+/**
+ * The answer of a board to a command. Immutable.
+ *
+ * @property text the text of a term; null: there is none
+ * @property why the reason why there is none, in words; null: there is one
+ */
+class Answer private constructor(val text: String?, val why: String?) {
+    companion object {
+        fun of(text: String) = Answer(text, null)
+
+        fun none(why: String) = Answer(null, why)
+    }
+}

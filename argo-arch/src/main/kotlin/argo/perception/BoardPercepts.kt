@@ -77,13 +77,17 @@ internal class BoardPercepts(
         dueMs = null
         critical = filter?.critical.orEmpty()
         reflexes.keepOnly(critical)
-        handOver.drain().forEach { perceive(it.port, it.texts, it.receivedNanos, isMessage = false, emptySet(), it.seenNanos) }
+        handOver.drain().forEach {
+            val event = it.event?.texts?.joinToString("")
+            perceive(it.port, it.texts, it.receivedNanos, isMessage = false, emptySet(), event, it.seenNanos)
+        }
     }
 
     /**
      * Makes and leaves the snapshot of a [message] from [port] with its last byte at [receivedNanos], by the platform's clock. Keeps the
      * percepts that the board has [reported] since [askedNanos], the time of the request for the message.
      * @param seenNanos the times at which percepts older than the message were true
+     * @param event see [argo.links.BoardMessage.event]
      * @return true if the message was wanted
      */
     fun received(
@@ -92,6 +96,7 @@ internal class BoardPercepts(
         askedNanos: Long,
         receivedNanos: Long,
         seenNanos: Map<String, Long> = emptyMap(),
+        event: String? = null,
     ): Boolean {
         val texts = perceptsOf(message)
         return lock.withLock {
@@ -102,7 +107,7 @@ internal class BoardPercepts(
                     val old = seenNanos.filter { (text, nanos) -> olderNanos[text] == nanos }.keys + reports.texts
                     olderNanos = seenNanos
                     val times = times(reports.texts, seenNanos, receivedNanos)
-                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, old, times)
+                    perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, old, event, times)
                 }
             }
         }
@@ -130,7 +135,7 @@ internal class BoardPercepts(
     private fun place(port: OpenPort, rule: CriticalRule, text: String, receivedNanos: Long) {
         reports.add(rule, text, receivedNanos)
         val news = reader.read(text).toSet()
-        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false, message.toSet()) {
+        perceive(port, reports.placedIn(message), receivedNanos, isMessage = false, message.toSet(), event = null) {
             if (it in news) receivedNanos else null
         }
     }
@@ -182,23 +187,36 @@ internal class BoardPercepts(
         receivedNanos: Long,
         isMessage: Boolean,
         old: Set<String>,
+        event: String?,
         seenNanos: ((Literal) -> Long?)?,
     ) {
         reader.expect(texts.size)
         logDropped(texts)
         val perception = session.perceive(texts, nowMs(), old)
         if (port != null) reflexes.perceived(port, perception.critical.map { it.rule }, isMessage)
-        leave(port, perception, receivedNanos, seenNanos)
+        leave(port, perception, receivedNanos, seenNanos, event?.let { eventOf(it, perception.percepts) })
     }
 
-    private fun leave(port: OpenPort?, perception: MessagePerception, receivedNanos: Long, seenNanos: ((Literal) -> Long?)?) {
+    /** Returns the event [text] as it is among [percepts]; null: the filter drops it. */
+    private fun eventOf(text: String, percepts: List<Literal>): PerceptEvent? {
+        if (text.isEmpty()) return PerceptEvent(emptyList(), emptyList())
+        return reader.read(text).filter(percepts::contains).takeIf { it.isNotEmpty() }?.let { PerceptEvent(listOf(text), it) }
+    }
+
+    private fun leave(
+        port: OpenPort?,
+        perception: MessagePerception,
+        receivedNanos: Long,
+        seenNanos: ((Literal) -> Long?)?,
+        event: PerceptEvent? = null,
+    ) {
         val texts = perception.texts
         if (seenNanos == null) lastSeen.seen(perception.seen, perception.percepts, receivedNanos)
         else perception.seen.groupBy(seenNanos).forEach { (at, seen) -> if (at != null) lastSeen.seen(seen, perception.percepts, at) }
         dueMs = texts.nextDueMs
         val snapshot = Snapshot(
             port, texts.received, texts.kept, perception.percepts, receivedNanos, perception.critical, perception.unreadable,
-            seenNanos,
+            seenNanos, event,
         )
         newest = snapshot
         board.filtered(snapshot)

@@ -40,14 +40,22 @@ internal interface HandOver {
  * A snapshot is handed over at once if it has a critical percept that the last one did not have. Before that, only a newer snapshot that
  * meets the same critical rules replaces it. So there are never more such snapshots than rules. A board that is always critical must not
  * make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is done.
+ * Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. Of more than [MAX_EVENTS]
+ * the oldest are lost.
+ * @param tellLost called at each loss, with the number of lost events
  * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
  */
 internal class FreshHandOver(
     private val work: EarlierWork,
+    private val tellLost: (count: Long) -> Unit = { },
     private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
 ) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
+    private val events = ConcurrentLinkedQueue<PerceptEvent>() // changed under the lock only, as their number
+    private var last: Snapshot? = null // the last taken snapshot, without its event
+    private var eventCount = 0
+    private var lost = 0L
     private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
     private val earlyRules = HashSet<CriticalRule>() // rules that let a snapshot pass early since the last snapshot in turn
 
@@ -66,6 +74,11 @@ internal class FreshHandOver(
     }
 
     private fun keep(snapshot: Snapshot) {
+        snapshot.event?.let(::add)
+        keepNewest(snapshot.withoutEvent())
+    }
+
+    private fun keepNewest(snapshot: Snapshot) {
         val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
         if (snapshot.critical.any { it.percept !in known }) {
             val met = rules(snapshot)
@@ -77,16 +90,27 @@ internal class FreshHandOver(
         }
     }
 
+    private fun add(event: PerceptEvent) {
+        events += event
+        if (++eventCount <= MAX_EVENTS) return
+        takeEvent()
+        tellLost(++lost)
+    }
+
+    private fun takeEvent(): PerceptEvent? = events.poll()?.also { eventCount-- }
+
+    private fun isWaiting() = newest != null || events.isNotEmpty()
+
     override fun isReady(): Boolean = isReady { work.isDone() }
 
     private inline fun isReady(isDone: () -> Boolean): Boolean {
         val urgent = firstCritical()
-        return if (urgent == null) newest != null && isDone() else mayBeEarly(urgent) || isDone()
+        return if (urgent == null) isWaiting() && isDone() else mayBeEarly(urgent) || isDone()
     }
 
     override fun isUrgent(): Boolean = firstCritical() != null && isReady()
 
-    override fun dueInMs(): Long? = if (newest == null) null else work.dueInMs()
+    override fun dueInMs(): Long? = if (!isWaiting()) null else work.dueInMs()
 
     private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
 
@@ -95,18 +119,24 @@ internal class FreshHandOver(
 
     override fun take(): Snapshot? {
         work.takenIn()
-        if (newest == null && firstCritical() == null) return null
+        if (!isWaiting() && firstCritical() == null) return null
         val isInTurn = work.isDone(isAwaited = true)
         if (!isReady { isInTurn }) return null
         return lock.withLock { next(isInTurn) }?.also { work.begin() }
     }
 
     private fun next(isInTurn: Boolean): Snapshot? {
-        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeNewest() else null) ?: return null
+        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeInTurn() else null) ?: return null
         if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
         known = next.critical.mapTo(HashSet()) { it.percept }
         waitingSince = null
+        last = next.withoutEvent()
         return next
+    }
+
+    private fun takeInTurn(): Snapshot? {
+        val state = takeNewest() ?: last?.takeIf { events.isNotEmpty() } ?: return null
+        return takeEvent()?.let(state::with) ?: state
     }
 
     private fun takeNewest(): Snapshot? = newest.also { newest = null }
@@ -114,11 +144,17 @@ internal class FreshHandOver(
     private fun rules(snapshot: Snapshot) = snapshot.critical.mapTo(HashSet()) { it.rule }
 
     override fun drain() = lock.withLock {
-        (critical + listOfNotNull(takeNewest())).sortedBy { it.receivedNanos }.also { critical.clear() }
+        val state = newest ?: critical.lastOrNull() ?: last
+        val inTurn = generateSequence(::takeEvent).mapNotNull { state?.with(it) }.toList().ifEmpty { listOfNotNull(newest) }
+        newest = null
+        (critical + inTurn).sortedBy { it.receivedNanos }.also { critical.clear() }
     }
 
     override fun clear() = lock.withLock {
         critical.clear()
+        events.clear()
+        eventCount = 0
+        last = null
         earlyRules.clear()
         known = emptySet()
         newest = null
@@ -131,6 +167,9 @@ internal class FreshHandOver(
 
         /** While fewer events than this wait, a critical snapshot is handed over at once. */
         const val MANY_EVENTS = 1000
+
+        /** The most events that wait for an agent. */
+        const val MAX_EVENTS = 1000
     }
 }
 

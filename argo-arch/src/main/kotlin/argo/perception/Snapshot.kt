@@ -17,6 +17,7 @@ import jason.asSyntax.Literal
  * @property unreadable the percepts in [kept] that cannot be believed
  * @property seenNanos returns the time at which one of [percepts] was seen, by the platform's clock; null: only an older message had that
  * percept. Without this function, all were seen at [receivedNanos]
+ * @property event the event among the percepts, see [argo.links.BoardMessage.event]
  */
 internal class Snapshot(
     val port: OpenPort?,
@@ -27,7 +28,20 @@ internal class Snapshot(
     val critical: List<CriticalPercept<Literal>> = emptyList(),
     override val unreadable: Set<String> = emptySet(),
     val seenNanos: ((Literal) -> Long?)? = null,
+    val event: PerceptEvent? = null,
 ) : PerceivedMessage {
     override val portName: String get() = port?.link?.port.orEmpty()
     override val namespace: String? get() = port?.options?.namespace
+
+    /** Returns this with [event] besides. */
+    fun with(event: PerceptEvent) = copy(texts + event.texts, kept + event.texts, percepts + event.percepts, event)
+
+    fun withoutEvent(): Snapshot =
+        if (event == null) this else copy(texts - event.texts.toSet(), kept - event.texts.toSet(), percepts - event.percepts.toSet(), null)
+
+    private fun copy(texts: List<String>, kept: List<String>, percepts: List<Literal>, event: PerceptEvent?) =
+        Snapshot(port, texts, kept, percepts, receivedNanos, critical, unreadable, seenNanos, event)
 }
+
+/** An event that the agent perceives in its turn, as texts and as beliefs; without any it is the gap between two equal events. */
+internal class PerceptEvent(val texts: List<String>, val percepts: List<Literal>)

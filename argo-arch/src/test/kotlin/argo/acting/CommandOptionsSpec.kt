@@ -30,7 +30,7 @@ class CommandOptionsSpec : FunSpec({
             "[timeout(1.5)]" to "whole number",
             "[timeout(600001)]" to "to 600000",
             "[timeout(soon)]" to "whole number",
-            "[timeout]" to "timeout is not an option; there are timeout(Ms), urgent, latest and port(P)",
+            "[timeout]" to "timeout is not an option; there are timeout(Ms), urgent, latest, port(P) and answer(R)",
             "[urgent(1)]" to "urgent(1) is not an option",
             "[latest(1)]" to "latest(1) is not an option",
             "[Urgent]" to "is not an option",

@@ -25,9 +25,9 @@ class CommandSenderSpec : FunSpec({
         log.addHandler(handler)
         try {
             val commands = CommandSender(RuleLink("robot"), "bob", Platform.system) { }
-            commands.send("stop", CommandOptions()).follow({ }) { error("it is broken") }
+            commands.send("stop", CommandOptions()).follow({ }) { _, _ -> error("it is broken") }
             val outcomes = mutableListOf<Failure?>()
-            commands.send("go", CommandOptions()).follow({ }) { outcomes += it }
+            commands.send("go", CommandOptions()).follow({ }) { failure, _ -> outcomes += failure }
             lines.single() shouldBe "the receiver of the outcome of \"stop\" has failed"
             outcomes shouldBe listOf(null)
         } finally {

@@ -23,7 +23,10 @@ class HandOverSpec : FunSpec({
     fun intention(trigger: String) = Intention().apply {
         push(IntendedMeans(Option(Plan(null, ASSyntax.parseTrigger(trigger), null, null), Unifier()), ASSyntax.parseTrigger(trigger)))
     }
-    fun snapshot(n: Long) = Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n)
+    fun snapshot(n: Long, event: String? = null): Snapshot {
+        val state = Snapshot(null, listOf("n($n)"), listOf("n($n)"), emptyList(), n)
+        return if (event == null) state else state.with(PerceptEvent(listOf(event), emptyList()))
+    }
 
     context("fresh") {
         test("gives the newest snapshot, once") {
@@ -34,6 +37,25 @@ class HandOverSpec : FunSpec({
             handOver.isReady() shouldBe true
             handOver.take()?.receivedNanos shouldBe 2
             handOver.take() shouldBe null
+        }
+
+        test("gives each event in its turn, together with the newest of all else") {
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }))
+            for (n in 1L..4) handOver.put(snapshot(n, if (n in 2..3) "e($n)" else null))
+            handOver.take()?.texts shouldBe listOf("n(4)", "e(2)")
+            handOver.put(snapshot(5))
+            generateSequence(handOver::take).map { it.texts }.toList() shouldBe listOf(listOf("n(5)", "e(3)"))
+            handOver.put(snapshot(6, "e(6)"))
+            handOver.put(snapshot(7, "e(7)"))
+            generateSequence(handOver::take).map { it.texts }.toList() shouldBe listOf(listOf("n(7)", "e(6)"), listOf("n(7)", "e(7)"))
+        }
+
+        test("of more events than may wait the oldest are lost, and counted") {
+            val told = ArrayList<Long>()
+            val handOver = FreshHandOver(EarlierWork(CommandLedger { Robot }), told::add)
+            for (n in 1L..FreshHandOver.MAX_EVENTS + 2) handOver.put(snapshot(n, "e($n)"))
+            handOver.take()?.texts?.last() shouldBe "e(3)"
+            told shouldBe listOf(1L, 2L)
         }
 
         test("waits while percept events of the one before are in the queue") {

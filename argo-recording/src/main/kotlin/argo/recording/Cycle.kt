@@ -118,6 +118,8 @@ data class End(
     val failure: CallFailure? = null,
     @Holds("the thread that left the work")
     val thread: String? = null,
+    @Holds("the answer of the board to a command; missing: none was asked for, or there is none")
+    val answer: String? = null,
 )
 
 /** The failure of a call. */

@@ -8,6 +8,7 @@ import argo.ros.bridge.Bridge
 import argo.ros.bridge.BridgeListener
 import argo.ros.bridge.BridgeSocket
 import argo.ros.bridge.Commands
+import argo.ros.bridge.FrameTree
 import argo.ros.bridge.NeverSent
 import argo.ros.bridge.OnceEach
 import argo.ros.bridge.OperationListener
@@ -25,8 +26,11 @@ import argo.ros.bridge.part
 import argo.ros.bridge.rosNanos
 import argo.ros.bridge.subscriptions
 import argo.ros.bridge.text
+import argo.ros.mapping.Credentials
+import argo.ros.mapping.Frames
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.PerceptRule
 import javino.LineClock
 import javino.PortException
 import javino.PortFaultException
@@ -37,8 +41,10 @@ import javino.link.SendOptions
 import javino.wire.BoardAction
 import kotlinx.serialization.json.JsonObject
 import java.net.URI
+import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
+import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.concurrent.withLock
 
@@ -54,19 +60,22 @@ internal class RosLink private constructor(
     private val mapping: Mapping,
     override val isPaced: Boolean,
     private val clock: LineClock,
+    private val log: (Level, String) -> Unit,
 ) : BoardLink {
     private val lock = clock.newLock(false)
     private val changed = lock.newCondition()
-    private val warn = OnceEach { LOG.warning("port $port: $it") }
+    private val warn = OnceEach { log(Level.WARNING, "port $port: $it") }
 
     private val api = RosApi(clock, ::send)
     private val types = RobotTypes(mapping, api, warn, ::tell)
     private val graph = RobotGraph(mapping, api, clock, warn)
     private val time = RobotTime(clock, api, ::clockIsThere, warn, ::tell)
-    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn)
+    private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
-    private val topics = TopicMessages(mapping.percepts, types::of) { warn("${mapping.source}: $it") } // guarded by lock, like all below
+    // guarded by lock, as all below
+    private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
+    private val frames = FrameTree(mapping.poses.mapNotNull { it.frames }) { warn("${mapping.source}: $it") }
     private var wish: Wish? = null
     private var clockType: String? = null // the type of a simulator's topic /clock; null: there is no such topic
     private var subscribed: Map<String, Subscription> = emptyMap()
@@ -88,7 +97,8 @@ internal class RosLink private constructor(
             if (commands.heard(operation) || api.heard(operation, now)) return true
             when (operation.text("op")) {
                 "publish" -> published(operation, now)
-                "service_response", "action_result" -> warn("an answer came when the time of its command was over, and is not used")
+                "service_response", "action_result" ->
+                    warn("an answer came for a command whose time was over, or whose intention was dropped; it is not used")
                 else -> return false
             }
             return true
@@ -111,10 +121,27 @@ internal class RosLink private constructor(
         lock.withLock {
             if (topic !in subscribed) return // the message was on its way when the topic was unsubscribed
             silent.heard(topic, nowNanos)
+            if (topic in Frames.TOPICS) moved(message, topic, nowNanos)
             if (topic !in perceived) return
             topics.add(topic, message, trueNanos, nowNanos)
             changed.signalAll()
         }
+    }
+
+    /** Takes the transforms in [message] of [topic], and the poses that follow from them. */
+    private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
+        frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
+        for (rule in mapping.poses.distinctBy { it.topic }) {
+            val pose = frames.pose(checkNotNull(rule.frames), nowNanos) ?: continue
+            topics.add(rule.topic, pose.json, pose.trueNanos, nowNanos)
+        }
+    }
+
+    /** Takes the newest [feedback] of a goal, or forgets it with the goal. */
+    private fun progress(rule: PerceptRule, feedback: JsonObject?) = lock.withLock {
+        val now = clock.nanos()
+        if (feedback == null) topics.forget(rule.topic) else if (wish?.isSensed == true) topics.add(rule.topic, feedback, now, now)
+        changed.signalAll()
     }
 
     private fun clockIsThere(type: String) {
@@ -142,22 +169,35 @@ internal class RosLink private constructor(
             news.forEach { bridge.queue(Outgoing(it)) }
             subscribed = wanted
             silent.keepOnly(wanted.keys, clock.nanos())
-            topics.keepOnly(wanted.keys)
+            topics.keepOnly(wanted.keys + if (wish.isSensed) (mapping.feedback + mapping.poses).map { it.topic } else emptyList())
+            topics.intervalNanos = TimeUnit.MILLISECONDS.toNanos(wish.intervalMs.toLong())
             changed.signalAll()
         }
         bridge.flush()
     }
 
     private fun subscriptionTo(one: Subscription) = operation(
-        "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs, "queue_length" to 1,
+        "subscribe", "id" to one.topic, "topic" to one.topic, "type" to one.type, "throttle_rate" to one.throttleMs,
+        "queue_length" to one.queueLength,
     )
 
     /** Waits for a message. If none has come after half of [timeoutMs], pings the bridge. */
     override fun listen(timeoutMs: Int): BoardMessage? {
         time.renew()
-        lock.withLock { silent.next(clock.nanos()).mapNotNull(subscribed::get) }.forEach { graph.explainSilence(it.topic, it.type) }
+        explain(lock.withLock { silent.next(clock.nanos()) })
         return lock.withLock { next(timeoutMs) }
     }
+
+    /** Looks for the reasons why topics have said nothing since they were subscribed to. */
+    fun explainSilence() = explain(
+        lock.withLock {
+            frames.explain()
+            subscribed.keys.filterNot(topics::hasHeard)
+        },
+    )
+
+    private fun explain(silentTopics: Collection<String>) = lock.withLock { silentTopics.mapNotNull(subscribed::get) }
+        .filter { it.topic != Frames.STATIC }.forEach { graph.explainSilence(it.topic, it.type) }
 
     private fun next(timeoutMs: Int): BoardMessage? {
         val start = clock.nanos()
@@ -201,6 +241,8 @@ internal class RosLink private constructor(
         end?.let { throw PortGoneException(port, "port $port is gone: $it") }
     }
 
+    override fun answers(text: String) = commands.answers(text)
+
     override fun send(text: String, options: SendOptions): SentCommand = commands.send(text, options)
 
     override fun sendAndAwait(text: String, options: SendOptions) {
@@ -219,9 +261,10 @@ internal class RosLink private constructor(
         if (isOver) message.left.completeExceptionally(NeverSent()) else bridge.send(message)
     }
 
-    private fun tell(message: String) = LOG.info("port $port: $message")
+    private fun tell(message: String) = log(Level.INFO, "port $port: $message")
 
-    private fun gone(reason: String) {
+    /** Ends the link. The connection is closed when [farewell] has left, or soon after. */
+    private fun gone(reason: String, farewell: List<Outgoing> = emptyList()) {
         lock.withLock {
             if (end != null) return
             end = reason
@@ -230,27 +273,42 @@ internal class RosLink private constructor(
         }
         api.close()
         commands.gone(reason)
-        bridge?.close()
+        CompletableFuture.allOf(*farewell.map { it.left }.toTypedArray()).whenComplete { _, _ -> bridge?.close() }
+        if (farewell.isNotEmpty()) clock.schedule(FAREWELL_NANOS) { bridge?.close() }
     }
 
-    override fun close() = gone("it was closed")
+    /** Cancels all goals that are under way, and closes the link. */
+    override fun close() = gone("it was closed", if (isOpen) commands.cancellations().onEach(::send) else emptyList())
 
     companion object {
         private val LOG: Logger = Logger.getLogger(RosLink::class.java.name)
         private const val CHECKING_MS = 3_000L
+        private val FAREWELL_NANOS = TimeUnit.SECONDS.toNanos(1)
 
         /**
          * Connects to the bridge at [address]. Checks the fields of [mapping] against their types as far as the bridge knows them.
          *
-         * @param token the token for the bridge; null: none
          * @throws PortException if there is no bridge, or a field does not exist
          */
-        fun open(port: String, address: URI, mapping: Mapping, isPaced: Boolean, clock: LineClock, token: String? = null): RosLink =
-            over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, token) }
+        fun open(
+            port: String,
+            address: URI,
+            mapping: Mapping,
+            isPaced: Boolean,
+            clock: LineClock,
+            credentials: Credentials = Credentials(),
+        ): RosLink = over(port, mapping, isPaced, clock) { BridgeSocket.connect(port, address, it, credentials) }
 
-        /** Like [open], but over the connection that [connect] makes. */
-        fun over(port: String, mapping: Mapping, isPaced: Boolean, clock: LineClock, connect: (BridgeListener) -> Bridge): RosLink {
-            val link = RosLink(port, mapping, isPaced, clock)
+        /** Like [open], but over the connection that [connect] makes. [log] takes what the user is told, on several threads. */
+        fun over(
+            port: String,
+            mapping: Mapping,
+            isPaced: Boolean,
+            clock: LineClock,
+            log: (Level, String) -> Unit = LOG::log,
+            connect: (BridgeListener) -> Bridge,
+        ): RosLink {
+            val link = RosLink(port, mapping, isPaced, clock, log)
             var isOpened = false
             try {
                 link.bridge = connect(link.Listener())

@@ -5,31 +5,35 @@ import argo.links.BoardLinkProvider
 import argo.links.PlayedBoard
 import argo.ros.bridge.PlayedBridge
 import argo.ros.bridge.operationIn
+import argo.ros.mapping.CommandRule
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.findCredentials
 import argo.ros.mapping.findMapping
-import argo.ros.mapping.findToken
 import javino.LineClock
 import javino.PortFaultException
 
 /** Opens `ros://host:9090`: a ROS robot behind a bridge of the rosbridge protocol, version 2. */
-class RosLinkProvider : BoardLinkProvider {
+open class RosLinkProvider : BoardLinkProvider {
     override val scheme: String get() = "ros"
 
     override fun open(port: String, isPaced: Boolean, clock: LineClock): BoardLink {
         val address = RosAddress.of(port)
         val mapping = read(port) { findMapping(address.mapping) }
-        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findToken(address.mapping) })
+        return RosLink.open(port, address.socket, mapping, isPaced, clock, read(port) { findCredentials(address.mapping) })
     }
 
     override fun play(port: String, isPaced: Boolean, clock: LineClock, heard: (String, String) -> Unit): PlayedBoard {
         lateinit var bridge: PlayedBridge
         val mapping = read(port) { findMapping(RosAddress.of(port).mapping) }
+        val answering = mapping.commands.filter { it.kind != CommandRule.Kind.TOPIC }.map { it.target }.toSet()
         val link = RosLink.over(port, mapping, isPaced, clock) { listener ->
             PlayedBridge(listener, heard).also { bridge = it }
         }
         return object : PlayedBoard(link) {
-            override fun says(name: String, message: String) =
-                bridge.publish(name, requireNotNull(operationIn(message)) { "the message of a topic is a JSON object, not $message" })
+            override fun says(name: String, message: String) {
+                val json = requireNotNull(operationIn(message)) { "a message is a JSON object, not $message" }
+                if (name in answering) bridge.respond(name, json) else bridge.publish(name, json)
+            }
 
             override fun goes() = bridge.end()
         }
@@ -40,4 +44,9 @@ class RosLinkProvider : BoardLinkProvider {
     } catch (refused: MappingException) {
         throw PortFaultException(port, "port $port cannot be opened: ${refused.message}", refused)
     }
+}
+
+/** Opens `wss://host/path`: the same, over an encrypted connection. */
+class EncryptedRosLinkProvider : RosLinkProvider() {
+    override val scheme: String get() = "wss"
 }

@@ -38,6 +38,9 @@ private val TYPES = mapOf(
     "geometry_msgs/Vector3" to "x float64, y float64",
     "geometry_msgs/Pose" to "position geometry_msgs/Vector3",
     "my_msgs/Arm" to "joints float64[3], names string[], raw uint8[], at time, on bool, poses geometry_msgs/Pose[]",
+    "my_msgs/Mode" to "mode uint8",
+    "sensor_msgs/Range" to "header std_msgs/Header, min_range float32, max_range float32, range float32",
+    "std_msgs/Header" to "frame_id string", "std_msgs/Float64" to "data float64",
     "my_msgs/DockGoal" to "station string", "std_srvs/SetBool" to "data bool", "time" to "secs int32, nsecs int32",
 )
 
@@ -46,7 +49,8 @@ private fun definition(type: String): String {
     val lengths = fields.map { (_, kind) -> if ('[' !in kind) -1 else kind.substringAfter('[').removeSuffix("]").ifEmpty { "0" }.toInt() }
     fun list(words: List<String>) = words.joinToString(",", "[", "]") { "\"$it\"" }
     return """{"type": "$type", "fieldnames": ${list(fields.map { it[0] })},
-        "fieldtypes": ${list(fields.map { it[1].substringBefore('[') })}, "fieldarraylen": $lengths}"""
+        "fieldtypes": ${list(fields.map { it[1].substringBefore('[') })}, "fieldarraylen": $lengths,
+        "constnames": ["MANUAL", "AUTO"], "constvalues": ["1", "2"]}"""
 }
 
 /** Describes [type] and all types in it, the outermost first. */
@@ -55,6 +59,18 @@ private fun details(type: String): String {
         before.flatMap { TYPES.getValue(it).split(Regex("[ ,\\[]")) }.filter { it in TYPES }.ifEmpty { null }
     }.flatten().distinct()
     return all.joinToString(",", """{"typedefs": [""", "]}", transform = ::definition)
+}
+
+/** Has `rosapi` describe all types of [TYPES]. */
+internal fun TestBridge.describeTypes() {
+    val service: Service = { arguments ->
+        val type = arguments.text("type").orEmpty()
+        if (type in TYPES) true to Json.parseToJsonElement(details(type))
+        else false to JsonPrimitive("service [/rosapi/message_details] responded with an error: b'error processing request: " +
+            "Unable to load the manifest for package gripper_msgs. Caused by: gripper_msgs'")
+    }
+    serve("/rosapi/message_details", service)
+    serve("/rosapi/service_request_details", service)
 }
 
 private val COMMANDS = """
@@ -89,16 +105,7 @@ class RosChecksSpec : FunSpec({
         log.close()
     }
 
-    fun describe() {
-        val service: Service = { arguments ->
-            val type = arguments.text("type").orEmpty()
-            if (type in TYPES) true to Json.parseToJsonElement(details(type))
-            else false to JsonPrimitive("service [/rosapi/message_details] responded with an error: b'error processing request: " +
-                "Unable to load the manifest for package gripper_msgs. Caused by: gripper_msgs'")
-        }
-        bridge.serve("/rosapi/message_details", service)
-        bridge.serve("/rosapi/service_request_details", service)
-    }
+    fun describe() = bridge.describeTypes()
 
     fun open(mapping: String): RosLink {
         val clock = LineClock { System.nanoTime() + ahead.get() }
@@ -197,12 +204,27 @@ class RosChecksSpec : FunSpec({
             "poses of my_msgs/Arm is a list; take an item of it, as poses[0].position"
         refusal("percepts:\n  - /a my_msgs/Arm -> at(on[0])") shouldContain "on of my_msgs/Arm is a bool, and no list"
         refusal("percepts:\n  - /a my_msgs/Arm -> at(on.x)") shouldContain "on of my_msgs/Arm is a bool, and has no field x"
-        open("percepts:\n  - /a my_msgs/Arm -> at(poses[0].position.x, joints[2], at.secs)").close()
+        refusal("percepts:\n  - /a my_msgs/Arm -> at(joints[3])") shouldContain "joints of my_msgs/Arm has 3 items, and no [3]"
+        refusal("percepts:\n  - /a my_msgs/Arm -> at(joints[0:4])") shouldContain "joints of my_msgs/Arm has 3 items, and no [0:4]"
+        refusal("percepts:\n  - /a my_msgs/Arm -> at(max(poses[:].positoin.x))") shouldContain "geometry_msgs/Pose has no field positoin"
+        refusal("percepts:\n  - /m my_msgs/Mode -> auto if mode == ATUO") shouldContain
+            "2:40: my_msgs/Mode has no field ATUO; it has mode, MANUAL, AUTO"
+        open("percepts:\n  - /a my_msgs/Arm -> at(poses[0].position.x, joints[-1], at.secs, max(poses[:].position.x))").close()
+    }
+
+    test("constants of a type are known by its description") {
+        describe()
+        open("percepts:\n  - /mode my_msgs/Mode -> auto if mode == AUTO").use { link ->
+            link.wants(Wish(true, 50, null))
+            eventually(LIMIT) { bridge.subscribed().keys shouldBe setOf("/mode") }
+            bridge.publish("/mode", """{"mode": 2}""")
+            link.await { it.text == "auto;" }
+        }
     }
 
     test("bytes, which bridges write in base64, are a list of numbers, up to 1,000") {
         describe()
-        open("percepts:\n  - /arm my_msgs/Arm -> raw(raw, raw[1], count(raw))\n  - /arm my_msgs/Arm -> on(on)").use { link ->
+        open("percepts:\n  - /arm my_msgs/Arm -> raw(raw, raw[1], len(raw))\n  - /arm my_msgs/Arm -> on(on)").use { link ->
             link.wants(Wish(true, 50, null))
             eventually(LIMIT) { bridge.subscribed().keys shouldBe setOf("/arm") }
             bridge.publish("/arm", """{"raw": "AQL/", "on": true}""")
@@ -222,7 +244,7 @@ class RosChecksSpec : FunSpec({
             true to Json.parseToJsonElement("""{"typedefs": [$known]}""")
         }
         val commands = "commands:\n  - name(N) -> /path my_msgs/msg/Path(name = N)\n  - grip -> /grip gripper_msgs/msg/Grip(force = 1)"
-        open("percepts:\n  - /path my_msgs/msg/Path -> path(points[0].x, count(ids))\n$commands").use { link ->
+        open("percepts:\n  - /path my_msgs/msg/Path -> path(points[0].x, len(ids))\n$commands").use { link ->
             link.outcomeOf("name(5)") shouldContain "name of my_msgs/msg/Path is a string: 5 is a number"
             link.outcomeOf("name(five)") shouldBe "done"
             link.outcomeOf("grip") shouldContain "the bridge does not know the type gripper_msgs/msg/Grip"

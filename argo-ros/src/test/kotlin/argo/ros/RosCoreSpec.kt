@@ -187,6 +187,37 @@ class RosCoreSpec : FunSpec({
         }
     }
 
+    test("an agent binds the answers of eight services on a real ROS graph, and cancels the goal of a dropped intention").config(
+        enabledOrReasonIf = { missing?.let(Enabled::disabled) ?: Enabled.enabled }, blockingTest = true,
+    ) {
+        RosGraph().use { graph ->
+            withClue({ graph.log() }) {
+                graph.start()
+                val program = """
+                    !start.
+                    +!start <- argo.port("ros://127.0.0.1:${graph.bridge}#graph"); argo.limit(50); argo.percepts(open).
+                    +count(_) : not begun <-
+                        +begun; !ask(horn); !ask(lamp(true)); !ask(rest); !ask(camera("fisheye")); !ask(loggers); !ask(level("info"));
+                        !ask(topics); !ask(services); !ask(drive(2)); +asked; !far.
+                    +!ask(C) <- argo.act(C, [answer(A)]); +answer(C, A).
+                    -!ask(C)[error(E)] <- +answer(C, E).
+                    +!far <- argo.act(drive(500)).
+                    +driving(250) <- .drop_intention(far).
+                """
+                Mas(program).use { mas ->
+                    mas.awaitBelief("asked")
+                    mas.beliefs().filter { it.startsWith("answer(") }.toSet() shouldBe setOf(
+                        "answer(horn,\"it sounds\")", "answer(lamp(true),[success(true),message(\"\")])", "answer(rest,[])",
+                        "answer(camera(\"fisheye\"),said(true,\"fisheye\"))", "answer(loggers,\"INFO\")", "answer(level(\"info\"),[])",
+                        "answer(topics,true)", "answer(services,true)", "answer(drive(2),2)",
+                    )
+                    mas.awaitBelief("cancelled(500)")
+                    mas.awaitNoBelief("driving(250)")
+                }
+            }
+        }
+    }
+
     test("a board takes part in a real ROS graph, used by rostopic, rosservice and actionlib, and again after a restart of roscore").config(
         enabledOrReasonIf = { missing?.let(Enabled::disabled) ?: Enabled.enabled }, blockingTest = true,
     ) {

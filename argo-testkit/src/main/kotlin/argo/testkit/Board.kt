@@ -157,7 +157,8 @@ class Board internal constructor(private val time: VirtualTime) {
     fun playsItsMapping(): Board = apply { isMapped = true }
 
     /**
-     * The board publishes [message], in JSON, on [topic], if its port is open and the agent subscribes to that topic. Only for a board that
+     * The board publishes [message], in JSON, on [topic], if its port is open and the agent subscribes to that topic. If [topic] is a
+     * service or an action of the mapping, [message] is its response to all further commands. Only for a board that
      * [plays its mapping][playsItsMapping].
      * @throws IllegalArgumentException if [message] is no JSON object
      * @throws IllegalStateException if the board is not mapped

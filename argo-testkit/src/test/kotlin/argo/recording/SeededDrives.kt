@@ -54,7 +54,10 @@ internal class SeededDrives(val source: String, val agents: List<String>, privat
             SeededDrives("$SAMPLES/typed-filters/typed-filters.mas2j", listOf("watcher"), robot),
             SeededDrives("$SAMPLES/blink/blink.mas2j", listOf("blink")) { board("sim:blink") },
             SeededDrives("$SAMPLES/turtle/turtle.mas2j", listOf("turtle")) {
-                board("ros://127.0.0.1:9090#turtle") { sensor("dist(f,%d)", 5..300) }
+                board("ros://127.0.0.1:9090#turtle") {
+                    sensor("pose(%d,5,1)", 0..11)
+                    sensor("other(9,%d)", 0..11)
+                }
             },
             SeededDrives("$SAMPLES/two-boards/two-boards.mas2j", listOf("operator")) {
                 board("sim:left") { sensor("led(left,off)", "led(left,on)") }

@@ -1,33 +1,52 @@
 package samples.turtle
 
 import java.util.concurrent.TimeUnit
+import kotlin.math.cos
+import kotlin.math.sin
 
-/** A robot that drives straight at a wall, by the time of [nanos]. Safe for use by several threads. */
-internal class Turtle(private val nanos: () -> Long) {
-    private var metres = 0.0
-    private var metresPerSecond = 0.0
+/**
+ * A turtle as turtlesim has it: it drives in a square window, stays at its edges, and stops a second after its last command. Safe for use by
+ * several threads.
+ *
+ * @param x its place, in m from the left
+ * @param y its place, in m from below
+ * @param heading where it looks, in rad, counter-clockwise from the right
+ * @param nanos the time
+ */
+internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: () -> Long) {
+    /** Where the turtle is, and how fast it drives, in m/s, and turns, in rad/s. */
+    data class Pose(val x: Double, val y: Double, val heading: Double, val speed: Double, val turn: Double)
+
+    private var place = Pose(x, y, heading, 0.0, 0.0)
     private var sinceNanos = nanos()
-
-    /** The turtle's distance from its dock, in m. The turtle stays at the wall. */
-    @get:Synchronized
-    val position: Double
-        get() = (metres + metresPerSecond * (nanos() - sinceNanos) / TimeUnit.SECONDS.toNanos(1)).coerceIn(0.0, WALL)
-
-    val range: Double get() = WALL - position
+    private var commandNanos = sinceNanos
 
     @get:Synchronized
-    val isDriving: Boolean get() = metresPerSecond != 0.0
+    val pose: Pose
+        get() {
+            val now = nanos()
+            val isDriven = now - commandNanos < TimeUnit.SECONDS.toNanos(1)
+            if (!isDriven) place = place.copy(speed = 0.0, turn = 0.0)
+            place = place.after((now - sinceNanos).toDouble() / TimeUnit.SECONDS.toNanos(1))
+            sinceNanos = now
+            return place
+        }
 
-    /** Drives at this speed from now on; backwards if it is negative. */
+    /** Drives and turns so fast for the next second. */
     @Synchronized
-    fun drive(metresPerSecond: Double) {
-        metres = position
-        sinceNanos = nanos()
-        this.metresPerSecond = metresPerSecond
+    fun drive(speed: Double, turn: Double) {
+        place = pose.copy(speed = speed, turn = turn)
+        commandNanos = nanos()
+    }
+
+    private fun Pose.after(seconds: Double): Pose {
+        val now = heading + turn * seconds
+        val way = speed * seconds
+        return copy(x = (x + cos(now) * way).coerceIn(0.0, WINDOW), y = (y + sin(now) * way).coerceIn(0.0, WINDOW), heading = now)
     }
 
     companion object {
-        /** The place of the wall, in m from the dock. */
-        const val WALL = 1.5
+        /** The width and the height of the window of turtlesim, in m. */
+        const val WINDOW = 11.088889
     }
 }

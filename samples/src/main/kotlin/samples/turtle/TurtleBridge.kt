@@ -16,21 +16,23 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge of the rosbridge protocol with a robot behind it, at this computer's own address. This bridge knows only the parts of the
- * protocol for the topics `/sonar` and `/cmd_vel`, and for the ROS 1 action `/dock`.
+ * A bridge of the rosbridge protocol with turtlesim behind it, at this computer's own address: the turtles' topics `/NAME/pose` and
+ * `/NAME/cmd_vel`, and the service `/spawn`. It knows only the part of the protocol for these.
  */
-internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
-    private val throttleMs = ConcurrentHashMap<WebSocket, Long>() // the least time between messages, by subscriber of the sonar
-    private val sentNanos = ConcurrentHashMap<WebSocket, Long>()
-    private val goals = ConcurrentHashMap<String, WebSocket>()
+internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : AutoCloseable {
+    private data class Subscription(val client: WebSocket, val topic: String)
+
+    private val throttleMs = ConcurrentHashMap<Subscription, Long>() // least time between messages
+    private val sentNanos = ConcurrentHashMap<Subscription, Long>()
+    private val turtles = ConcurrentHashMap<String, Turtle>()
     private val started = CompletableFuture<Unit>()
-    private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "turtle").apply { isDaemon = true } }
+    private val timer = Executors.newSingleThreadScheduledExecutor { Thread(it, "turtlesim").apply { isDaemon = true } }
 
     private val server = object : WebSocketServer(InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 1) {
         override fun onOpen(client: WebSocket, handshake: ClientHandshake) = Unit
 
         override fun onClose(client: WebSocket, code: Int, reason: String, remote: Boolean) {
-            throttleMs -= client
+            throttleMs.keys.removeIf { it.client == client }
         }
 
         override fun onMessage(client: WebSocket, message: String) = hear(client, Json.parseToJsonElement(message).jsonObject)
@@ -45,57 +47,63 @@ internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
     }.apply { isDaemon = true }
 
     init {
+        spawn(Turtle.WINDOW / 2, Turtle.WINDOW / 2, 0.0)
         server.start()
         started.get(START_S, TimeUnit.SECONDS)
-        timer.scheduleAtFixedRate(::step, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
+        timer.scheduleAtFixedRate(::publish, STEP_MS, STEP_MS, TimeUnit.MILLISECONDS)
     }
 
     /** The bridge's port in an agent's notation. */
     val port: String get() = "ros://127.0.0.1:${server.port}"
 
+    /** The first turtle, `turtle1`. */
+    val turtle: Turtle get() = turtles.getValue("turtle1")
+
+    private fun spawn(x: Double, y: Double, heading: Double): String =
+        "turtle${turtles.size + 1}".also { turtles[it] = Turtle(x, y, heading, nanos) }
+
     private fun hear(client: WebSocket, operation: JsonObject) {
-        val message = operation["msg"] as? JsonObject
-        when (operation.text("op") to operation.text("topic")) {
-            "subscribe" to "/sonar" -> throttleMs[client] = operation.text("throttle_rate")?.toLong() ?: 0
-            "unsubscribe" to "/sonar" -> throttleMs -= client
-            "publish" to "/cmd_vel" -> turtle.drive((message?.get("linear") as? JsonObject)?.number("x") ?: 0.0)
-            "publish" to "/dock/goal" -> (message?.get("goal_id") as? JsonObject)?.text("id")?.let { dock(it, client) }
-            "publish" to "/dock/cancel" -> message?.text("id")?.let { if (goals.remove(it) != null) turtle.drive(0.0) }
-            else -> if (operation.text("op") == "call_service") refuse(client, operation)
+        val topic = operation.text("topic").orEmpty()
+        when (operation.text("op")) {
+            "subscribe" -> throttleMs[Subscription(client, topic)] = operation.text("throttle_rate")?.toLong() ?: 0
+            "unsubscribe" -> throttleMs -= Subscription(client, topic)
+            "publish" -> if (topic.endsWith("/cmd_vel")) drive(topic.split('/')[1], operation["msg"] as? JsonObject ?: return)
+            "call_service" -> answer(client, operation)
         }
     }
 
-    private fun refuse(client: WebSocket, operation: JsonObject) {
+    private fun drive(name: String, twist: JsonObject) {
+        fun part(name: String, axis: String) = (twist[name] as? JsonObject)?.number(axis) ?: 0.0
+        turtles[name]?.drive(part("linear", "x"), part("angular", "z"))
+    }
+
+    private fun answer(client: WebSocket, operation: JsonObject) {
+        val service = operation.text("service")
+        val request = operation["args"] as? JsonObject ?: JsonObject(emptyMap())
+        val isKnown = service == "/spawn"
+        val values = if (isKnown) {
+            val name = spawn(request.number("x") ?: 0.0, request.number("y") ?: 0.0, request.number("theta") ?: 0.0)
+            JsonObject(mapOf("name" to JsonPrimitive(name)))
+        } else {
+            JsonPrimitive("Service $service does not exist")
+        }
         val answer = mapOf(
-            "op" to JsonPrimitive("service_response"), "id" to JsonPrimitive(operation.text("id")), "result" to JsonPrimitive(false),
-            "values" to JsonPrimitive("Service ${operation.text("service")} does not exist"),
+            "op" to JsonPrimitive("service_response"), "id" to JsonPrimitive(operation.text("id")), "result" to JsonPrimitive(isKnown),
+            "values" to values,
         )
         client.send("${JsonObject(answer)}")
     }
 
-    private fun dock(goal: String, client: WebSocket) {
-        goals[goal] = client
-        turtle.drive(-HOMEWARDS)
-    }
-
-    private fun step() {
+    private fun publish() {
         val now = System.nanoTime()
-        for ((client, ms) in throttleMs) {
-            val isDue = sentNanos[client]?.let { now - it >= TimeUnit.MILLISECONDS.toNanos(ms) } != false
-            if (!isDue || !client.isOpen) continue
-            sentNanos[client] = now
-            client.send("""{"op":"publish","topic":"/sonar","msg":{"range":${turtle.range},"min_range":0.02,"max_range":4.0}}""")
-        }
-        if (goals.isNotEmpty() && turtle.position == 0.0) arrive()
-    }
-
-    private fun arrive() {
-        turtle.drive(0.0)
-        for ((goal, client) in goals) {
-            goals -= goal
-            if (client.isOpen) client.send(
-                """{"op":"publish","topic":"/dock/result","msg":{"status":{"goal_id":{"id":"$goal"},"status":$SUCCEEDED,"text":""}}}""",
-            )
+        for ((one, ms) in throttleMs) {
+            val turtle = turtles[one.topic.split('/').getOrNull(1)].takeIf { one.topic.endsWith("/pose") } ?: continue
+            val isDue = sentNanos[one]?.let { now - it >= TimeUnit.MILLISECONDS.toNanos(ms) } != false
+            if (!isDue || !one.client.isOpen) continue
+            sentNanos[one] = now
+            val (x, y, heading, speed, turn) = turtle.pose
+            val pose = """{"x":$x,"y":$y,"theta":$heading,"linear_velocity":$speed,"angular_velocity":$turn}"""
+            one.client.send("""{"op":"publish","topic":"${one.topic}","msg":$pose}""")
         }
     }
 
@@ -107,10 +115,6 @@ internal class TurtleBridge(private val turtle: Turtle) : AutoCloseable {
     private companion object {
         const val START_S = 10L
         const val STEP_MS = 10L
-        const val HOMEWARDS = 1.0
-
-        // actionlib_msgs/GoalStatus
-        const val SUCCEEDED = 3
 
         fun JsonObject.text(name: String) = (this[name] as? JsonPrimitive)?.content
 

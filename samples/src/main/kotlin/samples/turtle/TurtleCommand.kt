@@ -10,17 +10,17 @@ import samples.project.SampleProject
 
 @Command(
     name = "turtle",
-    description = ["A robot that speaks ROS drives at a wall, stops before it, and goes home to its dock."],
+    description = ["A turtle of turtlesim, which speaks ROS, drives to another one."],
     sortOptions = false,
 )
 internal class TurtleCommand : ToolCommand() {
     @Option(
         names = ["--port"], paramLabel = "port",
-        description = ["a robot behind rosbridge_server, such as ros://192.168.1.20:9090#turtle/turtle (default: one that is simulated)"],
+        description = ["turtlesim behind rosbridge_server, such as ros://192.168.1.20:9090#turtle/turtle (default: one that is simulated)"],
     )
     private var port: String? = null
 
-    override fun call(): Int = port?.let(::run) ?: TurtleBridge(Turtle(System::nanoTime)).use { run("${it.port}#turtle/turtle") }
+    override fun call(): Int = port?.let(::run) ?: TurtleBridge().use { run("${it.port}#turtle/turtle") }
 
     private fun run(port: String): Int {
         val project = SampleProject("turtle").apply { believe("turtle", createLiteral("board", createString(port))) }

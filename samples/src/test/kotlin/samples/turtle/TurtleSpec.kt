@@ -1,7 +1,7 @@
 package samples.turtle
 
 import io.kotest.core.spec.style.FunSpec
-import io.kotest.matchers.doubles.shouldBeGreaterThan
+import io.kotest.matchers.doubles.shouldBeLessThan
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import jason.asSyntax.ASSyntax.parseLiteral
@@ -13,9 +13,9 @@ import java.util.concurrent.TimeUnit
 private const val LIMIT_S = 60L
 
 class TurtleSpec : FunSpec({
-    test("the turtle stops before the wall and comes home") {
+    test("the turtle drives to the one that turtlesim has spawned for it") {
         Program.samples("turtle").use { program ->
-            listOf("[turtle] drives", "[turtle] stopped ", "[turtle] docked").forEach(program::awaitLine)
+            listOf("[turtle] goes to turtle2", "[turtle] is there").forEach(program::awaitLine)
             program.awaitEnd().first shouldBe 0
         }
     }
@@ -27,8 +27,7 @@ class TurtleSpec : FunSpec({
     }
 
     test("the agent of the sample collision stops it, unchanged but for its port") {
-        val turtle = Turtle(System::nanoTime)
-        TurtleBridge(turtle).use { bridge ->
+        TurtleBridge().use { bridge ->
             val project = SampleProject("collision").apply {
                 val beliefs = listOf("board(\"${bridge.port}#turtle/collision\", [])", "value(40)", "interval(20)", "view(none)")
                 believe("robot", *beliefs.map(::parseLiteral).toTypedArray())
@@ -37,11 +36,11 @@ class TurtleSpec : FunSpec({
             mas.begin()
             try {
                 val deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(LIMIT_S)
-                while (turtle.position == 0.0 || turtle.isDriving) {
-                    check(System.nanoTime() < deadline) { "it drives ${turtle.isDriving}, at ${turtle.position} m" }
-                    Thread.onSpinWait()
+                while (bridge.turtle.pose.let { it.x < Turtle.WINDOW - 2 || it.speed != 0.0 }) {
+                    check(System.nanoTime() < deadline) { "it is at ${bridge.turtle.pose}" }
+                    Thread.sleep(1)
                 }
-                turtle.range shouldBeGreaterThan 0.0
+                bridge.turtle.pose.x shouldBeLessThan Turtle.WINDOW
             } finally {
                 mas.end()
             }

@@ -21,9 +21,9 @@ internal class RosMapping(text: String) {
         }
         val topics = sections["percepts"].orEmpty()
         isComplete = topics.all { ARROW in it }
-        percepts = topics.filter { ARROW in it }.mapNotNull { headOf(it.substringAfter(ARROW)) }.map { (name, arity) ->
-            PerceptKind(name, List(arity) { PerceptArgument.Anything() })
-        }
+        val feedback = sections["commands"].orEmpty().filter { FEEDBACK in it }.map { it.substringAfter(FEEDBACK) }
+        val literals = topics.filter { ARROW in it }.map { it.substringAfter(ARROW) } + feedback
+        percepts = literals.mapNotNull(::headOf).map { (name, arity) -> PerceptKind(name, List(arity) { PerceptArgument.Anything() }) }
         actions = sections["commands"].orEmpty().mapNotNull { headOf(it.substringBefore(ARROW)) }
             .map { (name, arity) -> BoardAction(name, arity) }
     }
@@ -46,6 +46,7 @@ internal class RosMapping(text: String) {
 
     private companion object {
         const val ARROW = " -> "
+        const val FEEDBACK = " feedback "
         val ITEM = Regex("\\s*- +(.+)")
         val NAME = Regex("^[a-z]\\w*")
     }

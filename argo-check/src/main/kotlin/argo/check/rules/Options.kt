@@ -33,7 +33,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
 
         val OF_ACT: Map<String, KnownOption> = mapOf(
             "timeout" to whole(1..MAX_MS), "urgent" to KnownOption(null) { true }, "latest" to KnownOption(null) { true },
-            "port" to any("a port"),
+            "port" to any("a port"), "answer" to any("a term, as a variable"),
         )
 
         val OF_ARCH: Map<String, KnownOption> = mapOf(

@@ -91,11 +91,12 @@ class ProjectReaderSpec : FunSpec({
                 "a.asl" to "",
                 "robot.ros.yaml" to "percepts:\n  - /sonar sensor_msgs/Range -> dist(f, round(range*100, 1)) if range < 3\n$battery" +
                     "commands: # of the robot\n  - move(V, W) -> /cmd_vel geometry_msgs/Twist\n" +
-                    "  - stop -> service /stop std_srvs/Trigger # now\n",
+                    "  - stop -> service /stop std_srvs/Trigger # now\n" +
+                    "  - dock -> action /dock my_msgs/DockAction within 5 s feedback docking(percent) answer at(place)\n",
             ),
         ).single().robot
-        robot("").percepts.map { "$it" } shouldContainExactly listOf("dist(_, _)")
-        robot("").actions.map { "$it" } shouldContainExactly listOf("move/2", "stop/0")
+        robot("").percepts.map { "$it" } shouldContainExactly listOf("dist(_, _)", "docking(_)")
+        robot("").actions.map { "$it" } shouldContainExactly listOf("move/2", "stop/0", "dock/0")
         robot("").isComplete shouldBe true
         robot("  - /battery sensor_msgs/BatteryState\n").isComplete shouldBe false
     }

@@ -308,11 +308,11 @@ internal class Recorder(
         }
     }
 
-    override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
+    override fun suspended(complete: (CommandFailure?, String?) -> Unit): (CommandFailure?, String?) -> Unit {
         val agent = current() ?: return complete
-        val number = begun.begin { end -> complete(end.failure?.let(::RecordedFailure)) }
+        val number = begun.begin { end -> complete(end.failure?.let(::RecordedFailure), end.answer) }
         agent.now.underWay?.number = number
-        return { inbox.put(Arrived(End(number, CALL, it?.run { CallFailure(error, cause) }))) }
+        return { failure, answer -> inbox.put(Arrived(End(number, CALL, failure?.run { CallFailure(error, cause) }, answer = answer))) }
     }
 
     override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {

@@ -168,9 +168,9 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     private fun asked(name: String, args: Array<Term>): Call? =
         compared(args.asList()).let { texts -> cycle.input.calls.find { it.isOf(name, texts) } }
 
-    override fun suspended(complete: (CommandFailure?) -> Unit): (CommandFailure?) -> Unit {
-        answers.begun(BegunWork(cycle, "call", answers.suspending, 0) { end -> complete(end.failure?.let(::RecordedFailure)) })
-        return {}
+    override fun suspended(complete: (CommandFailure?, String?) -> Unit): (CommandFailure?, String?) -> Unit {
+        answers.begun(BegunWork(cycle, "call", answers.suspending, 0) { complete(it.failure?.let(::RecordedFailure), it.answer) })
+        return { _, _ -> }
     }
 
     override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {

@@ -1,7 +1,6 @@
 package argo.recording.replay
 
 import argo.boundary.InternalCall
-import argo.recording.CallFailure
 import argo.recording.Course
 import argo.recording.Cycle
 import argo.recording.End
@@ -151,7 +150,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     override fun begun(work: BegunWork) {
         val number = ++begun
-        val carryOut = { failure: CallFailure? -> if (!work.isDropped()) work.complete(End(number, work.kind, failure)) }
+        val carryOut = { end: End? -> if (!work.isDropped()) work.complete(End(number, work.kind, end?.failure, answer = end?.answer)) }
         when (work.kind) {
             "call" -> suspended(carryOut)
             "timer" -> timer(work.delayNs, carryOut)
@@ -163,18 +162,18 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         }
     }
 
-    private fun suspended(carryOut: (CallFailure?) -> Unit) {
+    private fun suspended(carryOut: (End?) -> Unit) {
         val before = underWay
         val end = before?.call?.number?.let(recorded::endOf)
         when {
             before == null -> endIn(if (isCommand) usualNs else 0, carryOut)
             end == null -> Unit // the recording ended before the call
             before.index == cycle.index -> endWith(end, carryOut)
-            else -> endIn(end.ns - before.ns) { carryOut(end.end.failure) }
+            else -> endIn(end.ns - before.ns) { carryOut(end.end) }
         }
     }
 
-    private fun timer(delayNs: Long, carryOut: (CallFailure?) -> Unit) {
+    private fun timer(delayNs: Long, carryOut: (End?) -> Unit) {
         val dueNs = cycle.ns + delayNs
         val end = if (isAsRecorded && isStepOf(cycle.course)) recorded.takeTimer(begun, dueNs) else recorded.timer(dueNs)
         if (end != null) endWith(end, carryOut) else endIn(delayNs, carryOut)
@@ -182,12 +181,12 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     private fun isStepOf(before: Course) = before.step?.text?.let(::normal) == inputs.course.step?.step()?.text?.let(::normal)
 
-    private fun endIn(delayNs: Long, carryOut: (CallFailure?) -> Unit) {
+    private fun endIn(delayNs: Long, carryOut: (End?) -> Unit) {
         due += Due(cycle.ns + delayNs, null, begun) { carryOut(null) }
     }
 
-    private fun endWith(end: NearestRecordedCalls.Ended, carryOut: (CallFailure?) -> Unit) {
-        due += Due(end.ns, end.index, begun) { carryOut(end.end.failure) }
+    private fun endWith(end: NearestRecordedCalls.Ended, carryOut: (End?) -> Unit) {
+        due += Due(end.ns, end.index, begun) { carryOut(end.end) }
     }
 
     override fun left(work: Runnable) {

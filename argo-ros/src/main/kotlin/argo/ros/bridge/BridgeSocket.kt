@@ -1,5 +1,6 @@
 package argo.ros.bridge
 
+import argo.ros.mapping.Credentials
 import javino.NoSuchPortException
 import javino.PortException
 import javino.PortFaultException
@@ -15,7 +16,9 @@ import java.net.http.WebSocket
 import java.net.http.WebSocketHandshakeException
 import java.nio.ByteBuffer
 import java.nio.channels.UnresolvedAddressException
+import java.security.cert.CertPathBuilderException
 import java.time.Duration
+import java.time.Instant
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 import java.util.concurrent.ExecutionException
@@ -109,8 +112,9 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         CompletableFuture.delayedExecutor(CLOSING_MS, TimeUnit.MILLISECONDS).execute { socket.abort() }
     }
 
-    private class Receiver(private val listener: BridgeListener) : WebSocket.Listener {
+    private class Receiver(private val listener: BridgeListener, private val hasLoggedIn: Boolean) : WebSocket.Listener {
         private val text = StringBuilder()
+        private var isSilent = true // whether the bridge has sent nothing yet
         private var isTooLong = false
 
         override fun onText(socket: WebSocket, data: CharSequence, last: Boolean): CompletionStage<*>? {
@@ -119,6 +123,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
                 text.append(data).setLength(SHOWN_LENGTH)
             }
             if (!isTooLong) text.append(data)
+            isSilent = false
             if (last) {
                 if (isTooLong) listener.dropped("a message of more than $MAX_LENGTH characters, which begins $text")
                 else listener.text(text.toString())
@@ -143,7 +148,8 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         }
 
         override fun onClose(socket: WebSocket, statusCode: Int, reason: String): CompletionStage<*>? {
-            listener.gone("the bridge has closed the connection" + reason.takeIf { it.isNotBlank() }?.let { ": $it" }.orEmpty())
+            val hint = if (hasLoggedIn && isSilent) "; does it know another secret, or differ its clock by 5 s?" else ""
+            listener.gone("the bridge has closed the connection" + reason.takeIf { it.isNotBlank() }?.let { ": $it" }.orEmpty() + hint)
             return null
         }
 
@@ -172,19 +178,21 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         /**
          * Connects to the bridge at [address].
          *
-         * @param token the token for the bridge, sent as `Authorization: Bearer …`; null: none
          * @throws NoSuchPortException if the host does not exist, or nothing answers there
          * @throws PortInterruptedException if the thread is interrupted
          * @throws PortFaultException if a server answers that is no bridge
          */
-        fun connect(port: String, address: URI, listener: BridgeListener, token: String? = null): BridgeSocket {
+        fun connect(port: String, address: URI, listener: BridgeListener, credentials: Credentials = Credentials()): BridgeSocket {
             val client = client()
             val builder = client.newWebSocketBuilder().connectTimeout(Duration.ofSeconds(CONNECTING_S))
-            if (token != null) builder.header("Authorization", "Bearer $token")
-            val opening: CompletableFuture<WebSocket> = builder.buildAsync(address, Receiver(listener))
+            if (credentials.token != null) builder.header("Authorization", "Bearer ${credentials.token}")
+            val opening: CompletableFuture<WebSocket> = builder.buildAsync(address, Receiver(listener, credentials.secret != null))
             var isTaken = false
             try {
-                return BridgeSocket(client, opening.get(2 * CONNECTING_S, TimeUnit.SECONDS)).also { isTaken = true }
+                return BridgeSocket(client, opening.get(2 * CONNECTING_S, TimeUnit.SECONDS)).also { socket ->
+                    isTaken = true
+                    credentials.secret?.let { socket.send(Outgoing(login(it, address.host, Instant.now().epochSecond))) }
+                }
             } catch (_: InterruptedException) {
                 throw PortInterruptedException.remarking(port)
             } catch (failed: ExecutionException) {
@@ -209,6 +217,10 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
                 )
                 cause is WebSocketHandshakeException ->
                     PortFaultException(port, "${start}$place is no bridge: it answers ${cause.response.statusCode()}", cause)
+                generateSequence(cause) { it.cause }.any { it is CertPathBuilderException } -> PortFaultException(
+                    port, "${start}nobody who is trusted has signed the certificate of $place; -Djavax.net.ssl.trustStore names a file " +
+                        "of others to be trusted", cause,
+                )
                 cause is IOException ->
                     PortFaultException(port, "${start}the program at $place does not answer as a bridge: ${cause.message}", cause)
                 else -> PortFaultException(port, "$start$cause", cause)

@@ -2,14 +2,19 @@ package argo.ros.bridge
 
 import argo.filters.GroundTerm
 import argo.filters.Predicate
+import argo.links.Answer
 import argo.links.SentCommand
 import argo.ros.mapping.CommandRule
 import argo.ros.mapping.CommandRule.Kind
+import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Scope
 import argo.ros.mapping.Unfit
 import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
+import argo.ros.mapping.asTerm
+import argo.ros.mapping.inWords
 import argo.ros.mapping.isRos2Action
+import argo.ros.mapping.written
 import javino.ActionFailedException
 import javino.ActionRefusedException
 import javino.ActionUnconfirmedException
@@ -36,6 +41,7 @@ import java.util.concurrent.atomic.AtomicLong
  *
  * @param graph the robot's graph, with the nodes that take the messages
  * @param warn takes reports of parts of a command that are left out
+ * @param progress takes the newest feedback of a goal, for the rule of its percept; null: no goal of the rule is under way any more
  */
 internal class Commands(
     private val port: String,
@@ -45,8 +51,9 @@ internal class Commands(
     private val clock: LineClock,
     private val send: (Outgoing) -> Unit,
     private val warn: (String) -> Unit,
+    private val progress: (PerceptRule, JsonObject?) -> Unit,
 ) {
-    private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Unit>)
+    private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
     private val session = "argo-${UUID.randomUUID()}" // each command's id begins with it, which excludes answers to other clients
@@ -56,10 +63,11 @@ internal class Commands(
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
-            rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> listOf(
+            rule.kind == Kind.ACTION && !isRos2Action(rule.type) -> listOfNotNull(
                 advertisement("${rule.target}/goal", "${rule.type}Goal"),
                 advertisement("${rule.target}/cancel", CANCEL_TYPE),
                 operation("subscribe", "topic" to "${rule.target}/result", "type" to "${rule.type}Result"),
+                rule.feedback?.let { operation("subscribe", "topic" to "${rule.target}/feedback", "type" to "${rule.type}Feedback") },
             )
             else -> emptyList()
         }
@@ -67,12 +75,19 @@ internal class Commands(
 
     private fun advertisement(topic: String, type: String) = operation("advertise", "topic" to topic, "type" to type)
 
+    private fun ruleOf(command: GroundTerm.Structure?): CommandRule? {
+        val functor = command?.predicate?.takeIf { it == Predicate(it.functor) }?.functor
+        return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
+    }
+
+    /** Returns true unless the command [text] is only published; one that the mapping does not have is refused when it is sent. */
+    fun answers(text: String): Boolean = ruleOf(GroundTerm.ofOrNull(text) as? GroundTerm.Structure)?.kind != Kind.TOPIC
+
     fun send(text: String, options: SendOptions): SentCommand {
-        val outcome = CompletableFuture<Unit>()
+        val outcome = CompletableFuture<Answer>()
         val command = GroundTerm.ofOrNull(text) as? GroundTerm.Structure
         val arguments = command?.arguments.orEmpty()
-        val functor = command?.predicate?.takeIf { it == Predicate(it.functor) }?.functor
-        val rule = rules.find { it.name == functor && it.parameters.size == arguments.size }
+        val rule = ruleOf(command)
             ?: return refused("the robot has no command $text; it has ${known()}")
         types.whyUnknown(rule)?.let { return refused("$text cannot leave, since the bridge does not know the type ${rule.type}: $it") }
         val body = try {
@@ -87,21 +102,31 @@ internal class Commands(
         val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
         val entry = Pending(rule, text, message, outcome)
         pending[id] = entry
-        outcome.whenComplete { _, _ -> pending -= id }
+        outcome.whenComplete { _, _ -> ended(id, rule) }
         message.left.whenComplete { _, trouble -> left(entry, trouble) }
         limit(id, entry, options.limitMillis())
         graph.sends(rule) { reason -> lost(id, entry, reason) }
         send(message)
-        return SentCommand(outcome, eitherOf(message.left, outcome))
+        val giveUp = if (rule.kind == Kind.ACTION) ({ giveUp(id, entry) }) else null
+        return SentCommand(outcome, eitherOf(message.left, outcome), giveUp)
+    }
+
+    private fun ended(id: String, rule: CommandRule) {
+        pending -= id
+        forgetFeedback(rule)
+    }
+
+    private fun forgetFeedback(rule: CommandRule) {
+        if (rule.feedback != null && pending.values.none { it.rule === rule && !it.outcome.isDone }) progress(rule.feedback, null)
     }
 
     private fun known() = rules.joinToString(", ") { "${it.name}/${it.parameters.size}" }.ifEmpty { "none" }
 
     private fun refused(reason: String) =
-        SentCommand(CompletableFuture.failedFuture<Unit>(ActionRefusedException(port, "$reason (port $port)")))
+        SentCommand(CompletableFuture.failedFuture<Answer>(ActionRefusedException(port, "$reason (port $port)")))
 
     /** Completes without an error as soon as [left] or [outcome] has ended in any way. */
-    private fun eitherOf(left: CompletableFuture<Unit>, outcome: CompletableFuture<Unit>): CompletableFuture<Unit> {
+    private fun eitherOf(left: CompletableFuture<*>, outcome: CompletableFuture<*>): CompletableFuture<Unit> {
         val either = CompletableFuture<Unit>()
         left.whenComplete { _, _ -> either.complete(Unit) }
         outcome.whenComplete { _, _ -> either.complete(Unit) }
@@ -114,11 +139,18 @@ internal class Commands(
     }
 
     private fun timeIsOver(id: String, entry: Pending, ms: Int) {
+        abandon(id, entry, "has not left port $port within $ms ms", "the robot has not said it within $ms ms")
+    }
+
+    /** Ends the command of [entry], since the agent has dropped its intention. */
+    private fun giveUp(id: String, entry: Pending) =
+        abandon(id, entry, "had not left port $port when its intention was dropped", "its intention was dropped, and its goal is cancelled")
+
+    private fun abandon(id: String, entry: Pending, ifWaiting: String, ifUnderWay: String) {
         if (entry.outcome.isDone) return
         if (entry.message.withdraw()) {
-            val reason = "\"${entry.text}\" has not left port $port within $ms ms, and never will"
-            entry.outcome.completeExceptionally(CommandWithdrawnException(port, reason))
-        } else if (entry.outcome.completeExceptionally(unconfirmed(entry, "the robot has not said it within $ms ms"))) {
+            entry.outcome.completeExceptionally(CommandWithdrawnException(port, "\"${entry.text}\" $ifWaiting, and never will"))
+        } else if (entry.outcome.completeExceptionally(unconfirmed(entry, ifUnderWay))) {
             cancellation(entry.rule, id)?.let { send(Outgoing(it, isUrgent = true)) }
         }
     }
@@ -134,7 +166,7 @@ internal class Commands(
     private fun left(entry: Pending, trouble: Throwable?) {
         val cause = if (trouble is CompletionException) trouble.cause else trouble
         when (cause) {
-            null -> if (entry.rule.kind == Kind.TOPIC) entry.outcome.complete(Unit)
+            null -> if (entry.rule.kind == Kind.TOPIC) entry.outcome.complete(UNANSWERED)
             is Replaced -> entry.outcome.completeExceptionally(
                 CommandReplacedException(port, "a later ${entry.rule.name} has taken the place of \"${entry.text}\" on port $port"),
             )
@@ -148,6 +180,10 @@ internal class Commands(
     private fun unconfirmed(entry: Pending, reason: String): PortException =
         ActionUnconfirmedException(port, "it is not known what became of \"${entry.text}\": $reason (port $port)")
 
+    /** Returns the cancellations of all goals that are under way. */
+    fun cancellations(): List<Outgoing> = pending.entries.filter { (_, entry) -> entry.message.hasBegun }
+        .mapNotNull { (id, entry) -> cancellation(entry.rule, id)?.let { Outgoing(it, isUrgent = true) } }
+
     fun gone(reason: String) = pending.values.forEach { entry ->
         entry.outcome.completeExceptionally(
             if (entry.message.withdraw()) neverSent(entry, reason) else unconfirmed(entry, reason),
@@ -158,7 +194,8 @@ internal class Commands(
     fun heard(operation: JsonObject): Boolean = when (operation.text("op")) {
         "service_response" -> pendingOf(operation)?.also { responded(it, operation) } != null
         "action_result" -> pendingOf(operation)?.also { resulted(it, operation) } != null
-        "publish" -> goalOf(operation)?.also { (entry, message) -> resultPublished(entry, message) } != null
+        "action_feedback" -> pendingOf(operation)?.also { progressed(it, operation.part("values")) } != null
+        "publish" -> goalOf(operation)?.also { (entry, message) -> published(entry, message, operation.text("topic").orEmpty()) } != null
         else -> false
     }
 
@@ -169,8 +206,27 @@ internal class Commands(
         when {
             operation.flag("result") == false -> fail(entry, operation.text("values") ?: "${operation["values"] ?: "no reason is given"}")
             values?.flag("success") == false -> fail(entry, values.text("message").orEmpty().ifEmpty { "the service reports no success" })
-            else -> entry.outcome.complete(Unit)
+            else -> succeed(entry, values)
         }
+    }
+
+    private fun progressed(entry: Pending, feedback: JsonObject?) {
+        val rule = entry.rule.feedback ?: return
+        if (feedback == null || entry.outcome.isDone) return
+        progress(rule, feedback)
+        if (entry.outcome.isDone) forgetFeedback(entry.rule) // it has ended meanwhile
+    }
+
+    /** Ends the command of [entry], which [response] has answered. */
+    private fun succeed(entry: Pending, response: JsonObject?) {
+        val message = response ?: JsonObject(emptyMap())
+        val scope = types.scopeOfAnswer(entry.rule, message)
+        val answer = when (val term = (entry.rule.answer?.valueIn(scope) ?: Value.Part(message)).asTerm()) {
+            is Value.Symbol -> Answer.of(term.text)
+            is Value.None -> Answer.none("${entry.rule.target} gives no answer that the agent can have: ${term.why}")
+            else -> error("${term.inWords()} is no term")
+        }
+        entry.outcome.complete(answer)
     }
 
     private fun resulted(entry: Pending, operation: JsonObject) {
@@ -178,7 +234,7 @@ internal class Commands(
         when {
             operation.flag("result") == false && status == null ->
                 fail(entry, operation.text("values") ?: "${operation["values"] ?: "no reason is given"}")
-            status == null || status == SUCCEEDED_2 -> entry.outcome.complete(Unit)
+            status == null || status == SUCCEEDED_2 -> succeed(entry, operation.part("values"))
             else -> {
                 val reason = operation.part("values")?.text("message").orEmpty()
                 fail(entry, "its goal was ${STATES_2[status] ?: "left in state $status"}" + if (reason.isEmpty()) "" else ": $reason")
@@ -186,19 +242,20 @@ internal class Commands(
         }
     }
 
+    /** Returns the command of a published result or feedback of ROS 1, and the message. */
     private fun goalOf(operation: JsonObject): Pair<Pending, JsonObject>? {
         val message = operation.part("msg") ?: return null
         val entry = message.part("status")?.part("goal_id")?.text("id")?.let(pending::get) ?: return null
-        return (entry to message).takeIf { operation.text("topic")?.endsWith("/result") == true }
+        return (entry to message).takeIf { operation.text("topic")?.substringAfterLast('/') in setOf("result", "feedback") }
     }
+
+    private fun published(entry: Pending, message: JsonObject, topic: String) =
+        if (topic.endsWith("/result")) resultPublished(entry, message) else progressed(entry, message.part("feedback"))
 
     private fun resultPublished(entry: Pending, message: JsonObject) {
         val status = message.part("status")
         val state = status?.text("status")?.toIntOrNull()
-        if (state == SUCCEEDED_1) {
-            entry.outcome.complete(Unit)
-            return
-        }
+        if (state == SUCCEEDED_1) return succeed(entry, message.part("result"))
         val reason = "its goal was ${STATES_1[state] ?: "left in state $state"}" +
             status?.text("text").orEmpty().let { if (it.isEmpty()) "" else ": $it" }
         if (state != REJECTED_1) fail(entry, reason)
@@ -212,13 +269,13 @@ internal class Commands(
     /** @throws Unfit if a field cannot have its value */
     private fun bodyOf(rule: CommandRule, arguments: List<GroundTerm>): JsonObject {
         val values = rule.parameters.zip(arguments) { name, term -> name to valueOf(term) }.toMap()
-        val scope = Scope { path -> values.getValue(path.single()) }
+        val scope = Scope { path -> values.getValue(written(path)) }
         val type = types.of(rule)
         return nested(
             rule.fields.map { field ->
                 val value = field.value.valueIn(scope)
                 if (value is Value.None) throw Unfit("${field.path.joinToString(".")}: ${value.why}")
-                field.path to (type?.fit(field.path, value.asJson()) ?: value.asJson())
+                field.path to (type?.fit(field.steps, value.asJson()) ?: value.asJson())
             },
         )
     }
@@ -228,7 +285,10 @@ internal class Commands(
         rule.kind == Kind.SERVICE ->
             operation("call_service", "id" to id, "service" to rule.target, "type" to rule.type, "args" to body)
         isRos2Action(rule.type) ->
-            operation("send_action_goal", "id" to id, "action" to rule.target, "action_type" to rule.type, "args" to body)
+            operation(
+                "send_action_goal", "id" to id, "action" to rule.target, "action_type" to rule.type, "args" to body,
+                "feedback" to true.takeIf { rule.feedback != null },
+            )
         else -> operation("publish", "topic" to "${rule.target}/goal", "msg" to JsonObject(mapOf("goal_id" to goalId(id), "goal" to body)))
     }
 
@@ -241,6 +301,7 @@ internal class Commands(
     private fun goalId(id: String) = JsonObject(mapOf("id" to JsonPrimitive(id)))
 
     private companion object {
+        val UNANSWERED = Answer.none("nobody answers a message of a topic")
         const val CANCEL_TYPE = "actionlib_msgs/GoalID"
 
         // actionlib_msgs/GoalStatus

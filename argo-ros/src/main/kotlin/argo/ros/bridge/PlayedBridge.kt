@@ -7,10 +7,12 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed. There is
- * no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and action, with its name.
+ * A bridge within this program, for tests. The bridge answers at once, on the thread of the request. Services and goals succeed, with the
+ * response that the test has set. There is no `rosapi`. [heard] takes each message to a topic, and the request or goal of each service and
+ * action, with its name.
  */
 internal class PlayedBridge(private val listener: BridgeListener, private val heard: (name: String, message: String) -> Unit) : Bridge {
+    private val responses = ConcurrentHashMap<String, JsonObject>() // by the name of the service or action
     private val subscribed = ConcurrentHashMap.newKeySet<String>()
     private val outbox = Outbox { text ->
         answer(checkNotNull(operationIn(text)))
@@ -28,6 +30,14 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
 
     override fun ping() = listener.isAlive()
 
+    /** Has [service], or an action of this name, answer [response] from now on. */
+    fun respond(service: String, response: JsonObject) {
+        responses[service] = response
+    }
+
+    private fun responseOf(name: String) = responses[name] ?: JsonObject(emptyMap())
+
+    /** Publishes [message], in JSON, on [topic] as a node would. */
     fun publish(topic: String, message: JsonObject) {
         if (topic in subscribed) listener.text(operation("publish", "topic" to topic, "msg" to message))
     }
@@ -43,23 +53,26 @@ internal class PlayedBridge(private val listener: BridgeListener, private val he
             "call_service" -> called(operation)
             "send_action_goal" -> {
                 heard(operation.text("action").orEmpty(), "${operation["args"]}")
-                listener.text(operation("action_result", "id" to operation.text("id"), "status" to SUCCEEDED_2, "result" to true))
+                val result = responseOf(operation.text("action").orEmpty())
+                val id = operation.text("id")
+                listener.text(operation("action_result", "id" to id, "status" to SUCCEEDED_2, "values" to result, "result" to true))
             }
         }
     }
 
     private fun published(topic: String, message: JsonObject) {
         val goal = message.part("goal_id").takeIf { topic.endsWith(GOAL) } ?: return heard(topic, "$message")
-        heard(topic.removeSuffix(GOAL), "${message["goal"]}")
+        val action = topic.removeSuffix(GOAL)
+        heard(action, "${message["goal"]}")
         val status = JsonObject(mapOf("goal_id" to goal, "status" to JsonPrimitive(SUCCEEDED_1)))
-        publish(topic.removeSuffix(GOAL) + "/result", JsonObject(mapOf("status" to status)))
+        publish("$action/result", JsonObject(mapOf("status" to status, "result" to responseOf(action))))
     }
 
     private fun called(operation: JsonObject) {
         val service = operation.text("service").orEmpty()
         val isKnown = !service.startsWith("/rosapi/")
         if (isKnown) heard(service, "${operation["args"] ?: JsonArray(emptyList())}")
-        val values = if (isKnown) JsonObject(emptyMap()) else JsonPrimitive("") // the refusal has no reason, since no test reads it
+        val values = if (isKnown) responseOf(service) else JsonPrimitive("") // the refusal has no reason, since no test reads one
         listener.text(operation("service_response", "id" to operation.text("id"), "values" to values, "result" to isKnown))
     }
 

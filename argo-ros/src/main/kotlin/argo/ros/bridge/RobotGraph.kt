@@ -23,12 +23,27 @@ internal class RobotGraph(
 
     /** Compares the mapping's types with those of existing topics, and looks for its actions. */
     fun check() {
-        val topics = mapping.percepts.map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
+        val topics = (mapping.percepts - mapping.poses.toSet()).map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
+        mapping.commands.filter { it.kind == Kind.SERVICE }.distinctBy { it.target }.forEach(::lookForService)
         mapping.commands.filter { it.kind == Kind.ACTION }.distinctBy { it.target }.forEach { rule ->
             ifMissing(rule) { warn("rosapi shows no action server ${rule.target} yet") }
         }
     }
+
+    /** Warns if nobody serves the service of [rule], or one of another type. */
+    private fun lookForService(rule: CommandRule) {
+        if ("/_" in rule.target) return // hidden, so that rosapi does not show it
+        api.ask("/rosapi/service_type", mapOf("service" to rule.target)).thenAccept { answer ->
+            val type = answer.text("type") ?: return@thenAccept
+            if (type.isEmpty()) warn("rosapi shows no service ${rule.target} yet")
+            else if (bareType(type) != bareType(rule.type)) {
+                warn("${rule.target} is of type $type on the robot, and the mapping says ${rule.type}")
+            }
+        }
+    }
+
+    private fun bareType(type: String) = type.replace("/srv/", "/")
 
     /** Returns the topic on which [rule] publishes, and its type; null: [rule] does not publish. */
     private fun topicOf(rule: CommandRule): Pair<String, String>? = when {

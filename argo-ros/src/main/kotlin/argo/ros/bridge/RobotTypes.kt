@@ -7,6 +7,7 @@ import argo.ros.mapping.Expression
 import argo.ros.mapping.FieldValue
 import argo.ros.mapping.Mapping
 import argo.ros.mapping.MappingException
+import argo.ros.mapping.MessageScope
 import argo.ros.mapping.MessageType
 import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Place
@@ -16,6 +17,7 @@ import argo.ros.mapping.Value
 import argo.ros.mapping.asJson
 import argo.ros.mapping.fields
 import argo.ros.mapping.isRos2Action
+import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
@@ -48,7 +50,14 @@ internal class RobotTypes(
 
     fun whyUnknown(rule: CommandRule): String? = unknown[questionFor(rule)]
 
-    private fun questionFor(rule: PerceptRule) = Question(MESSAGE, rule.type)
+    /** Returns the fields of [message], the answer to a command of [rule]. */
+    fun scopeOfAnswer(rule: CommandRule, message: JsonObject): Scope {
+        val type = known[questionForAnswer(rule)] ?: return MessageScope(message)
+        return MessageScope(message, type.bytesAmong(rule.answer?.fields().orEmpty()), type.constants)
+    }
+
+    private fun questionFor(rule: PerceptRule) =
+        Question(if (isRos2Action(rule.type)) "/rosapi/action_feedback_details" else MESSAGE, rule.type)
 
     private fun questionFor(rule: CommandRule) = when {
         rule.kind == Kind.SERVICE -> Question("/rosapi/service_request_details", rule.type)
@@ -56,6 +65,15 @@ internal class RobotTypes(
         isRos2Action(rule.type) -> Question("/rosapi/action_goal_details", rule.type)
         else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Goal")
     }
+
+    private fun questionForAnswer(rule: CommandRule) = when {
+        rule.kind == Kind.SERVICE -> Question("/rosapi/service_response_details", rule.type)
+        isRos2Action(rule.type) -> Question("/rosapi/action_result_details", rule.type)
+        else -> Question(MESSAGE, rule.type.removeSuffix("Action") + "Result")
+    }
+
+    private val perceptRules = mapping.percepts - mapping.poses.toSet() + mapping.feedback
+    private val answering = mapping.commands.filter { it.answer != null }
 
     /**
      * Asks for the types, and checks the mapping's fields and constant values. A type whose description comes late is checked when it
@@ -65,7 +83,8 @@ internal class RobotTypes(
      * @throws MappingException if a field does not exist, or cannot have its value
      */
     fun check(limitMs: Long) {
-        val questions = (mapping.percepts.map(::questionFor) + mapping.commands.map(::questionFor)).distinct()
+        val questions =
+            (perceptRules.map(::questionFor) + mapping.commands.map(::questionFor) + answering.map(::questionForAnswer)).distinct()
         val answers = questions.map { question ->
             api.ask(question.service, mapOf("type" to question.type)).handle { answer, trouble -> take(question, answer, trouble) }
         }
@@ -76,7 +95,7 @@ internal class RobotTypes(
         }
         val problems = synchronized(this) {
             isChecked = true
-            if (missing.isNotEmpty()) tell(if (missing.size == questions.size) NO_ROSAPI else unchecked())
+            if (missing.isNotEmpty()) tell(if (missing.size == questions.size && !api.isThere) NO_ROSAPI else unchecked())
             questions.flatMap(::problemsOf)
         }
         if (problems.isNotEmpty()) throw MappingException(problems)
@@ -101,8 +120,10 @@ internal class RobotTypes(
         when {
             UNLOADED.none { it in reason } ->
                 if (reason.isNotEmpty()) warn("the bridge does not describe the type $name, which is not checked: $reason")
-            mapping.percepts.any { questionFor(it) == question } ->
+            perceptRules.any { questionFor(it) == question } ->
                 warn("the bridge does not know the type $name, so the agent gets no percepts from its messages: $reason")
+            mapping.commands.none { questionFor(it) == question } ->
+                warn("the bridge does not know the type $name, so that no answer of this type comes: $reason")
             else -> warn("the bridge does not know the type $name, so that no command with it leaves: $reason")
         }
         if (UNLOADED.any { it in reason }) unknown[question] = reason
@@ -110,16 +131,17 @@ internal class RobotTypes(
 
     private fun problemsOf(question: Question): List<Problem> {
         val type = known[question] ?: return emptyList()
-        val percepts = mapping.percepts.filter { questionFor(it) == question }.flatMap { it.fields() }
+        val read = perceptRules.filter { questionFor(it) == question }.flatMap { it.fields() } +
+            answering.filter { questionForAnswer(it) == question }.flatMap { it.answer?.fields().orEmpty() }
         val values = mapping.commands.filter { questionFor(it) == question }.flatMap { it.fields }
-        val inPercepts = percepts.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
+        val inRead = read.mapNotNull { problem(it.place) { type.typeAt(it.path) } }
         val inCommands = values.mapNotNull { problem(it.place) { check(it, type) } }
-        return (inPercepts + inCommands).distinct()
+        return (inRead + inCommands).distinct()
     }
 
     private fun check(field: FieldValue, type: MessageType) {
         val isConstant = field.value !is Expression.Compound && field.value.fields().isEmpty()
-        if (isConstant) type.fit(field.path, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.path)
+        if (isConstant) type.fit(field.steps, field.value.valueIn(NOTHING).asJson()) else type.typeAt(field.steps)
     }
 
     private fun problem(place: Place, work: () -> Unit): Problem? = try {

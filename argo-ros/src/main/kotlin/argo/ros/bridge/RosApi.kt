@@ -24,6 +24,11 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val calls = ConcurrentHashMap<String, CompletableFuture<Answer>>()
     private val number = AtomicLong()
 
+    /** True if it has answered a question. */
+    @Volatile
+    var isThere = false
+        private set
+
     /**
      * Calls [service]. The answer completes on the bridge's thread, with a [NotKnown] if the call fails or takes longer than [LIMIT_NANOS].
      */
@@ -44,7 +49,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
         val call = calls[id] ?: return true // the call's time is over, or the link is closed
         val values = operation.part("values")
         if (values == null || operation.flag("result") == false) call.completeExceptionally(NotKnown(operation.text("values").orEmpty()))
-        else call.complete(Answer(values, nowNanos))
+        else call.complete(Answer(values, nowNanos)).also { isThere = true }
         return true
     }
 

@@ -7,24 +7,31 @@ import argo.filters.Rule
 import argo.filters.matching.matcher
 import argo.links.Wish
 import argo.ros.mapping.Expression
+import argo.ros.mapping.Frames
 import argo.ros.mapping.PerceptRule
 import argo.ros.mapping.Value
 import argo.ros.mapping.asTerm
 
 /**
- * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps only the newest
- * message (`queue_length` 1) for that time, so no message comes older, and skipped messages cost no time here.
+ * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
+ * [queueLength] messages for that time. With 1, no message comes older, and skipped messages cost no time here. With 0 and no least time,
+ * the bridge sends each message at once.
  */
-internal data class Subscription(val topic: String, val type: String, val throttleMs: Int)
+internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
 /** Returns the subscriptions under this wish of the agent: each topic once, except topics whose percepts the filter drops completely. */
 internal fun Wish.subscriptions(rules: List<PerceptRule>): List<Subscription> {
     if (!isSensed) return emptyList()
-    return rules.groupBy { it.topic }.mapNotNull { (topic, its) ->
+    return rules.groupBy { it.topic }.flatMap { (topic, its) ->
         val kept = its.filter { rule -> filter?.let { dropsAll(it, rule.percept) } != true }
-        val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 } ?: return@mapNotNull null
-        Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt())
-    }
+        val everyMs = kept.minOfOrNull { rule -> filter?.let { everyMs(it, rule.percept) } ?: 0 }
+        when {
+            everyMs == null -> emptyList()
+            its.any { it.frames != null } -> Frames.TOPICS.map { Subscription(it, Frames.TYPE, 0, 0) }
+            kept.any { it.needsEach } -> listOf(Subscription(topic, its.first().type, 0, 0))
+            else -> listOf(Subscription(topic, its.first().type, maxOf(intervalMs.toLong(), everyMs).toInt()))
+        }
+    }.groupBy { it.topic }.values.map { its -> its.minBy { it.throttleMs } }
 }
 
 /** Returns true if [filter] drops every percept of the form [percept]. */
@@ -48,14 +55,15 @@ private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Lon
         .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())
 }
 
-private fun isFor(rule: Rule, percept: Expression.Compound) =
-    rule.predicate == Predicate(percept.functor) && (rule.arity == null || rule.arity == percept.arguments.size)
+private fun isFor(rule: Rule, percept: Expression.Compound) = rule.predicate == Predicate(percept.functor) &&
+    (rule.arity == null || rule.arity == percept.arguments.size || Expression.AllFields in percept.arguments)
 
 private fun isAlwaysMet(rule: Rule, percept: Expression.Compound) = rule.conditions.all { isMet(it, percept) == true }
 
 /** Returns true if [condition] holds for all percepts of the form [percept], false if for none, null if for some. */
 private fun isMet(condition: Condition, percept: Expression.Compound): Boolean? {
     val index = (condition as? Condition.Argument)?.index ?: return false // a message has no annotations
+    if (Expression.AllFields in percept.arguments) return null
     if (index >= percept.arguments.size) return false
     if (percept.arguments[index] !is Expression.Constant) return null
     val terms = percept.arguments.map { ((it as? Expression.Constant)?.value?.asTerm() as? Value.Symbol)?.text ?: "0" }

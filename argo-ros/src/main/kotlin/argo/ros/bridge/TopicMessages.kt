@@ -3,7 +3,9 @@ package argo.ros.bridge
 import argo.links.BoardMessage
 import argo.ros.mapping.MessageScope
 import argo.ros.mapping.MessageType
+import argo.ros.mapping.Path
 import argo.ros.mapping.PerceptRule
+import argo.ros.mapping.Scope
 import argo.ros.mapping.Value
 import argo.ros.mapping.fields
 import argo.ros.mapping.perceptIn
@@ -11,7 +13,7 @@ import kotlinx.serialization.json.JsonObject
 import java.util.concurrent.TimeUnit
 
 /**
- * The newest message of each topic, and its percepts. Not safe for use by several threads at once.
+ * The newest message of each topic, and the percepts of all. Not safe for use by several threads at once.
  *
  * @param typeOf returns the type of a rule's messages; null: the type is not known
  * @param warn takes, once each, the reasons why a message gives no percept of a rule whose conditions may hold
@@ -21,71 +23,133 @@ internal class TopicMessages(
     private val typeOf: (PerceptRule) -> MessageType?,
     private val warn: (String) -> Unit,
 ) {
+    /** The least time between two messages from topics that the bridge does not throttle, in ns. */
+    var intervalNanos = 0L
+
     private class Newest(val message: JsonObject, val trueNanos: Long, val receivedNanos: Long)
 
+    /** A percept that a message had when it came. */
+    private class Made(val topic: String, val text: String, val trueNanos: Long, val receivedNanos: Long)
+
     private val newest = HashMap<String, Newest>()
+    private val eachRules = rules.filter { it.needsEach }.groupBy { it.topic }
+    private val unthrottled = eachRules.keys + rules.filter { it.frames != null }.map { it.topic }
+    private val changing = rules.filter { !it.needsEach }.map { it.topic }.toSet()
+    private val lasting = HashMap<PerceptRule, Made>() // the newest percept of each rule with a time
+    private val events = ArrayDeque<Made>() // percepts of which each is an event, the oldest first
+    private var lastEvent: String? = null // the event in the message before; null: it had none
+    private var lost = 0L
     private val told = HashMap<PerceptRule, HashSet<String>>()
-    private val bytes = HashMap<PerceptRule, Set<List<String>>>() // the fields that are bytes, for each rule of known type
+    private val bytes = HashMap<PerceptRule, Set<Path>>() // for each rule whose type is known, the fields that are bytes
     private var isNew = false
+    private var isNewSoon = false // whether there is something new that waits for the interval
+    private var takenNanos: Long? = null // null: nothing was taken yet
     private var expiryNanos: Long? = null // the time at which the percepts change without a new message
 
     /** Adds a [message] of [topic] that came at [receivedNanos] and was true at [trueNanos], both by the platform's clock. */
     fun add(topic: String, message: JsonObject, trueNanos: Long, receivedNanos: Long) {
-        newest[topic] = Newest(message, trueNanos, receivedNanos)
-        isNew = true
+        val last = Newest(message, trueNanos, receivedNanos)
+        newest[topic] = last
+        eachRules[topic]?.forEach { rule -> textOf(rule, message)?.let { made(rule, Made(topic, it, trueNanos, receivedNanos)) } }
+        if (topic in unthrottled) isNewSoon = isNewSoon || topic in changing else isNew = true
+    }
+
+    private fun made(rule: PerceptRule, percept: Made) {
+        if (!rule.isOfEach) {
+            val before = lasting.put(rule, percept)
+            val endNanos = before?.receivedNanos?.plus(nanosOf(checkNotNull(rule.forMs)))
+            if (before?.text != percept.text || endNanos == null || percept.receivedNanos - endNanos >= 0) isNew = true
+            return
+        }
+        events += percept
+        if (events.size <= MAX_EVENTS) return
+        val topic = events.removeFirst().topic
+        if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
     }
 
     fun keepOnly(topics: Collection<String>) {
-        if (newest.keys.retainAll(topics.toSet())) isNew = true
+        val kept = topics.toSet()
+        if (newest.keys.retainAll(kept)) isNew = true
+        lasting.keys.removeIf { it.topic !in kept }
+        events.removeIf { it.topic !in kept }
+    }
+
+    /** Returns true if there is a message of [topic]. */
+    fun hasHeard(topic: String) = topic in newest
+
+    fun forget(topic: String) {
+        if (newest.remove(topic) != null) isNew = true
     }
 
     fun clear() {
         newest.clear()
+        lasting.clear()
+        events.clear()
         isNew = false
+        isNewSoon = false
         expiryNanos = null
     }
 
     /** Returns true if [take] would return new percepts at [nowNanos]. */
-    fun hasNews(nowNanos: Long): Boolean = isNew || expiryNanos?.let { it - nowNanos <= 0 } == true
+    fun hasNews(nowNanos: Long): Boolean =
+        isNew || events.isNotEmpty() || lastEvent != null || dueNanos()?.let { it - nowNanos <= 0 } == true
 
     /** Returns when the percepts change without a new message, by the platform's clock; null: never. */
-    fun dueNanos(): Long? = expiryNanos
-
-    /** Returns all percepts that hold at [nowNanos], in the order of the rules. */
-    fun take(nowNanos: Long): BoardMessage {
-        isNew = false
-        expiryNanos = null
-        val seen = LinkedHashMap<String, Long>()
-        for (rule in rules) {
-            val message = newest[rule.topic] ?: continue
-            if (rule.forMs != null && !isYoung(message, rule.forMs, nowNanos)) continue
-            val text = textOf(rule, message.message) ?: continue
-            seen.merge(text, message.trueNanos) { one, other -> if (other - one > 0) other else one }
-        }
-        val received = newest.values.map { it.receivedNanos }.maxWithOrNull { a, b -> (a - b).compareTo(0) } ?: nowNanos
-        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen)
+    fun dueNanos(): Long? {
+        val soon = if (isNewSoon) takenNanos?.plus(intervalNanos) ?: newest.values.firstOrNull()?.receivedNanos else null
+        return listOfNotNull(soon, expiryNanos).minWithOrNull { a, b -> (a - b).compareTo(0) }
     }
 
-    private fun isYoung(message: Newest, forMs: Int, nowNanos: Long): Boolean {
-        val end = message.receivedNanos + TimeUnit.MILLISECONDS.toNanos(forMs.toLong())
+    /** Returns all percepts that hold at [nowNanos], in the order of the rules, and the next event. */
+    fun take(nowNanos: Long): BoardMessage {
+        isNew = false
+        isNewSoon = false
+        takenNanos = nowNanos
+        expiryNanos = null
+        val event = nextEvent()
+        val eventText = event?.text ?: "".takeIf { events.isNotEmpty() }
+        val seen = LinkedHashMap<String, Long>()
+        for (percept in rules.mapNotNull { heldBy(it, nowNanos) } + listOfNotNull(event)) {
+            seen.merge(percept.text, percept.trueNanos) { one, other -> if (other - one > 0) other else one }
+        }
+        val received = newest.values.map { it.receivedNanos }.maxWithOrNull { a, b -> (a - b).compareTo(0) } ?: nowNanos
+        return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
+    }
+
+    /** Takes the next event; null: there is none, or it equals the last one, so that a message without it must come between them. */
+    private fun nextEvent(): Made? {
+        val next = events.firstOrNull()?.takeIf { it.text != lastEvent }
+        lastEvent = next?.text
+        return next?.also { events.removeFirst() }
+    }
+
+    /** Returns the percept of [rule] that holds at [nowNanos]; null: none does, or each is an event. */
+    private fun heldBy(rule: PerceptRule, nowNanos: Long): Made? {
+        if (rule.isOfEach) return null
+        val percept = if (rule.needsEach) lasting[rule] else newest[rule.topic]?.let { message ->
+            textOf(rule, message.message)?.let { Made(rule.topic, it, message.trueNanos, message.receivedNanos) }
+        }
+        return percept?.takeIf { rule.forMs == null || isYoung(it.receivedNanos, rule.forMs, nowNanos) }
+    }
+
+    private fun isYoung(receivedNanos: Long, forMs: Int, nowNanos: Long): Boolean {
+        val end = receivedNanos + nanosOf(forMs)
         if (end - nowNanos <= 0) return false
         if (expiryNanos?.let { it - end > 0 } != false) expiryNanos = end
         return true
     }
 
-    private fun textOf(rule: PerceptRule, message: JsonObject): String? {
-        val scope = MessageScope(message, bytesIn(rule))
-        return when (val percept = rule.perceptIn(scope)) {
-            is Value.Symbol -> percept.text
-            is Value.None -> null.also { leftOut(rule, percept.why) }
-            else -> null
-        }
+    private fun nanosOf(ms: Int) = TimeUnit.MILLISECONDS.toNanos(ms.toLong())
+
+    private fun textOf(rule: PerceptRule, message: JsonObject): String? = when (val percept = rule.perceptIn(scopeOf(rule, message))) {
+        is Value.Symbol -> percept.text
+        is Value.None -> null.also { leftOut(rule, percept.why) }
+        else -> null
     }
 
-    private fun bytesIn(rule: PerceptRule): Set<List<String>> {
-        bytes[rule]?.let { return it }
-        val type = typeOf(rule) ?: return emptySet()
-        return rule.fields().mapNotNull { type.bytesIn(it.path) }.toSet().also { bytes[rule] = it }
+    private fun scopeOf(rule: PerceptRule, message: JsonObject): Scope {
+        val type = typeOf(rule) ?: return MessageScope(message)
+        return MessageScope(message, bytes.getOrPut(rule) { type.bytesAmong(rule.fields()) }, type.constants)
     }
 
     private fun leftOut(rule: PerceptRule, why: String) {
@@ -98,5 +162,8 @@ internal class TopicMessages(
     private companion object {
         /** The most reasons reported for each rule. A message's numbers in them could make many. */
         const val MAX_TOLD = 3
+
+        /** The most events that wait for the sensing thread. */
+        const val MAX_EVENTS = 1_000
     }
 }

@@ -1,15 +1,16 @@
 package argo.ros.joining
 
 import argo.ros.RosAddress
+import argo.ros.mapping.Credentials
 import argo.ros.mapping.MappingException
-import argo.ros.mapping.findToken
+import argo.ros.mapping.findCredentials
 import javino.NoSuchPortException
 
 /** A text is no address of a bridge; [message] tells why. */
 internal class RefusedAddress(message: String) : Exception(message)
 
-/** The bridge to a graph. [token] is the token for the bridge; null: none. */
-internal class BridgeAddress(val ros: RosAddress, val token: String?) {
+/** The bridge to a graph. */
+internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) {
     companion object {
         private val NUMBER = Regex("[0-9]+")
 
@@ -25,8 +26,8 @@ internal class BridgeAddress(val ros: RosAddress, val token: String?) {
                     "rosbridge_server: write its address, as \"localhost:$text\". Without ROS the live view shows them, argo_view=$text",
             )
             return try {
-                val address = RosAddress.of(if (text.startsWith("ros:")) text else "ros://$text")
-                BridgeAddress(address, findToken(address.mapping))
+                val address = RosAddress.of(if (text.startsWith("ros:") || text.startsWith("wss:")) text else "ros://$text")
+                BridgeAddress(address, findCredentials(address.mapping))
             } catch (refused: NoSuchPortException) {
                 throw RefusedAddress(refused.message.orEmpty())
             } catch (refused: MappingException) {

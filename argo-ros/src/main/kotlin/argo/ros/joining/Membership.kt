@@ -76,7 +76,7 @@ internal class Membership(
     /** Takes part until the connection ends or this is closed. Returns the time in ms before the next visit. */
     private fun visit(): Long {
         val connection = Connection()
-        connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.token)
+        connection.bridge = BridgeSocket.connect(place, address.ros.socket, connection, address.credentials)
         report("ROS sees ${participant.name} as /${participant.name} at $place")
         try {
             connection.begin()

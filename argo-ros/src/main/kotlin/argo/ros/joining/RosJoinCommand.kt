@@ -1,14 +1,12 @@
 package argo.ros.joining
 
 import argo.links.BoardLink
-import argo.links.BoardLinkProvider
 import argo.links.JavinoLink
 import argo.ros.bridge.OnceEach
 import argo.tools.board.LineOptions
 import argo.tools.command.ToolCommand
 import argo.tools.command.ToolProvider
 import argo.tools.command.requireWithin
-import javino.LineClock
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Option
@@ -87,8 +85,7 @@ internal class RosJoinCommand : ToolCommand() {
         return name to port
     }
 
-    private fun open(port: String): BoardLink =
-        BoardLinkProvider.of(port)?.open(port, true, LineClock.system()) ?: JavinoLink(line.open(port))
+    private fun open(port: String): BoardLink = line.openElsewhere(port) ?: JavinoLink(line.open(port))
 
     private fun tell(message: String) = err.run {
         println(message)

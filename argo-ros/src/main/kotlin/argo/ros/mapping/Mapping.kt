@@ -3,8 +3,18 @@ package argo.ros.mapping
 import argo.filters.Problem
 import java.util.concurrent.TimeUnit
 
-/** Maps a robot's topics, services and actions to percepts and commands; read from a file `NAME.ros.yaml`, the [source]. Immutable. */
-internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>)
+/**
+ * The percepts and commands for the topics, services and actions of a robot, from a file `NAME.ros.yaml`. Immutable.
+ *
+ * @property source the file
+ */
+internal class Mapping(val source: String, val percepts: List<PerceptRule>, val commands: List<CommandRule>) {
+    /** The rules for the feedback of actions. */
+    val feedback: List<PerceptRule> = commands.mapNotNull { it.feedback }
+
+    /** The rules for the poses of frames. */
+    val poses: List<PerceptRule> = percepts.filter { it.frames != null }
+}
 
 /** A place in a mapping's file, line and column counted from 1. */
 internal data class Place(val line: Int, val column: Int)
@@ -14,17 +24,33 @@ internal data class Place(val line: Int, val column: Int)
  *
  * @property type the type of the topic's messages, as written
  * @property percept the literal, with fields of the message as arguments
- * @property conditions a message gives the percept if all of them hold
+ * @property condition a message gives the percept if this holds; null: always
  * @property forMs the time in ms for which the percept holds; null: until the next message
+ * @property frames the frames whose pose the percept is about; null: it is about a topic. For a pose [topic] is only a name
+ * @property isOfEach whether each message is an event of its own, of which none is left out; else the newest message counts
  */
 internal class PerceptRule(
     val place: Place,
     val topic: String,
     val type: String,
     val percept: Expression.Compound,
-    val conditions: List<Comparison>,
+    val condition: Expression?,
     val forMs: Int?,
-)
+    val isOfEach: Boolean = false,
+    val frames: Frames? = null,
+) {
+    /** True if no message may be passed over: one that meets the condition counts even if a later one, soon after it, does not. */
+    val needsEach: Boolean get() = isOfEach || forMs != null && condition != null
+}
+
+/** The frames of a rule for a pose: that of [child] in [parent], from the transforms that all nodes publish. */
+internal data class Frames(val parent: String, val child: String) {
+    companion object {
+        const val TYPE = "tf2_msgs/TFMessage"
+        const val STATIC = "/tf_static"
+        val TOPICS = listOf("/tf", STATIC)
+    }
+}
 
 /**
  * A command, and the robot's message, request or goal for it: `move(V, W) -> /cmd_vel geometry_msgs/Twist(linear.x = V, angular.z = W)`.
@@ -34,6 +60,8 @@ internal class PerceptRule(
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
  * @property withinMs the time that the outcome may take, in ms
+ * @property answer the answer to the agent, by the fields of the response or result; null: the list of all of these
+ * @property feedback the percept of the feedback of an action while its goal is under way; null: none
  */
 internal class CommandRule(
     val place: Place,
@@ -44,6 +72,8 @@ internal class CommandRule(
     val type: String,
     val fields: List<FieldValue>,
     val withinMs: Int,
+    val answer: Expression? = null,
+    val feedback: PerceptRule? = null,
 ) {
     /** The way in which a command is carried out. [defaultMs] is its time limit in ms if the rule has none. */
     enum class Kind(val defaultMs: Long) {
@@ -58,8 +88,10 @@ internal class CommandRule(
     }
 }
 
-/** A field of a message to send. [path] leads to it from the outside in. */
-internal class FieldValue(val place: Place, val path: List<String>, val value: Expression)
+/** A field of a message that is sent, by its path from the outside in. */
+internal class FieldValue(val place: Place, val path: List<String>, val value: Expression) {
+    val steps: Path get() = path.map(Step::Name)
+}
 
 /** A mapping's file was refused. The message contains all [problems], one a line. */
 internal class MappingException(val problems: List<Problem>) : Exception(problems.joinToString("\n"))

@@ -24,15 +24,20 @@ internal fun findMapping(name: String, directory: Path = Path.of("").toAbsoluteP
         throw notRead(fileName, "'$name' is no name of a mapping: letters, digits, '_', '-', '.', and '/' behind folders")
     }
     val file = directory.resolve(fileName)
-    if (Files.isRegularFile(file)) {
-        return mappingOf(text("$file") { Files.readString(file) }, "$file")
-    }
+    if (Files.isRegularFile(file)) return mappingIn(file)
     val loaders = listOfNotNull(Thread.currentThread().contextClassLoader, Mapping::class.java.classLoader)
     val resource = loaders.firstNotNullOfOrNull { it.getResource(fileName) }
         ?: throw notRead(fileName, "there is no such file in $directory, nor on the class path; it says which topics are which percepts")
     val bytes = resource.openConnection().apply { useCaches = false }.getInputStream().use { it.readBytes() }
     return mappingOf(text(fileName) { bytes.decodeToString(throwOnInvalidSequence = true) }, fileName)
 }
+
+/**
+ * Reads the mapping in [file].
+ *
+ * @throws MappingException if it is refused, or cannot be read
+ */
+internal fun mappingIn(file: Path): Mapping = mappingOf(text("$file") { Files.readString(file) }, "$file")
 
 private fun text(source: String, read: () -> String): String = try {
     read()
@@ -43,19 +48,22 @@ private fun text(source: String, read: () -> String): String = try {
 }
 
 /**
- * Reads the token for the bridge of the mapping [name] from the file `NAME.ros.token` in [directory]; null: there is no such file.
+ * Reads what the bridge of the mapping [name] wants to know from the files `NAME.ros.token` and `NAME.ros.secret` in [directory].
  *
- * @throws MappingException if the file cannot be read, or contains no token
+ * @throws MappingException if one cannot be read, or holds no token
  */
-internal fun findToken(name: String, directory: Path = Path.of("").toAbsolutePath()): String? {
-    val file = directory.resolve("$name.ros.token")
+internal fun findCredentials(name: String, directory: Path = Path.of("").toAbsolutePath()) =
+    Credentials(findToken(name, "token", directory), findToken(name, "secret", directory))
+
+private fun findToken(name: String, kind: String, directory: Path): String? {
+    val file = directory.resolve("$name.ros.$kind")
     if (!NAME.matches(name) || !Files.isRegularFile(file)) return null
     val token = try {
         Files.readString(file).trim()
     } catch (unreadable: IOException) {
         throw notRead("$file", "it cannot be read: $unreadable")
     }
-    if (!TOKEN.matches(token)) throw notRead("$file", "it holds no token, which is one line of letters, digits and signs without blanks")
+    if (!TOKEN.matches(token)) throw notRead("$file", "it holds no $kind, which is one line of letters, digits and signs without blanks")
     return token
 }
 

@@ -30,28 +30,41 @@ internal data class FieldType(val name: String, val length: Int) {
     }
 }
 
-/** A type of messages with all types in it, as a robot describes it. Immutable. [name] is the type, as the mapping writes it. */
+/**
+ * A type of messages, as a robot describes it with all types in it. Immutable.
+ *
+ * @property name the type, as the mapping writes it
+ * @property constants the values of its constants, and of those of the types in it
+ */
 internal class MessageType private constructor(
     val name: String,
     private val own: String,
     private val types: Map<String, Map<String, FieldType>>,
+    val constants: Map<String, JsonElement>,
 ) {
     /**
-     * Returns the type of the field at [path]; null: the robot has not described the type around the field.
+     * Returns the type of the field at [path]; null: it is in a type that is not described, or [path] names a constant.
      *
      * @throws Unfit if there is no such field
      */
-    fun typeAt(path: List<String>): FieldType? {
+    fun typeAt(path: Path): FieldType? {
+        if (constantIn(path) in constants) return null
         var type = FieldType(own, FieldType.SINGLE)
         for ((index, step) in path.withIndex()) {
             val place = written(path.take(index))
-            type = (if (step[0].isDigit()) itemOf(type, place) else fieldOf(type, step, place)) ?: return null
+            type = (if (step is Step.Name) fieldOf(type, step.name, place) else itemOf(type, step, place)) ?: return null
         }
-        return type
+        return if (path.any { it is Step.Sector }) FieldType(type.name, FieldType.ANY) else type
     }
 
-    private fun itemOf(type: FieldType, place: String): FieldType {
+    private fun itemOf(type: FieldType, step: Step, place: String): FieldType {
         if (type.length == FieldType.SINGLE) throw Unfit("$place of $name is a ${type.name}, and no list")
+        val isThere = when {
+            type.length == FieldType.ANY -> true
+            step is Step.Item -> step.indexIn(type.length) in 0 until type.length
+            else -> step is Step.Sector && step.indicesIn(type.length) != null
+        }
+        if (!isThere) throw Unfit("$place of $name has ${type.length} items, and no $step")
         return FieldType(type.name, FieldType.SINGLE)
     }
 
@@ -59,7 +72,9 @@ internal class MessageType private constructor(
         val fields = types[type.name]
         return when {
             type.length != FieldType.SINGLE -> throw Unfit("$place of $name is a list; take an item of it, as $place[0].$step")
-            fields != null -> fields[step] ?: throw Unfit("${shownName(type)} has no field $step; it has ${fields.keys.joinToString(", ")}")
+            fields != null -> fields[step] ?: throw Unfit(
+                "${shownName(type)} has no field $step; it has ${(fields.keys + constants.keys).joinToString(", ")}",
+            )
             '/' in type.name -> null
             else -> throw Unfit("$place of $name is a ${type.name}, and has no field $step")
         }
@@ -67,19 +82,22 @@ internal class MessageType private constructor(
 
     private fun shownName(type: FieldType) = if (type.name == own) name else type.name
 
-    /** Returns the beginning of [path] that leads to bytes; null: [path] leads through no bytes, or to no field. */
-    fun bytesIn(path: List<String>): List<String>? = try {
+    /** Returns the beginning of [path] that leads to bytes, which a message has as text; null: there is none, or no such field. */
+    private fun bytesIn(path: Path): Path? = try {
         path.indices.map { path.take(it + 1) }.find { typeAt(it)?.isBytes == true }
     } catch (_: Unfit) {
         null // the wrong path was reported when the type became known
     }
+
+    /** Returns the beginnings of the paths of [read] that lead to bytes. */
+    fun bytesAmong(read: List<Expression.Field>): Set<Path> = read.mapNotNull { bytesIn(it.path) }.toSet()
 
     /**
      * Returns [value] in the form for the field at [path].
      *
      * @throws Unfit if there is no such field, or it cannot have this value; ROS would drop the whole message
      */
-    fun fit(path: List<String>, value: JsonElement): JsonElement {
+    fun fit(path: Path, value: JsonElement): JsonElement {
         val type = typeAt(path) ?: return value
         return try {
             fitted(value, type)
@@ -146,8 +164,14 @@ internal class MessageType private constructor(
             val definitions = (answer["typedefs"] as? JsonArray).orEmpty().filterIsInstance<JsonObject>()
             val types = definitions.mapNotNull { definition -> definition.word("type")?.let { rosType(it) to fieldsOf(definition) } }
             val own = types.find { it.first == rosType(name) } ?: types.firstOrNull() ?: return null
-            return MessageType(name, own.first, types.toMap())
+            val ownLast = definitions.sortedBy { rosType(it.word("type").orEmpty()) == own.first } // so that its constants hide others
+            return MessageType(name, own.first, types.toMap(), ownLast.flatMap(::constantsOf).toMap())
         }
+
+        private fun constantsOf(definition: JsonObject): List<Pair<String, JsonElement>> =
+            definition.words("constnames").zip(definition.words("constvalues")) { name, value ->
+                name to (value.toBigDecimalOrNull()?.let { JsonPrimitive(it) } ?: JsonPrimitive(value))
+            }
 
         private fun fieldsOf(definition: JsonObject): Map<String, FieldType> {
             val types = definition.words("fieldtypes")

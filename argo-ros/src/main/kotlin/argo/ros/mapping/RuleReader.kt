@@ -6,84 +6,95 @@ import java.util.concurrent.TimeUnit
 private val TOPIC = Regex("[~/A-Za-z][A-Za-z0-9_/~]*")
 private val TYPE = Regex("[A-Za-z][A-Za-z0-9_]*(/[A-Za-z][A-Za-z0-9_]*){1,2}")
 private val VARIABLE = Regex("[A-Z][A-Za-z0-9_]*")
+private val FRAME = Regex("[A-Za-z0-9_/][A-Za-z0-9_/.]*(-(?!>)[A-Za-z0-9_/.]*)*")
 private const val TYPE_IN_WORDS = "a type, as sensor_msgs/Range or sensor_msgs/msg/Range"
 private const val MAX_MS = 86_400_000.0
 
 /** Reads the text behind a dash below `percepts:`. */
 internal fun perceptRuleOf(text: String, start: Place): PerceptRule {
     val cursor = Cursor(text, start)
-    val topic = cursor.expect(TOPIC, "the name of a topic, as /sonar/front")
-    val type = cursor.expect(TYPE, TYPE_IN_WORDS)
-    val usual = UsualType.of(type)
-    val reader = ExpressionReader(cursor) { name, place -> argumentOf(name, place, type, usual) }
-    val percept = if (cursor.take("->")) reader.readLiteral() else shortForm(topic, type, usual, cursor)
-    val conditions = ArrayList<Comparison>()
-    if (cursor.take("if")) {
-        do conditions += comparison(reader, cursor) while (cursor.take("and"))
+    val frames = if (cursor.take("tf ")) framesIn(cursor) else null
+    val topic = frames?.run { "tf $parent $child" } ?: cursor.expect(TOPIC, "the name of a topic, as /sonar/front")
+    val type = if (frames == null) cursor.expect(TYPE, TYPE_IN_WORDS) else Frames.TYPE
+    val usual = if (frames == null) UsualType.of(type) else UsualType.FRAME_POSE
+    val shown = if (frames == null) type else "the pose of a frame"
+    val reader = ExpressionReader(cursor) { name, place -> argumentOf(name, place, shown, usual) }
+    val percept = when {
+        cursor.take("->") -> reader.readLiteral()
+        frames == null -> shortForm(topic, type, usual, cursor)
+        else -> throw cursor.refusal("expected '->' and a literal, as -> pose(x, y, yaw), but found ${cursor.found}")
     }
+    val condition = if (cursor.take("if")) reader.readCondition() else null
     val forMs = if (cursor.take("for")) duration(cursor) else null
-    end(cursor, "if CONDITION, for TIME or nothing")
-    val rule = PerceptRule(start, topic, type, percept, conditions, forMs)
-    if (usual != null) rule.fields().forEach { checkField(it, type, usual.fields) }
+    val allPlace = cursor.place
+    val isOfEach = cursor.take("all")
+    if (isOfEach && frames != null) throw Refusal(allPlace, "the pose of a frame is no event; each message of /tf tells many frames")
+    if (isOfEach && forMs != null) throw Refusal(allPlace, "a percept of all messages is an event, and does not last for a time")
+    end(cursor, "-> LITERAL, then if CONDITION, then for TIME or all")
+    val rule = PerceptRule(start, topic, type, percept, condition, forMs, isOfEach, frames)
+    if (usual != null) rule.fields().forEach { checkField(it, shown, usual.fields) }
+    if (usual != null) checkAtoms(rule, reader, shown, usual.fields)
     return rule
 }
 
 internal fun PerceptRule.fields(): List<Expression.Field> =
-    percept.fields() + conditions.flatMap { it.left.fields() + it.right.fields() }
+    percept.fields() + condition?.fields().orEmpty()
 
-/** Returns the percept of a message: a [Value.Symbol]; [Value.None] if a value is missing; [NO_PERCEPT] if a condition does not hold. */
-internal fun PerceptRule.perceptIn(scope: Scope): Value {
-    for (condition in conditions) {
-        val truth = condition.valueIn(scope)
-        if (truth != Value.TRUE) return if (truth is Value.None) truth else NO_PERCEPT
-    }
-    return percept.valueIn(scope)
+private fun framesIn(cursor: Cursor): Frames {
+    val (parent, child) = List(2) { cursor.expect(FRAME, "two frames, as tf map base_link -> pose(x, y, yaw)").removePrefix("/") }
+    return Frames(parent, child)
+}
+
+/** Returns the percept of a message: a [Value.Symbol]; [Value.None] if a value is missing; [NO_PERCEPT] if the condition does not hold. */
+internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = condition?.truthIn(scope) ?: Value.TRUE) {
+    Value.TRUE -> percept.valueIn(scope)
+    is Value.None -> truth
+    else -> NO_PERCEPT
 }
 
 private val NO_PERCEPT = Value.Text("")
 
+/**
+ * Refuses names that were meant as fields: an atom without quotes stands before the first field, as `f` in `dist(f, range)`, and no field
+ * is a functor.
+ */
+private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
+    val fields = known.joinToString(", ")
+    reader.literals.find { (name, _) -> name in known }?.let { (name, at) ->
+        throw Refusal(at, "$name is a field of $type, and no literal; an item of a list is $name[0]")
+    }
+    val first = rule.percept.arguments.indexOfFirst { it.fields().isNotEmpty() }
+    val suspects = rule.percept.arguments.drop(maxOf(0, first)).takeIf { first >= 0 || rule.condition == null }.orEmpty()
+    val (atom, at) = suspects.firstNotNullOfOrNull { one -> reader.atoms.find { it.first === one } } ?: return
+    val name = (atom as Expression.Constant).value.plainText()
+    throw Refusal(at, "$name is no field of $type, which has $fields; an atom here would be written '$name'")
+}
+
 private fun checkField(field: Expression.Field, type: String, known: Set<String>) {
-    val name = field.path.first()
-    if (name !in known) throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}")
+    val name = (field.path.first() as Step.Name).name
+    if (name in known || constantIn(field.path) != null) return
+    throw Refusal(field.place, "$type has no field $name; it has ${known.joinToString(", ")}; an atom would be written '$name'")
 }
 
 private fun argumentOf(name: String, place: Place, type: String, usual: UsualType?): Expression {
-    if (usual == null || name in usual.fields) return Expression.Field(place, listOf(name))
+    val field = Expression.Field(place, listOf(Step.Name(name)))
+    if (usual == null || name in usual.fields || constantIn(field.path) != null) return field
     val meant = usual.fields.find { isNear(name, it) }
     if (meant != null) throw Refusal(place, "$type has no field $name; is $meant meant? An atom $name would be written '$name'")
     if (!name[0].isLowerCase()) throw Refusal(place, "$type has no field $name, and it is no atom")
+    if (Function.of(name) != null) throw Refusal(place, "$name is a function, as $name(FIELD), and no field of $type")
     return Expression.Constant(Value.Symbol(name))
 }
 
-/** Returns true if [one] is a slip of [other]: two letters swapped, or one letter wrong, missing or superfluous. */
-private fun isNear(one: String, other: String): Boolean {
-    if (other.length <= 2 || Math.abs(one.length - other.length) > 1) return false
-    val same = one.commonPrefixWith(other).length
-    val end = one.drop(same).commonSuffixWith(other.drop(same)).length
-    val (a, b) = one.substring(same, one.length - end) to other.substring(same, other.length - end)
-    return a.length <= 1 && b.length <= 1 || a == b.reversed() && a.length == 2
-}
-
 private fun shortForm(topic: String, type: String, usual: UsualType?, cursor: Cursor): Expression.Compound {
-    val arguments = usual?.percept ?: throw cursor.refusal(
-        "expected '->' and a literal, but found ${cursor.found}; without it there are percepts of ${UsualType.names.joinToString(", ")}",
-    )
     val name = topic.substringAfterLast('/')
-    val reader = ExpressionReader(Cursor("$name(${arguments.joinToString(", ")})", cursor.place)) { field, place ->
-        Expression.Field(place, listOf(field))
-    }
-    return try {
-        reader.readLiteral()
+    val arguments = usual?.percept?.joinToString(", ", "(", ")").orEmpty()
+    val percept = try {
+        ExpressionReader(Cursor("$name$arguments", cursor.place)).readLiteral()
     } catch (_: Refusal) {
-        throw cursor.refusal("'$name' is no name for a percept; write one behind '->', as -> dist(${arguments.joinToString(", ")})")
+        throw cursor.refusal("'$name' is no name for a percept; write one behind '->', as -> dist${arguments.ifEmpty { "(FIELD)" }}")
     }
-}
-
-private fun comparison(reader: ExpressionReader, cursor: Cursor): Comparison {
-    val left = reader.read()
-    val operator = cursor.takeOneOf(Comparison.OPERATORS)
-        ?: throw cursor.refusal("expected one of ${Comparison.OPERATORS.joinToString(" ")}, but found ${cursor.found}")
-    return Comparison(left, operator, reader.read())
+    return if (usual != null) percept else percept.copy(arguments = listOf(Expression.AllFields))
 }
 
 private fun duration(cursor: Cursor): Int {
@@ -95,13 +106,15 @@ private fun duration(cursor: Cursor): Int {
 }
 
 private fun end(cursor: Cursor, expected: String) {
-    if (!cursor.isAtEnd) throw cursor.refusal("expected $expected, but found ${cursor.found}")
+    if (cursor.isAtEnd) return
+    val hint = if (cursor.take("=")) "; values are compared by ==" else ""
+    throw cursor.refusal("expected $expected, but found ${cursor.found}$hint")
 }
 
 /** Reads the text behind a dash below `commands:`. */
 internal fun commandRuleOf(text: String, start: Place): CommandRule {
     val cursor = Cursor(text, start)
-    val literal = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }.readLiteral()
+    val literal = ExpressionReader(cursor).readLiteral()
     val parameters = literal.arguments.map { parameterOf(it, start) }
     parameters.groupBy { it }.values.find { it.size > 1 }?.let { throw Refusal(start, "${it[0]} is two arguments of ${literal.functor}") }
     cursor.expect("->", "behind the command")
@@ -118,9 +131,26 @@ internal fun commandRuleOf(text: String, start: Place): CommandRule {
     }
     val isWritten = cursor.take("(")
     val fields = if (isWritten) fieldValues(cursor, parameters) else shortFields(cursor, literal.functor, parameters, kind, type)
+    val used = fields.flatMap { it.value.fields() }.map { written(it.path) }
+    parameters.find { it !in used }?.let {
+        throw Refusal(start, "the argument $it of ${literal.functor} is used nowhere; write FIELD = $it")
+    }
     val withinMs = if (cursor.take("within")) duration(cursor) else kind.defaultMs.toInt()
-    end(cursor, "within TIME or nothing")
-    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs)
+    val inResponse = ExpressionReader(cursor)
+    val feedbackPlace = cursor.place
+    val owner = "$target for ${literal.functor}/${parameters.size}"
+    val feedback = if (cursor.take("feedback")) feedbackOf(inResponse.readLiteral(), kind, owner, type, feedbackPlace) else null
+    val answerPlace = cursor.place
+    val answer = if (cursor.take("answer")) inResponse.read(isArgument = true) else null
+    if (answer != null && kind == Kind.TOPIC) throw Refusal(answerPlace, "nobody answers a message of a topic; services and actions answer")
+    end(cursor, "within TIME, then feedback LITERAL, then answer VALUE")
+    return CommandRule(start, literal.functor, parameters, kind, target, type, fields, withinMs, answer, feedback)
+}
+
+private fun feedbackOf(percept: Expression.Compound, kind: Kind, owner: String, type: String, place: Place): PerceptRule {
+    if (kind != Kind.ACTION) throw Refusal(place, "only actions have feedback")
+    val feedbackType = if (isRos2Action(type)) type else type.removeSuffix("Action") + "Feedback"
+    return PerceptRule(place, "the feedback of $owner", feedbackType, percept, null, null)
 }
 
 internal fun isRos2Action(type: String) = "/action/" in type
@@ -129,14 +159,14 @@ private fun isAction(type: String) = isRos2Action(type) || type.endsWith("Action
 
 private fun parameterOf(argument: Expression, start: Place): String {
     val field = argument as? Expression.Field ?: throw Refusal(start, "the arguments of a command are variables, as move(V, W)")
-    return field.path.singleOrNull()?.takeIf(VARIABLE::matches)
-        ?: throw Refusal(field.place, "${field.path.joinToString(".")} is no variable; one begins with a capital letter")
+    return written(field.path).takeIf(VARIABLE::matches)
+        ?: throw Refusal(field.place, "${written(field.path)} is no variable; one begins with a capital letter")
 }
 
 private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldValue> {
     val fields = ArrayList<FieldValue>()
     if (cursor.take(")")) return fields
-    val reader = ExpressionReader(cursor) { name, place -> Expression.Field(place, listOf(name)) }
+    val reader = ExpressionReader(cursor)
     do {
         val place = cursor.place
         val path = ArrayList<String>()
@@ -144,6 +174,9 @@ private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldVal
         cursor.expect("=", "behind ${path.joinToString(".")}")
         val value = reader.read()
         value.fields().forEach { checkParameter(it, parameters) }
+        reader.literals.firstOrNull()?.let { (name, at) ->
+            throw Refusal(at, "$name is no function; a literal would be written '$name'(…)")
+        }
         fields.find { startsWith(path, it.path) || startsWith(it.path, path) }?.let {
             throw Refusal(place, "${path.joinToString(".")} has a value already, as ${it.path.joinToString(".")}")
         }
@@ -156,7 +189,7 @@ private fun fieldValues(cursor: Cursor, parameters: List<String>): List<FieldVal
 private fun startsWith(path: List<String>, begin: List<String>) = path.take(begin.size) == begin
 
 private fun checkParameter(field: Expression.Field, parameters: List<String>) {
-    val name = field.path.joinToString(".")
+    val name = written(field.path)
     if (name in parameters) return
     val known = if (parameters.isEmpty()) "it has none" else "it has ${parameters.joinToString(", ")}"
     throw Refusal(field.place, "$name is no argument of the command; $known. An atom is written in quotes, '$name'")
@@ -164,10 +197,10 @@ private fun checkParameter(field: Expression.Field, parameters: List<String>) {
 
 private fun shortFields(cursor: Cursor, functor: String, parameters: List<String>, kind: Kind, type: String): List<FieldValue> {
     if (parameters.isEmpty()) return emptyList()
-    val fields = UsualType.of(type)?.command?.takeIf { kind == Kind.TOPIC && it.size >= parameters.size } ?: throw cursor.refusal(
+    val fields = UsualType.of(type)?.command?.takeIf { kind == Kind.TOPIC && it.size == parameters.size } ?: throw cursor.refusal(
         "expected the fields that the arguments of $functor are for, as $type(field = ${parameters[0]}), but found ${cursor.found}",
     )
     return parameters.zip(fields) { parameter, field ->
-        FieldValue(cursor.place, field.split('.'), Expression.Field(cursor.place, listOf(parameter)))
+        FieldValue(cursor.place, field.split('.'), Expression.Field(cursor.place, listOf(Step.Name(parameter))))
     }
 }

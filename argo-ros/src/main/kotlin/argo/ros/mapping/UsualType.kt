@@ -48,5 +48,8 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
         fun of(type: String): UsualType? = TYPES[type.replace("/msg/", "/")]
 
         val names: Set<String> get() = TYPES.keys
+
+        /** The pose of a frame in another one. */
+        val FRAME_POSE = UsualType(setOf("x", "y", "z", "yaw", "rotation"), emptyList(), emptyList())
     }
 }

@@ -67,7 +67,7 @@ internal fun Value.asTerm(): Value = when (this) {
     is Value.Text -> Value.Symbol("${GroundTerm.Text(value)}")
     is Value.Symbol, is Value.None -> this
     is Value.Part -> when (json) {
-        is JsonObject -> Value.None("it is a message with ${json.keys.joinToString(", ")}; name one of its fields")
+        is JsonObject -> fieldsOf(json)
         is JsonArray -> listOf(json)
         is JsonPrimitive -> Value.None("$json is an integer that Jason's numbers cannot hold exactly; calculate with it, as FIELD / 1000")
     }
@@ -75,24 +75,43 @@ internal fun Value.asTerm(): Value = when (this) {
 
 private fun listOf(array: JsonArray): Value {
     if (array.size > MAX_ITEMS) {
-        return Value.None("it has ${array.size} items, and a list has $MAX_ITEMS at most; take items of it, or min, max or count")
+        return Value.None("it has ${array.size} items, and a list has $MAX_ITEMS at most; take items of it, or min, max or len")
     }
-    val terms = array.map { item ->
+    return terms(array.map { it to "" })
+}
+
+/** Returns [message] as the list of its fields, each a literal with the field's name and value. */
+private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
+
+/** Returns the list of [items], each within the functor behind it, unless that is empty. */
+private fun terms(items: List<Pair<JsonElement, String>>): Value {
+    val terms = items.map { (item, functor) ->
         val value = Value.of(item)
-        when {
-            value is Value.None -> NOT_MEASURED
-            item is JsonObject -> return Value.None("it is a list of messages; name a field of an item, as LIST[0].FIELD")
-            else -> when (val term = value.asTerm()) {
-                is Value.Symbol -> term.text
-                else -> return term
-            }
+        val term = if (value is Value.None) NOT_MEASURED else value.asTerm()
+        if (term !is Value.Symbol) return term
+        if (functor == UNREADABLE) return Value.None("it has a field whose name no agent can read")
+        if (value is Value.Text && value.value.length > MAX_TEXT) {
+            return Value.None("a text in it has ${value.value.length} characters, and in lists and messages a text has $MAX_TEXT at most")
         }
+        if (functor.isEmpty()) term.text else "$functor(${term.text})"
     }
     return Value.Symbol(terms.joinToString(",", "[", "]"))
 }
 
-/** Replaces an item of a list that is infinite or no number, so that the other items keep their places. */
-private const val NOT_MEASURED = "null"
+/** Returns the field's [name] as a functor: in quotes if it is none by itself. */
+private fun functorOf(name: String) = when {
+    GroundTerm.ofOrNull("$name(0)") is GroundTerm.Structure -> name
+    name.isEmpty() || name.any { it == '\'' || it == '\\' || it.isISOControl() } -> UNREADABLE
+    else -> "'$name'"
+}
+
+private const val UNREADABLE = "\u0000"
+
+/** The length of the longest text in a list or a message, which are often unread; a text that a rule names may be longer. */
+private const val MAX_TEXT = 10_000
+
+/** An item or a field that is infinite or no number: an atom, so that the others keep their places. */
+private val NOT_MEASURED = Value.Symbol("null")
 
 /** Returns this value's number, rounded to a double; null: it is no number. */
 internal fun Value.number(): Double? = when (this) {

@@ -47,6 +47,12 @@ class SubscriptionsSpec : FunSpec({
         subscribed(Rule("bump"), Rule("free")) shouldBe all.dropLast(1)
         subscribed(Rule(Predicate("dist"), arity = 3)) shouldBe all
     }
+    test("a topic of which each message counts is not throttled") {
+        val each = listOf("/a std_msgs/Bool -> a all", "/b std_msgs/Bool -> b if data == 'true' for 1 s", "/c std_msgs/Bool -> c for 1 s")
+        val mapping = mappingOf(each.joinToString("\n", "percepts:\n") { "  - $it" }, "t")
+        val all = Wish(true, 50, null).subscriptions(mapping.percepts)
+        all.map { "${it.topic} ${it.throttleMs} ${it.queueLength}" } shouldBe listOf("/a 0 0", "/b 0 0", "/c 50 1")
+    }
     test("conditions count where they are about what the rule says itself") {
         subscribed(Rule("dist", argument(0, Operator.NE, "f"))) shouldBe listOf("/front" to 50, "/bump" to 50)
         subscribed(Rule("dist", argument(0, Operator.EQ, "f"), argument(1, Operator.GT, "2"))) shouldBe all

@@ -13,6 +13,8 @@ import java.nio.file.Files
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
+private val CONSTANTS = mapOf("CHARGING" to JsonPrimitive(1))
+
 class MappingReaderSpec : FunSpec({
     fun percept(rule: String, message: String): String? {
         val read = mappingOf("percepts:\n  - $rule", "t").percepts.single()
@@ -52,6 +54,44 @@ class MappingReaderSpec : FunSpec({
             percept("/s std_msgs/String -> go if data == \"go\"", """{"data": "go"}""") shouldBe "go"
             percept("/s std_msgs/Bool -> go if data == 'true'", """{"data": true}""") shouldBe "go"
         }
+        test("may have conditions with and, or, not, brackets, and fields that are true or false") {
+            fun isMet(condition: String, message: String) = percept("/a my_msgs/A -> a if $condition", message) == "a"
+            isMet("a and not b or c", """{"a": true, "b": false, "c": false}""") shouldBe true
+            isMet("a and not b or c", """{"a": true, "b": true, "c": true}""") shouldBe true
+            isMet("a and not (b or c)", """{"a": true, "b": false, "c": true}""") shouldBe false
+            isMet("not x < 1", """{"x": 1}""") shouldBe true
+            isMet("x == 1 or y == 1", """{"y": 1}""") shouldBe true // one that decides is enough
+            isMet("x == 1 and y == 1", """{"y": 1}""") shouldBe false
+            isMet("word == \"it's \\\"\\\\\"", """{"word": "it's \"\\"}""") shouldBe true
+            percept("/a my_msgs/A -> a(x < 1, true)", """{"x": 0}""") shouldBe "a(true,true)"
+        }
+        test("may have sectors and sums of lists") {
+            val scan = """{"ranges": [5, 1, null, 7, 2, 6]}"""
+            fun value(expression: String) = percept("/scan sensor_msgs/LaserScan -> v($expression)", scan)
+            value("min(ranges[0:2])") shouldBe "v(1)"
+            value("min(ranges[-2:2])") shouldBe "v(1)"
+            value("ranges[4:1]") shouldBe "v([2,6,5])"
+            value("ranges[3:]") shouldBe "v([7,2,6])"
+            value("ranges[:2]") shouldBe "v([5,1])"
+            value("ranges[-1]") shouldBe "v(6)"
+            value("len(ranges), len(ranges[1:3]), sum(ranges), mean(ranges[:2])") shouldBe "v(6,2,21,3)"
+            value("min(ranges[0], ranges[3], 6) + abs(-1) + floor(1.9) + ceil(0.2)") shouldBe "v(8)"
+            value("round(deg(3.14159))") shouldBe "v(180)"
+            percept("/found my_msgs/Found -> best(max(all[:].score))", """{"all": [{"score": 0.2}, {"score": 0.7}]}""") shouldBe "best(0.7)"
+        }
+        test("of any type may be left to the names of its fields, but for the header") {
+            val joints = """{"header": {}, "name": ["a"], "position": [1.5], "on": {"x": null}}"""
+            percept("/joint_states sensor_msgs/JointState", joints) shouldBe
+                "joint_states(name([\"a\"]),position([1.5]),on([x(null)]))"
+            percept("/tick std_msgs/Empty", "{}") shouldBe "tick"
+        }
+        test("may go by constants of its type") {
+            val text = "percepts:\n  - /b sensor_msgs/BatteryState -> charging if power_supply_status == CHARGING"
+            val rule = mappingOf(text, "t").percepts.single()
+            fun scope(status: Int) = MessageScope(JsonObject(mapOf("power_supply_status" to JsonPrimitive(status))), emptySet(), CONSTANTS)
+            rule.perceptIn(scope(1)) shouldBe Value.Symbol("charging")
+            (rule.perceptIn(scope(2)) is Value.Symbol) shouldBe false
+        }
         test("of a usual type may be left to it") {
             percept("/robot/battery sensor_msgs/BatteryState", """{"percentage": 0.5}""") shouldBe "battery(0.5)"
             percept("/scan sensor_msgs/LaserScan", """{"ranges": [2, null, 0.5]}""") shouldBe "scan(0.5)"
@@ -71,6 +111,10 @@ class MappingReaderSpec : FunSpec({
             percept("/scan sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": [1, null, 0.5, NaN]}""") shouldBe "scan([1,null,0.5,null])"
             val scan = (1..1_000).joinToString(",", "[", "]")
             percept("/scan sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $scan}""") shouldBe "scan($scan)"
+        }
+        test("has messages as lists of their fields") {
+            percept("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1, "At": {"if": "left"}}, {}]}""") shouldBe
+                "found([[x(1),'At'(['if'(\"left\")])],[]])"
         }
         test("has integers that Jason's numbers hold exactly, and calculates with others") {
             percept("/id std_msgs/Int64", """{"data": 9007199254740992}""") shouldBe "id(9.007199254740992E15)"
@@ -94,12 +138,18 @@ class MappingReaderSpec : FunSpec({
                 Triple("/s sensor_msgs/Range -> d(1/range)", """{"range": 0}""", "a number is infinite, or the result of no calculation"),
                 Triple("/s sensor_msgs/Range -> d(range*2)", """{"range": "far"}""", "* calculates with numbers, not with the text"),
                 Triple("/s sensor_msgs/LaserScan -> scan(ranges)", """{"ranges": $many}""", "has 1001 items, and a list has 1000 at most"),
-                Triple("/s a_msgs/Found -> found(all)", """{"all": [{"x": 1}]}""", "a list of messages; name a field of an item"),
-                Triple("/s a_msgs/Found -> found(all[1].x)", """{"all": [{"x": 1}]}""", "the list all has no item 1"),
+                Triple("/s a_msgs/Found -> found(all[1].x)", """{"all": [{"x": 1}]}""", "the list all has 1 items, and no [1]"),
+                Triple("/s a_msgs/Found -> found(all[0:3])", """{"all": [1]}""", "the list all has 1 items, and no [0:3]"),
+                Triple("/s a_msgs/Found -> found(all.x)", """{"all": [{"x": 1}]}""", "all is a list; take an item of it, as all[0].x"),
+                Triple("/s a_msgs/Found -> found(sum(all))", """{"all": []}""", "sum takes a list with numbers, or several"),
+                Triple("/s a_msgs/Found -> found if x", """{"x": 1}""", "a condition is true or false, and not the number 1"),
+                Triple("/s a_msgs/Found -> found if x == OPEN", """{"x": 1}""", "no constant OPEN is known; rosapi describes constants"),
                 Triple("/s a_msgs/Found -> found(all[0].x)", """{"all": [{"x": null}]}""", "argument 1 of found: all[0].x: it is null"),
-                Triple("/s a_msgs/Found -> found(all)", """{"all": {"x": 1}}""", "it is a message with x; name one of its fields"),
-                Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, not a list"),
+                Triple("/s sensor_msgs/LaserScan", """{"ranges": [null]}""", "min takes a list with numbers, or several numbers"),
                 Triple("/s std_msgs/Int64 -> id(data)", """{"data": 9007199254740993}""", "9007199254740993 is an integer that Jason's"),
+                Triple("/s std_msgs/Bool -> go if data == 'True'", """{"data": true}""", "== cannot compare the atom true with the atom"),
+                Triple("/s a_msgs/A -> go(all)", """{"all": {"it's": 1}}""", "it has a field whose name no agent can read"),
+                Triple("/s a_msgs/A", """{"all": "${"x".repeat(10_001)}"}""", "a text in it has 10001 characters"),
                 Triple("/s std_msgs/String -> go if data == 5", """{"data": "5"}""", "== cannot compare the text \"5\" with the number 5"),
                 Triple("/s std_msgs/String -> go if data > 'a'", """{"data": "b"}""", "> cannot compare the text \"b\" with the atom a"),
             ).forEach { (rule, message, why) -> test("$rule of ${message.take(60)}") { reason(rule, message) shouldContain why } }
@@ -126,9 +176,31 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n  - sonar" to "robot.ros.yaml:2:10: expected a type",
             "percepts:\n  - /sonar sensor_msgs/Range -> Dist(range)" to "robot.ros.yaml:2:33: 'Dist' is no functor",
             "percepts:\n  - /sonar sensor_msgs/Range -> dist(range" to "expected ')' behind the arguments, but found the end of the line",
-            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) iff" to "2:45: expected if CONDITION, for TIME or nothing",
-            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) if range" to "expected one of <=",
-            "percepts:\n  - /sonar my_msgs/Depth" to "robot.ros.yaml:2:25: expected '->' and a literal",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) iff" to "2:45: expected -> LITERAL, then if CONDITION, then for TIME",
+            "percepts:\n  - /sonar sensor_msgs/Range -> dist(range) if range + 1" to "2:48: a condition compares values by <=",
+            "percepts:\n  - /sonar sensor_msgs/Range -> near if range < 1 or 5" to "2:54: a condition compares values by <=",
+            "percepts:\n  - /a std_msgs/Bool -> a if data = true" to "but found 'true'; values are compared by ==",
+            "percepts:\n  - /a my_msgs/A -> a(rond(b))" to "2:23: rond is no function; is round meant? A literal would be written",
+            "percepts:\n  - /a my_msgs/A -> a(count(b))" to "count is no function; is len meant?",
+            "percepts:\n  - /a my_msgs/A -> a if foo(b) > 1" to "foo is no function; there are round, floor",
+            "percepts:\n  - /a my_msgs/A -> a(foo(b) + 1)" to "foo is no function; there are round, floor",
+            "percepts:\n  - /a my_msgs/A -> a(b[3:3])" to "the sector [3:3] has no items",
+            "percepts:\n  - /a my_msgs/A -> a(b[x])" to "expected ':' in the numbers of items, as in [0], [-1] or [0:90]",
+            "percepts:\n  - /a my_msgs/A -> a(\"\\d\")" to "behind \\ in a string there is \" or \\, and not 'd'",
+            "percepts:\n  - /a my_msgs/A a(b)" to "expected -> LITERAL, then if CONDITION, then for TIME or all, but found 'a(b)'",
+            "percepts:\n  - /Ab my_msgs/A" to "'Ab' is no name for a percept; write one behind '->', as -> dist(FIELD)",
+            "percepts:\n  - tf map base" to "expected '->' and a literal, as -> pose(x, y, yaw)",
+            "percepts:\n  - tf map -> pose(x, y)" to "expected two frames, as tf map base_link",
+            "percepts:\n  - tf map base -> pose(x, y, yaw) all" to "the pose of a frame is no event",
+            "percepts:\n  - /odom nav_msgs/Odometry -> pose(x, y)" to "2:37: x is no field of nav_msgs/Odometry, which has header",
+            "percepts:\n  - tf map base -> pose(x, y, theta)" to "theta is no field of the pose of a frame",
+            "percepts:\n  - /imu sensor_msgs/Imu -> heading(yaw)" to "yaw is a function, as yaw(FIELD), and no field of sensor_msgs/Imu",
+            "percepts:\n  - /scan sensor_msgs/LaserScan -> free(ranges(0))" to "ranges is a field of sensor_msgs/LaserScan, and no literal",
+            "percepts:\n  - /scan sensor_msgs/LaserScan -> free(average(ranges))" to "average is no function; is mean meant?",
+            "percepts:\n  - /imu sensor_msgs/Imu -> heading(atan2(orientation.z))" to "atan2 is no function; there are round",
+            "commands:\n  - turn(W) -> /cmd_vel geometry_msgs/Twist" to "expected the fields that the arguments of turn are for",
+            "commands:\n  - x(V) -> /say std_msgs/String(data = speed(V))" to "speed is no function; a literal would be written 'speed'(…)",
+            "percepts:\n  - tf map base -> pose(x, yow)" to "the pose of a frame has no field yow; is yaw meant?",
             "percepts:\n  - /sonar sensor_msgs/Range -> dist(range + 1) for 5" to "expected ms or s",
             "percepts:\n  - /a std_msgs/Bool\n  - /a std_msgs/String" to "3:5: the topic /a has the type std_msgs/Bool in line 2",
             "commands:\n  - move(v) -> /cmd_vel geometry_msgs/Twist" to "robot.ros.yaml:2:10: v is no variable",
@@ -146,6 +218,11 @@ class MappingReaderSpec : FunSpec({
             "percepts:\n\t- /a std_msgs/Bool" to "robot.ros.yaml:2:1: expected blanks, but found a tabulator",
             "percepts:\n  -\t/a std_msgs/Bool" to "robot.ros.yaml:2:4: expected blanks, but found a tabulator",
             "percepts:\n  - /a\tstd_msgs/Bool # a\ttabulator" to "robot.ros.yaml:2:7: expected blanks, but found a tabulator",
+            "percepts:\n  - /a std_msgs/Bool -> a for 1 s all" to "2:35: a percept of all messages is an event",
+            "commands:\n  - a(V, W) -> /a geometry_msgs/Twist(linear.x = V)" to "2:5: the argument W of a is used nowhere; write FIELD = W",
+            "commands:\n  - a -> /a std_msgs/Empty answer data" to "2:28: nobody answers a message of a topic",
+            "commands:\n  - a -> service /a std_srvs/Empty feedback at(x)" to "only actions have feedback",
+            "commands:\n  - a -> service /a std_srvs/Empty anser data" to "expected within TIME, then feedback LITERAL, then answer VALUE",
             "" to "it is empty",
         ).forEach { (text, message) ->
             test(text.lines().last().trim().ifEmpty { "an empty file" }) { refusal(text) shouldContain message }

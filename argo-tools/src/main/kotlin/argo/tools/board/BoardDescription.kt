@@ -10,8 +10,17 @@ import javino.wire.BoardAction
 import javino.wire.ReflexOutcome
 import java.util.concurrent.TimeUnit
 
+/** The known facts about a board. */
+internal interface Description {
+    /** Returns them in words, the kind of the board first. */
+    fun lines(): List<String>
+
+    /** Returns the members of its JSON object. */
+    fun members(): Map<String, Any?>
+}
+
 /**
- * The known facts about a board.
+ * The known facts about a board on a line.
  *
  * @property actions `ledOn`, `speed/1` with an argument, and a star in place of 1 for any number of arguments; null: the board does not
  *   describe itself
@@ -26,8 +35,8 @@ internal class BoardDescription(
     private val percepts: List<String>,
     private val described: DescribedKinds,
     private val rules: Int?,
-) {
-    fun lines(): List<String> = listOf(
+) : Description {
+    override fun lines(): List<String> = listOf(
         "a Javino board of ${versionSpoken(protocol)}",
         "actions: " + when {
             protocol != Protocol.V2 -> "unknown; a board of version 1 does not describe itself"
@@ -46,7 +55,7 @@ internal class BoardDescription(
             if (rules == null || rules == 0) "none on the board; the computer watches them" else "up to $rules on the board",
     ).map(::printable)
 
-    fun members(): Map<String, Any?> = mapOf(
+    override fun members(): Map<String, Any?> = mapOf(
         "board" to "a Javino board of ${versionSpoken(protocol)}",
         "actions" to actions,
         "actionsLost" to lost,
@@ -74,12 +83,6 @@ internal class BoardDescription(
             val rules = welcome.rules.takeIf { isDescribing }
             return BoardDescription(link.protocol(), actions, link.actionsLost(), perceptsOf(answer), described, rules)
         }
-
-        private fun written(action: BoardAction) = action.name + when (action.arguments) {
-            0 -> ""
-            BoardAction.ANY -> "/*"
-            else -> "/${action.arguments}"
-        }
     }
 
     private class Welcome : BoardListener {
@@ -92,4 +95,11 @@ internal class BoardDescription(
 
         override fun critical(rule: Int, outcome: ReflexOutcome, percept: String, receivedNanos: Long) = Unit
     }
+}
+
+/** Writes [action] with its number of arguments. */
+internal fun written(action: BoardAction) = action.name + when (action.arguments) {
+    0 -> ""
+    BoardAction.ANY -> "/*"
+    else -> "/${action.arguments}"
 }

@@ -24,6 +24,10 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
+        /** The answer of a board that is not asked. */
+        val NONE = DescribedKinds(PerceptDescription(emptyList(), emptyList()))
+
+        /** Asks the board on [link], and waits [timeoutMs] ms at most. */
         fun of(link: Link, timeoutMs: Int): DescribedKinds = DescribedKinds(
             try {
                 link.perceptDescription(timeoutMs)

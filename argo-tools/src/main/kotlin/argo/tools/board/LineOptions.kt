@@ -1,7 +1,10 @@
 package argo.tools.board
 
+import argo.links.BoardLink
+import argo.links.BoardLinkProvider
 import argo.tools.command.refuse
 import argo.tools.command.requireWithin
+import javino.LineClock
 import javino.Protocol
 import javino.Transport
 import javino.Transports
@@ -52,10 +55,18 @@ class LineOptions {
      */
     fun open(port: String): Link = Link.open(inJavino(port), settings(), spec.qualifiedName())
 
-    /** Returns [port]. Refuses a port that agents reach by another protocol than Javino. */
+    /**
+     * Opens [port] if it is on no line, as `ros://robot:9090`, after a check of all options; null: it is on a line.
+     *
+     * @throws javino.PortException if it cannot be opened
+     */
+    fun openElsewhere(port: String): BoardLink? =
+        BoardLinkProvider.of(port)?.also { settings() }?.open(port, true, LineClock.system())
+
+    /** Returns [port]; refuses a port that is on no line. */
     private fun inJavino(port: String): String {
-        if (port.startsWith("ros:")) spec.refuse("$port is for agents, argo.port(\"$port\"); this command speaks Javino and no ROS")
-        return port
+        if (BoardLinkProvider.of(port) == null) return port
+        spec.refuse("$port is on no line, and this command speaks only Javino; monitor, send and \"ports --describe\" do more")
     }
 
     private fun settings(): LinkSettings {

@@ -1,5 +1,7 @@
 package argo.tools.board
 
+import argo.links.Answer
+import argo.links.BoardLink
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
@@ -9,16 +11,18 @@ import javino.ActionRefusedException
 import javino.PerceptsRequest
 import javino.Protocol
 import javino.link.Link
+import javino.link.SendOptions
 import picocli.CommandLine.Command
 import picocli.CommandLine.Mixin
 import picocli.CommandLine.Parameters
+import java.util.concurrent.ExecutionException
 
 @Command
 internal abstract class MessageCommand : DataCommand() {
     @Mixin
     protected lateinit var line: LineOptions
 
-    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
+    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE; of send also ros://robot:9090"])
     protected lateinit var port: String
 
     @Parameters(index = "1", paramLabel = "MESSAGE", description = ["the message's text, as in \"speed(120)\""])
@@ -26,13 +30,16 @@ internal abstract class MessageCommand : DataCommand() {
 
     final override fun call(): Int = try {
         check()
-        line.open(port).use(::exchange)
+        exchange()
         ExitStatus.DONE
     } catch (unsendable: IllegalArgumentException) { // the message fits into no frame
         throw ToolException(unsendable.message.orEmpty())
     }
 
     protected open fun check() = Unit
+
+    /** Opens the port, and sends the message. */
+    protected open fun exchange() = line.open(port).use(::exchange)
 
     protected abstract fun exchange(link: Link)
 }
@@ -57,6 +64,18 @@ internal class SendCommand : MessageCommand() {
     override fun check() {
         if (!PerceptsRequest.isIn(message)) return
         misuse("$message is the request for percepts and no command: \"request $port $message\" sends it")
+    }
+
+    override fun exchange() = line.openElsewhere(port)?.use(::exchange) ?: super.exchange()
+
+    private fun exchange(link: BoardLink) {
+        val answer = try {
+            link.send(message, SendOptions.defaults()).outcome.get() as? Answer
+        } catch (failed: ExecutionException) {
+            throw failed.cause ?: failed
+        }
+        if (json) return out.println(jsonOf("port" to link.port, "sent" to message, "acted" to true, "answer" to answer?.text))
+        out.println(printable("done" + answer?.text?.let { "; the answer is $it" }.orEmpty()))
     }
 
     override fun exchange(link: Link) {

@@ -14,7 +14,6 @@ import javino.PerceptsRequest
 import javino.PortException
 import javino.PortInterruptedException
 import javino.PortTimeoutException
-import javino.link.Link
 import javino.sim.LineRecording.Direction
 import javino.sim.RecordingWriter
 import picocli.CommandLine.Command
@@ -41,7 +40,7 @@ internal class MonitorCommand : DataCommand() {
     @Mixin
     private lateinit var line: LineOptions
 
-    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE"])
+    @Parameters(index = "0", paramLabel = "PORT", description = ["ttyACM0, COM8, /dev/pts/3, replay:FILE, ros://robot:9090"])
     private lateinit var port: String
 
     @Option(
@@ -75,17 +74,21 @@ internal class MonitorCommand : DataCommand() {
         if ((seconds ?: 1) < 1) misuse("--seconds is at least 1, not $seconds")
         if (raw && (record != null || json)) misuse("--raw goes with neither --record nor --json")
         if (raw) return Interruption().use { line.openRaw(port).use { RawMonitor(it, out, paint).run(count, seconds) } }
-        record?.let(::requireNew) // checked first, since opening the port resets the board
-        return Interruption().use { line.open(port).use(::monitorRecording) }
+        record?.let(::requireNew) // before the port is opened, which resets the board
+        return Interruption().use {
+            val elsewhere = line.openElsewhere(port)
+            if (elsewhere != null) elsewhere.use { monitorRecording(LinkedBoard(it, intervalMs, line.timeoutMs)) }
+            else line.open(port).use { monitorRecording(JavinoBoard(it, mode == "request", line.timeoutMs)) }
+        }
     }
 
-    private fun monitorRecording(link: Link): Int {
-        val file = record ?: return Run(link, null).untilEnd()
+    private fun monitorRecording(board: MonitoredBoard): Int {
+        val file = record ?: return Run(board, null).untilEnd()
         val writer = making(file) { Files.newBufferedWriter(it, Charsets.UTF_8, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE) }
-        return RecordingWriter(writer, System.nanoTime()).use { Run(link, it).untilEnd() }
+        return RecordingWriter(writer, System.nanoTime()).use { Run(board, it).untilEnd() }
     }
 
-    private inner class Run(private val link: Link, private val recording: RecordingWriter?) {
+    private inner class Run(private val board: MonitoredBoard, private val recording: RecordingWriter?) {
         private val start = System.nanoTime()
         private val rates = Rates()
         private var seen = emptySet<String>()
@@ -123,31 +126,27 @@ internal class MonitorCommand : DataCommand() {
         private fun message() {
             val begun = System.nanoTime()
             try {
-                val text = if (mode == "listen") link.listen(line.timeoutMs).text() else ask()
+                if (board.isAsked) recording?.add(System.nanoTime(), Direction.OUT, PerceptsRequest.ALL)
+                val text = board.next()
                 recording?.add(System.nanoTime(), Direction.IN, text)
                 val described = kinds ?: describedKinds().also { kinds = it }
                 show(text, described)
             } catch (late: PortTimeoutException) {
-                if (mode == "request") show(late) else silence = late.message
+                if (board.isAsked) show(late) else silence = late.message
             }
-            if (mode == "request") waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
+            if (board.isAsked) waitUntil(begun + TimeUnit.MILLISECONDS.toNanos(intervalMs.toLong()))
         }
 
         private fun describedKinds(): List<PerceptKind> {
-            val described = DescribedKinds.of(link, line.timeoutMs)
+            val described = board.kinds()
             described.trouble?.let { err.println("kinds of percepts: ${printable(it)}") }
             return described.kinds
-        }
-
-        private fun ask(): String {
-            recording?.add(System.nanoTime(), Direction.OUT, PerceptsRequest.ALL)
-            return link.request(PerceptsRequest.ALL, line.timeoutMs).text()
         }
 
         private fun waitUntil(nanos: Long) {
             while (nanos - System.nanoTime() > 0 && !isOver()) {
                 LockSupport.parkNanos(minOf(nanos - System.nanoTime(), TimeUnit.MILLISECONDS.toNanos(MAX_PAUSE_MS)))
-                if (Thread.currentThread().isInterrupted) throw PortInterruptedException(link.port())
+                if (Thread.currentThread().isInterrupted) throw PortInterruptedException(port)
             }
         }
 
@@ -185,8 +184,8 @@ internal class MonitorCommand : DataCommand() {
         private fun time(ms: Long) = "${Rates.seconds(ms).padStart(TIME_WIDTH)} s"
 
         private fun summary() {
-            val version = versionSpoken(link.protocol())
-            val damaged = link.corruptFrames()
+            val version = board.speaks
+            val damaged = board.damaged
             if (json) return out.println(jsonOf("summary" to summaryOf(version, damaged)))
             out.println()
             rates.summary().forEach { out.println(printable(it)) }

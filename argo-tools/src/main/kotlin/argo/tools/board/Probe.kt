@@ -1,5 +1,7 @@
 package argo.tools.board
 
+import argo.links.BoardLinkProvider
+import javino.LineClock
 import javino.NoSuchPortException
 import javino.PerceptsRequest
 import javino.PortException
@@ -19,7 +21,7 @@ internal data class ProbedBoard(
     val result: String,
     val answers: Boolean?,
     val isMissing: Boolean = false,
-    val description: BoardDescription? = null,
+    val description: Description? = null,
 )
 
 /**
@@ -31,6 +33,7 @@ internal data class ProbedBoard(
 internal class Probe(private val rates: List<Int>, private val describes: Boolean = false) {
     /** Probes the port [name]. Takes up to four seconds for each rate without an answer. */
     fun of(name: String): ProbedBoard {
+        BoardLinkProvider.of(name)?.let { return elsewhere(name, it) }
         val tried = if (SCHEMES.any(name::startsWith)) rates.take(1) else rates
         val strays = ArrayList<StrayBytes>()
         for (rate in tried) {
@@ -43,7 +46,19 @@ internal class Probe(private val rates: List<Int>, private val describes: Boolea
         return ProbedBoard(if (telling.count > 0) "no message at $rates; ${telling.inWords()}" else "no answer at $rates", answers = false)
     }
 
-    /** Probes the port [name] at this [rate]. Without an answer it adds the received bytes to [strays] and returns null. */
+    /** Probes a board on no line. */
+    private fun elsewhere(name: String, provider: BoardLinkProvider): ProbedBoard = try {
+        provider.open(name, true, LineClock.system()).use { link ->
+            val description = if (describes) LinkDescription.of(link) else null
+            ProbedBoard("a board that speaks ${provider.scheme}", answers = true, description = description)
+        }
+    } catch (missing: NoSuchPortException) {
+        ProbedBoard(missing.message.orEmpty(), answers = false, isMissing = true)
+    } catch (trouble: PortException) {
+        ProbedBoard(trouble.message.orEmpty(), answers = null)
+    }
+
+    /** Probes the port [name] at this [rate]; if nothing answers, notes the bytes that came in [strays] and returns null. */
     private fun at(name: String, rate: Int, strays: MutableList<StrayBytes>): ProbedBoard? {
         val settings = LinkSettings.defaults().withBaud(rate).withProtocol(Protocol.AUTO)
         return try {

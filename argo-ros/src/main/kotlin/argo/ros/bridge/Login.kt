@@ -1,0 +1,21 @@
+package argo.ros.bridge
+
+import java.security.MessageDigest
+import java.util.UUID
+
+/**
+ * Returns the operation by which a client logs in, for [LASTING_S] from [nowSeconds] on, the seconds since 1970. As the package `rosauth`
+ * has it, the bridge knows the client by a SHA-512 over [secret] and the operation's other fields, and its clock may differ by 5 s.
+ */
+internal fun login(secret: String, destination: String, nowSeconds: Long, random: String = "${UUID.randomUUID()}"): String {
+    val end = nowSeconds + LASTING_S
+    val digest = MessageDigest.getInstance("SHA-512").digest("$secret$CLIENT$destination$random$nowSeconds$LEVEL$end".toByteArray())
+    return operation(
+        "auth", "mac" to digest.joinToString("") { "%02x".format(it) }, "client" to CLIENT, "dest" to destination, "rand" to random,
+        "t" to nowSeconds, "level" to LEVEL, "end" to end,
+    )
+}
+
+private const val CLIENT = "argo"
+private const val LEVEL = "user"
+private const val LASTING_S = 60L

@@ -1,0 +1,71 @@
+package argo.ros.mapping
+
+/** An expression whose value is [Value.TRUE] or [Value.FALSE], or [Value.None] if values that decide are missing or do not fit. */
+internal sealed interface Condition : Expression {
+    data class Comparison(val left: Expression, val operator: String, val right: Expression) : Condition {
+        override val parts get() = listOf(left, right)
+
+        override fun valueIn(scope: Scope): Value {
+            val (a, b) = left.valueIn(scope) to right.valueIn(scope)
+            if (a is Value.None) return a
+            if (b is Value.None) return b
+            val (number, other) = a.number() to b.number()
+            val (text, otherText) = a.plainText() to b.plainText()
+            return when {
+                number != null && other != null -> truth(meets(number.compareTo(other)))
+                text == null || otherText == null -> incomparable(a, b)
+                isOtherThanTruth(a, right, otherText) || isOtherThanTruth(b, left, text) -> incomparable(a, b)
+                operator == "==" || operator == "!=" -> truth((text == otherText) == (operator == "=="))
+                else -> incomparable(a, b)
+            }
+        }
+
+        /** Returns true if [value] is true or false, and [constant] is neither, as in `data == 'True'` of a Bool. */
+        private fun isOtherThanTruth(value: Value, constant: Expression, text: String) =
+            (value == Value.TRUE || value == Value.FALSE) && constant is Expression.Constant && text != "true" && text != "false"
+
+        private fun meets(order: Int) = when (operator) {
+            "==" -> order == 0
+            "!=" -> order != 0
+            "<" -> order < 0
+            "<=" -> order <= 0
+            ">" -> order > 0
+            else -> order >= 0
+        }
+
+        private fun incomparable(a: Value, b: Value) = Value.None("$operator cannot compare ${a.inWords()} with ${b.inWords()}")
+    }
+
+    data class Not(val operand: Expression) : Condition {
+        override val parts get() = listOf(operand)
+
+        override fun valueIn(scope: Scope): Value = when (val value = operand.truthIn(scope)) {
+            Value.TRUE -> Value.FALSE
+            Value.FALSE -> Value.TRUE
+            else -> value
+        }
+    }
+
+    /** Several conditions. [decisive] is the value that one of them decides it by: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
+    data class Several(val decisive: Value, val operands: List<Expression>) : Condition {
+        override val parts get() = operands
+
+        override fun valueIn(scope: Scope): Value {
+            val values = operands.map { it.truthIn(scope) }
+            return values.find { it == decisive } ?: values.find { it is Value.None } ?: truth(decisive == Value.FALSE)
+        }
+    }
+
+    companion object {
+        /** All operators, the longer ones first. */
+        val OPERATORS = listOf("<=", ">=", "==", "!=", "<", ">")
+    }
+}
+
+private fun truth(isTrue: Boolean) = if (isTrue) Value.TRUE else Value.FALSE
+
+/** Returns the value of a condition, which may be a field. */
+internal fun Expression.truthIn(scope: Scope): Value = valueIn(scope).let { value ->
+    if (value == Value.TRUE || value == Value.FALSE || value is Value.None) value
+    else Value.None("a condition is true or false, and not ${value.inWords()}")
+}

@@ -1,0 +1,33 @@
+package argo.tools.board
+
+import argo.filters.matching.perceptsOf
+import argo.links.BoardLink
+import argo.links.Wish
+import argo.tools.command.printable
+
+/** The known facts about a board that is on no line, such as a robot that speaks ROS. */
+internal class LinkDescription private constructor(scheme: String, actions: List<String>?, percepts: List<String>) : Description {
+    private val facts = mapOf("board" to "a board that speaks $scheme", "actions" to actions, "percepts" to percepts)
+
+    override fun lines(): List<String> = facts.map { (name, value) ->
+        val words = (value as? List<*>)?.joinToString("; ")?.ifEmpty { "none now" } ?: "${value ?: "unknown"}"
+        printable(if (name == "board") words else "$name: $words")
+    }
+
+    override fun members(): Map<String, Any?> = facts
+
+    companion object {
+        private const val LISTENING_MS = 1_500
+        private const val INTERVAL_MS = 100
+        private const val ANSWER_MS = 1_000
+
+        /** Asks the board on [link] for its actions, and listens to it for a moment. */
+        fun of(link: BoardLink): LinkDescription {
+            link.wants(Wish(true, INTERVAL_MS, null))
+            val end = System.nanoTime() + LISTENING_MS * 1_000_000L
+            var text = ""
+            while (System.nanoTime() - end < 0) link.listen(ANSWER_MS)?.let { text = it.text }
+            return LinkDescription(link.port.substringBefore(':'), link.actions?.map(::written), perceptsOf(text))
+        }
+    }
+}

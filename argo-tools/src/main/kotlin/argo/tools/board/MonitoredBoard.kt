@@ -1,0 +1,54 @@
+package argo.tools.board
+
+import argo.links.BoardLink
+import argo.links.Wish
+import javino.PerceptsRequest
+import javino.PortTimeoutException
+import javino.link.Link
+
+/** A board whose messages `monitor` shows. */
+internal interface MonitoredBoard {
+    /** True if it is asked for each message; false: it sends them itself. */
+    val isAsked: Boolean
+
+    /** Its protocol, in words. */
+    val speaks: String
+
+    /** The number of damaged frames that were dropped. */
+    val damaged: Long get() = 0
+
+    /**
+     * Returns the next message.
+     *
+     * @throws PortTimeoutException if none comes in time
+     */
+    fun next(): String
+
+    /** Asks the board for the kinds of its percepts. */
+    fun kinds(): DescribedKinds
+}
+
+/** A board that speaks Javino. */
+internal class JavinoBoard(private val link: Link, override val isAsked: Boolean, private val timeoutMs: Int) : MonitoredBoard {
+    override val speaks get() = versionSpoken(link.protocol())
+    override val damaged get() = link.corruptFrames()
+
+    override fun next(): String = (if (isAsked) link.request(PerceptsRequest.ALL, timeoutMs) else link.listen(timeoutMs)).text()
+
+    override fun kinds() = DescribedKinds.of(link, timeoutMs)
+}
+
+/** A board behind another [link] than a line, such as a robot that speaks ROS, which sends its messages at an interval. */
+internal class LinkedBoard(private val link: BoardLink, intervalMs: Int, private val timeoutMs: Int) : MonitoredBoard {
+    override val isAsked get() = false
+    override val speaks = link.port.substringBefore(':')
+
+    init {
+        link.wants(Wish(true, intervalMs, null))
+    }
+
+    override fun next(): String = link.listen(timeoutMs)?.text
+        ?: throw PortTimeoutException(link.port, "port ${link.port} is there, and has had nothing to say for $timeoutMs ms")
+
+    override fun kinds() = DescribedKinds.NONE
+}
