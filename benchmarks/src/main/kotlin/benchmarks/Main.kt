@@ -8,6 +8,7 @@ import benchmarks.boards.boardsCourse
 import benchmarks.boards.hostBoards
 import benchmarks.boards.manyBoards
 import benchmarks.boards.stopThree
+import benchmarks.fleet.fleet
 import benchmarks.ros.ros
 import benchmarks.stops.stops
 import java.io.File
@@ -30,6 +31,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "ros" to { _, _ -> ros() },
     "explore" to { _, more -> explored(more.firstOrNull()) },
     "record" to { _, _ -> recorded() },
+    "fleet" to { _, rows -> fleet(rows) },
     "boards-reactions" to { file, _ -> stopThree(file) },
 )
 
@@ -54,7 +56,7 @@ fun main(args: Array<String>) {
         in APART -> println(APART.getValue(name)(rest).joinToString(" "))
         BOARD_HOST -> hostBoards(rest)
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|fleet")
             exitProcess(2)
         }
     }

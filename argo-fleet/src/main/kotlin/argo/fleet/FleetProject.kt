@@ -121,9 +121,7 @@ internal class FleetProject(project: MAS2JProject) {
         val (bracketed, plain, written) = match.destructured
         val port = if (written.isEmpty()) port else portOf(written)
             ?: throw FleetProjectException("$text: a port is from 1 to $LAST_PORT")
-        val address = InetSocketAddress(bracketed.ifEmpty { plain }, port)
-        if (address.isUnresolved) throw FleetProjectException("no address of the host ${address.hostString} is known")
-        return address
+        return InetSocketAddress(bracketed.ifEmpty { plain }, port)
     }
 
     private fun placed(parameters: AgentParameters): List<PlacedAgent> {

@@ -55,7 +55,6 @@ class FleetProjectSpec : FunSpec({
             "Fleet(hosts([base(\"127.0.0.1:0\")]))" to "a port is from 1",
             "Fleet(hosts([base(\"127.0.0.1\"),base(\"127.0.0.1\")]))" to "two computers are called base",
             "Fleet(hosts([other(\"127.0.0.1\")]))" to "agent a is at base, which is none of the hosts other",
-            "Fleet(hosts([base(\"no such host\")]))" to "no address of the host",
         ) { (infrastructure, reason) ->
             shouldThrow<FleetProjectException> { fleet(infrastructure) }.message shouldContain reason
         }
@@ -75,9 +74,18 @@ class FleetProjectSpec : FunSpec({
         shouldThrow<FleetProjectException> { fleet.settings("base", "127.0.0.1") }.message shouldContain "--bind 127.0.0.1 has no meaning"
     }
 
+    test("of the computers' addresses, only this one's has to be known") {
+        val fleet = fleet("Fleet(hosts([base(\"127.0.0.1:1\"),s(\"no.such.host.invalid\")]))")
+        fleet.settings("base", null).bind.port shouldBe 1
+        shouldThrow<FleetProjectException> { fleet.settings("s", null) }.message shouldContain
+            "the address of no.such.host.invalid is not known"
+    }
+
     test("a fleet that others can reach has certificates, or says that it is insecure") {
         shouldThrow<FleetProjectException> { fleet("Fleet").settings("base", "0.0.0.0") }.message shouldContain "insecure"
         fleet("Fleet(insecure)").settings("base", "0.0.0.0").insecure shouldBe true
-        fleet("Fleet(tls(\"keys\"))").settings("base", "0.0.0.0").certificates.toString() shouldBe "keys"
+        fleet("Fleet(tls(\"keys\"), hosts([base(\"0.0.0.0\")]))").settings("base", null).certificates.toString() shouldBe "keys"
+        shouldThrow<FleetProjectException> { fleet("Fleet(tls(\"keys\"))").settings("base", "0.0.0.0") }.message shouldContain
+            "with certificates the fleet has to name its hosts"
     }
 })

@@ -9,7 +9,8 @@ import java.nio.file.Path
  *
  * @property fleet the fleet's name; computers of other fleets are refused
  * @property here this computer's name
- * @property hosts the computers that the fleet consists of, by their names, this one among them, and where each listens; empty: whoever is
+ * @property hosts the computers that the fleet consists of, by their names, this one among them, and where each listens, which need not be
+ * resolved; empty: whoever is
  * found on the local network belongs to it
  * @property bind where this computer listens, and the interface on which it looks for others
  * @property certificates the folder with the certificates of `tls://`; null: connections are not encrypted, and whoever reaches a port may
@@ -34,10 +35,13 @@ data class ClusterSettings(
                 "the computers ${names.joinToString(" and ")} have the same address, ${address.hostString}:${address.port}"
             }
         }
-        (hosts.values + bind).forEach { require(!it.isUnresolved) { "the address of ${it.hostString} is not known" } }
+        require(!bind.isUnresolved) { "the address of ${bind.hostString} is not known" }
+        require(certificates == null || hosts.isNotEmpty()) {
+            "with certificates the fleet has to name its hosts: what strangers say where computers look for each other cannot be checked"
+        }
         require(certificates != null || insecure || bind.address.isLoopbackAddress) {
             "${bind.address.hostAddress} can be reached by others, and without certificates everybody among them may take part in the" +
-                " fleet: put certificates into .argo/tls of your home, or say insecure"
+                " fleet: name the folder of its certificates, tls(\"folder\"), or say insecure"
         }
     }
 

@@ -3,6 +3,7 @@ package argo.fleet.cluster
 import java.io.IOException
 import java.io.InputStream
 import java.io.OutputStream
+import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.Socket
 import java.net.SocketAddress
@@ -13,18 +14,27 @@ import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLException
 import javax.net.ssl.SSLSocket
 
+/** The other end is a computer, but none to connect with; [message] is a sentence for a person. */
+private class Refusal(override val message: String) : IOException(message)
+
 /** What a computer shows and expects when a connection begins. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {
     val context: SSLContext? = certificates?.context()
 
+    /** Where the fleet's computers connect from, if that is known. */
+    val addresses: Set<InetAddress> = hosts.values.mapNotNull { it.address }.toSet()
+
+    /** How many computers the fleet has; 0: nobody knows. */
+    val computers: Int get() = hosts.size
+
     /** @throws IOException if the computer with [other] and [certificate] is not to be connected with */
     fun check(other: Greeting, certificate: X509Certificate?) {
         val refusal = greeting.refusalOf(other)
             ?: "${other.name} is none of ${hosts.keys.joinToString()}".takeIf { hosts.isNotEmpty() && other.name !in hosts }
             ?: certificate?.let { certificates?.refusalOf(other.name, it) }
-        if (refusal != null) throw IOException(refusal)
+        if (refusal != null) throw Refusal(refusal)
     }
 }
 
@@ -86,6 +96,7 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
     }
 
     private fun reason(e: IOException): String = when {
+        e is Refusal -> "is refused: ${e.message}"
         e is SSLException -> "does not begin TLS as the fleet does: " +
             (generateSequence<Throwable>(e) { it.cause }.firstOrNull { it is CertificateException } ?: e).message
         e is SocketTimeoutException -> "does not greet within $PATIENCE_MILLIS ms"

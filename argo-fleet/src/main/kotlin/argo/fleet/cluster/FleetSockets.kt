@@ -28,7 +28,10 @@ internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFacto
  */
 internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
     private val greeted = LinkedBlockingQueue<Socket>()
-    private val porters = ThreadPoolExecutor(0, PORTERS, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))
+    private val forStrangers = porters(PORTERS)
+
+    /** Strangers, who come from other addresses, do not keep these busy. */
+    private val forHosts = porters(1 + 2 * entrance.computers)
     private val watch: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor(daemons("fleet-door-watch"))
     private val opening = lazy { daemons("fleet-door").newThread(::admitAll).start() }
 
@@ -44,7 +47,7 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
             val socket = FleetSocket(entrance, refusals)
             try {
                 implAccept(socket)
-                porters.execute { admit(socket) }
+                (if (socket.inetAddress in entrance.addresses) forHosts else forStrangers).execute { admit(socket) }
             } catch (e: IOException) {
                 if (!isClosed) refusals.tell("a connection could not be accepted: ${e.message}")
                 if (!isClosed) Thread.sleep(PAUSE_MILLIS)
@@ -71,7 +74,8 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
 
     override fun close() {
         super.close()
-        porters.shutdownNow()
+        forStrangers.shutdownNow()
+        forHosts.shutdownNow()
         watch.shutdownNow()
         generateSequence(greeted::poll).forEach(Socket::close)
     }
@@ -82,6 +86,8 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
 
         /** The system may be short of files. */
         const val PAUSE_MILLIS = 100L
+
+        fun porters(most: Int) = ThreadPoolExecutor(0, most, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))
 
         fun daemons(name: String) = ThreadFactory { Thread(it, name).apply { isDaemon = true } }
     }

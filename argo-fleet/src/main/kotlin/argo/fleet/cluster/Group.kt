@@ -19,7 +19,7 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Member, frame: ByteArray)
 
-    /** [members] are in touch now; of several with one name the last one is the newest. Calls are in order. */
+    /** [members] are in touch now; of several with one name the first one is the oldest. Calls are in order. */
     fun viewed(members: List<Member>)
 }
 

@@ -48,7 +48,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     override fun send(to: String, message: ByteArray): CompletionStage<Void> {
         val done = CompletableFuture<Void>()
         synchronized(lock) {
-            val member = members.lastOrNull { it.name == to }
+            val member = called(to)
             when {
                 isClosed || member == null ->
                     return CompletableFuture.failedFuture(Unreachable("the computer $to is not in touch with $here"))
@@ -64,12 +64,15 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return done
     }
 
+    /** Of two with one name the older one is meant, until it is gone: the other one may be there by mistake. */
+    private fun called(name: String) = members.firstOrNull { it.name == name }
+
     private fun transmitDue(member: Member) {
         peers.getValue(member).outgoing.due(loop.now()).forEach { group.transmit(member, it.bytes()) }
     }
 
     override fun arrived(from: Member, frame: ByteArray): Unit = synchronized(lock) {
-        val peer = peers[from]?.takeIf { from in members } ?: return // it will send again once each has the other in its view
+        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // it sends again until each has the other in its view
         try {
             when (val news = Frame.of(frame)) {
                 is Frame.Piece -> take(from, peer, news)
@@ -129,7 +132,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         members.filter { it != group.here && it !in peers }.forEach { peers[it] = Peer(it) }
         forgetOld()
         rivalSince = if (members.none(::isOlderRival)) null else rivalSince ?: loop.now()
-        val computers = members.associate { it.name to computer(it) }
+        val computers = members.asReversed().associate { it.name to computer(it) }
         val next = ClusterView(computers, hosts.count { it in computers } * 2 > hosts.size)
         loop.execute {
             lost.forEach(::end)

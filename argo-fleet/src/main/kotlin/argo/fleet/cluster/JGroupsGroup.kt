@@ -10,6 +10,7 @@ import org.jgroups.View
 import org.jgroups.logging.LogFactory
 import org.jgroups.util.ExtendedUUID
 import java.io.IOException
+import java.net.ServerSocket
 import java.util.logging.Level
 import java.util.logging.Logger
 
@@ -40,6 +41,9 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
 
     init {
         quieten()
+        settings.hosts.filterValues { it.isUnresolved }.keys.forEach {
+            LOG.log(System.Logger.Level.WARNING, "the address of the computer $it is not known; it is in touch once it has found this one")
+        }
         val certificates = settings.certificates?.let(::FleetCertificates)
         val sockets = FleetSockets(Entrance(Greeting.of(settings), certificates, settings.hosts))
         channel = JChannel(stackOf(settings, sockets))
@@ -54,7 +58,8 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
             channel.connect(settings.fleet)
         } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
             channel.close()
-            val reason = generateSequence<Throwable>(e) { it.cause }.last().message
+            val reason = runCatching { ServerSocket().use { it.bind(settings.bind) } }.exceptionOrNull()?.message // JGroups hides it
+                ?: generateSequence<Throwable>(e) { it.cause }.last().message
             throw IOException("this computer cannot listen at ${settings.bind.hostString}:${settings.bind.port}: $reason", e)
         }
     }

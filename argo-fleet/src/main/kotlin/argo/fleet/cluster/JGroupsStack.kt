@@ -76,7 +76,8 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
 private fun discovery(settings: ClusterSettings): Discovery {
     val found = if (settings.hosts.isEmpty()) MPING().apply { setBindAddr(settings.bind.address) }
     else TCPPING().apply {
-        setInitialHosts<TCPPING>(settings.hosts.values)
+        // a host whose name nobody knows now finds this computer by itself when it comes
+        setInitialHosts<TCPPING>(settings.hosts.values.filter { !it.isUnresolved })
         setPortRange<TCPPING>(0)
     }
     return found.apply { asyncDiscovery<Discovery>(true) }

@@ -79,7 +79,7 @@ class DoorSpec : FunSpec({
             ).forEach { (other, reason) ->
                 val there = "127.0.0.1:${door.address.port}, where a computer of the fleet should be,"
                 shouldThrow<IOException> { door.greet(entrance(other)) }.message shouldBe "$there refuses the connection: $reason"
-                door.toldNext() shouldBe "a stranger at 127.0.0.1 $reason (told once in 10 minutes)"
+                door.toldNext() shouldBe "a stranger at 127.0.0.1 is refused: $reason (told once in 10 minutes)"
             }
             door.told shouldHaveSize 0
         }
@@ -115,11 +115,16 @@ class DoorSpec : FunSpec({
         }
     }
 
-    test("a crowd of strangers costs a few threads") {
-        TestDoor(entrance(settings("base"))).use { door ->
+    test("a crowd of strangers costs a few threads, and keeps no computer of the fleet out") {
+        val elsewhere = hosts.mapValues { (name, _) -> InetSocketAddress(if (name == "scout") "127.0.0.2" else "127.0.0.3", 4711) }
+        TestDoor(entrance(settings("base", of = elsewhere))).use { door ->
             val crowd = List(40) { Socket(door.address.address, door.address.port) }
             door.toldNext() shouldContain "connections of strangers come faster than they can be refused"
             Thread.getAllStackTraces().keys.count { it.name == "fleet-porter" } shouldBe 8
+            val scout = FleetSocket(entrance(settings("scout", of = elsewhere)), Refusals(log = told::add))
+            scout.bind(InetSocketAddress("127.0.0.2", 0))
+            scout.connect(door.address, 1000)
+            scout.close()
             crowd.forEach(Socket::close)
         }
     }
@@ -167,8 +172,10 @@ class DoorSpec : FunSpec({
         val there = InetSocketAddress("10.8.0.1", 4711)
         shouldThrow<IllegalArgumentException> { ClusterSettings("garden", "base", mapOf(), there) }.message shouldBe
             "10.8.0.1 can be reached by others, and without certificates everybody among them may take part in the fleet:" +
-            " put certificates into .argo/tls of your home, or say insecure"
+            " name the folder of its certificates, tls(\"folder\"), or say insecure"
         ClusterSettings("garden", "base", mapOf(), there, insecure = true).here shouldBe "base"
+        val unknown = hosts + ("tail" to InetSocketAddress.createUnresolved("no.such.host", 4711))
+        settings("base", of = unknown).hosts shouldBe unknown
         shouldThrow<IllegalArgumentException> { settings("tail") }.message shouldBe
             "no computer of the fleet garden is called tail; it has base, scout"
     }

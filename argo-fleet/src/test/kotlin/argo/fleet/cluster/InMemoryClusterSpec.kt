@@ -76,6 +76,25 @@ class InMemoryClusterSpec : FunSpec({
 
     test("the same, over and over").config(tags = setOf(NamedTag("Thorough")), timeout = 5.minutes) { tryAtRandom(2000) }
 
+    test("if only one of two computers loses the other for a while, what it sent meanwhile fails, and the rest arrives once and in order") {
+        val network = InMemoryNetwork(setOf("a", "b"))
+        val events = mutableListOf<Event>()
+        val (a, b) = listOf("a", "b").map { Notes(network.join(it), "$it#1", events::add) }
+        network.run()
+        repeat(3) {
+            repeat(100) {
+                a.send("b", 40_000)
+                b.send("a", 10)
+            }
+            network.loseOneSided("a", "b")
+            network.advance(1000)
+        }
+        listOf(a, b).forEach(Notes::finish)
+        History(events).faults().shouldBeEmpty()
+        events.count { it.kind == Kind.FAILED && it.session == "b#1" } shouldBe 0
+        events.count { it.kind == Kind.TAKEN && it.session == "b#1" } shouldBe 300
+    }
+
     test("completions and messages come in the order of their causes") {
         val network = InMemoryNetwork(setOf("a", "b"))
         val (a, b) = listOf("a", "b").map(network::join)

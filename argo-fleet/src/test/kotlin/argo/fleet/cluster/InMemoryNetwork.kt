@@ -64,6 +64,12 @@ internal class InMemoryNetwork(private val hosts: Set<String>, private val isLos
 
     fun heal() = part()
 
+    /** The computer [by] loses [lost] and finds it again, while that one notices nothing: its program was halted, or frames of it were. */
+    fun loseOneSided(by: String, lost: String) = nodes.filter { it.isUp && it.here.name == by }.forEach { node ->
+        val seen = nodes.filter { reaches(node, it) }.map { it.here }
+        listOf(seen.filter { it.name != lost }, seen).forEach { members -> enqueue { node.listener?.viewed(members) } }
+    }
+
     /** The program on [name] ends without a word. */
     fun crash(name: String) {
         nodes.filter { it.here.name == name }.forEach { it.listener = null }

@@ -1,0 +1,47 @@
+package benchmarks.fleet
+
+import benchmarks.figures
+import java.io.File
+
+private const val COMPUTERS = 50
+private const val AGENTS = 20
+private const val MAX_START_S = 60
+private const val MAX_SHARE = 0.1
+private const val PATIENCE_S = 300
+private const val IDLE_S = 30
+
+/** Fifty computers with a thousand agents: how long until all know all, and what they cost when nothing happens. */
+internal fun crowd(): Boolean {
+    val names = List(COMPUTERS) { "computer${it + 1}" }
+    val agents = names.joinToString(" ") { "watcher_$it watcher.asl at \"$it\"; member_${it}_ member.asl #${AGENTS - 1} at \"$it\";" }
+    return Project("MAS bench { infrastructure: ${Project.fleetOf(names)} agents: $agents }", listOf("watcher", "member")).use { project ->
+        val begin = System.nanoTime()
+        val options = listOf("-Xmx128m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xshare:auto")
+        val processes = names.map { project.startComputer(it, options) }
+        project.await(PATIENCE_S, "that all know ${COMPUTERS * AGENTS} agents") { project.noted(NAMES).size == COMPUTERS }
+        val seconds = (System.nanoTime() - begin) / 1e9
+        val isEqual = project.noted(NAMES).map { it[1] }.distinct().size == 1
+        Thread.sleep(IDLE_S * 1000L)
+        val before = processes.sumOf(::ticks)
+        Thread.sleep(IDLE_S * 1000L)
+        val share = (processes.sumOf(::ticks) - before) / TICKS_A_SECOND / IDLE_S
+        println(
+            figures("%d processes with %,d agents: all know all after %.0f s", COMPUTERS, COMPUTERS * AGENTS, seconds) +
+                figures(", idle %.1f %% of a processor", share * 100) +
+                figures(", .all_names %s, %,d MB", if (isEqual) "equal" else "differ", processes.sumOf(::residentKb) / 1024),
+        )
+        isEqual && seconds <= MAX_START_S && share <= MAX_SHARE
+    }
+}
+
+/** The processor time of a process until now, in the kernel's ticks. */
+private fun ticks(process: Process): Long =
+    File("/proc/${process.pid()}/stat").readText().substringAfterLast(") ").split(' ').let { it[UTIME].toLong() + it[UTIME + 1].toLong() }
+
+private fun residentKb(process: Process): Long =
+    File("/proc/${process.pid()}/status").readLines().first { it.startsWith("VmRSS") }.filter(Char::isDigit).toLong()
+
+private const val TICKS_A_SECOND = 100.0
+
+/** The field of `/proc/PID/stat` behind the program's name, from 0 on. */
+private const val UTIME = 11

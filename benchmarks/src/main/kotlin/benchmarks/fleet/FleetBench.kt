@@ -1,0 +1,135 @@
+package benchmarks.fleet
+
+import argo.fleet.trial.Kind
+import argo.fleet.trial.Namespaces
+import argo.fleet.trial.Trial
+import benchmarks.figures
+import benchmarks.machine
+import kotlin.random.Random
+
+private const val FEW = 5
+private const val MANY = 10
+private const val FAILURES = 10
+private const val MESSAGES = 1_000_000
+private const val MAX_KILLED_MS = 1000
+private const val MAX_UNPLUGGED_MS = 3000
+private val CROWDS = listOf(2, 10, 50)
+
+/** The rows; each prints its figures, and returns whether they keep the goal. */
+private val ROWS: Map<String, () -> Boolean> = mapOf(
+    "send" to ::pingPongs,
+    "failures" to ::noticed,
+    "takeover" to ::takeovers,
+    "messages" to ::manyMessages,
+    "crowd" to ::crowd,
+    "membership" to ::membership,
+)
+
+/**
+ * What a fleet of several computers does, each in a process of its own on this one, and in a network namespace of its own where those can
+ * be made: how long a message takes there and back, beside JADE; how soon a failure is noticed; what a million messages come to while
+ * computers are killed and unplugged; and what membership costs.
+ *
+ * @param rows the names of the rows to measure; empty: all
+ * @return whether all goals are kept
+ */
+internal fun fleet(rows: List<String>): Boolean {
+    val unknown = rows - ROWS.keys
+    require(unknown.isEmpty()) { "there is no row ${unknown.joinToString()}; there are ${ROWS.keys.joinToString()}" }
+    println(machine())
+    return ROWS.filterKeys { rows.isEmpty() || it in rows }.map { (_, row) -> row() }.all { it }
+}
+
+private fun names(count: Int) = List(count) { "computer${it + 1}" }
+
+/** Runs [trial] of [count] computers in namespaces; says so, and returns true, where those cannot be made. */
+private fun inNamespaces(what: String, count: Int, trial: (Trial, Namespaces, List<String>) -> Boolean): Boolean {
+    Namespaces.missing?.let {
+        println("$what: left out, since $it")
+        return true
+    }
+    val names = names(count)
+    return Namespaces(names).use { network ->
+        Trial(names, network).use { running ->
+            names.forEach(running::start)
+            running.awaitAll()
+            trial(running, network, names)
+        }
+    }
+}
+
+private fun noticed() = inNamespaces("failures", FEW) { trial, network, names ->
+    val killed = List(FAILURES) { names[it % FEW] }.map { name ->
+        val since = System.nanoTime()
+        trial.kill(name)
+        trial.noticed(name, since).last.also {
+            trial.start(name)
+            trial.awaitAll()
+        }
+    }
+    val unplugged = List(FAILURES) { names[it % FEW] }.map { name ->
+        val since = System.nanoTime()
+        network.unplug(name)
+        trial.noticed(name, since).last.also {
+            network.plug(name)
+            trial.awaitAll()
+        }
+    }
+    for ((what, times) in listOf("process killed" to killed, "computer unplugged" to unplugged)) {
+        println(figures("%s, noticed by the last of %d others: median %d ms, longest %d ms", what, FEW - 1, times.median(), times.max()))
+    }
+    killed.max() <= MAX_KILLED_MS && unplugged.max() <= MAX_UNPLUGGED_MS
+}
+
+private fun List<Long>.median() = sorted()[size / 2]
+
+private fun manyMessages() = inNamespaces("messages", MANY) { trial, network, names ->
+    val random = Random(1)
+    val begin = System.nanoTime()
+    trial.send()
+    var events = 0
+    while (trial.sent() < MESSAGES) {
+        trial.disturb(network, names.random(random), random)
+        events++
+    }
+    names.filter { it !in trial.running }.forEach(trial::start)
+    trial.awaitAll()
+    trial.finish()
+    val history = trial.history()
+    val faults = history.faults()
+    println(
+        figures(
+            "%,d messages among %d computers, %d times one killed or unplugged, in %d s: %,d taken, %,d reported failed, %d faults",
+            history.count(Kind.SENT), MANY, events, (System.nanoTime() - begin) / 1_000_000_000, history.count(Kind.TAKEN),
+            history.count(Kind.FAILED), faults.size,
+        ),
+    )
+    faults.take(20).forEach(::println)
+    faults.isEmpty()
+}
+
+/** A computer is killed, and started again later; or unplugged for some seconds. */
+private fun Trial.disturb(network: Namespaces, name: String, random: Random) {
+    Thread.sleep(random.nextLong(2000))
+    when {
+        name !in running -> start(name)
+        random.nextBoolean() -> kill(name)
+        else -> {
+            network.unplug(name)
+            Thread.sleep(random.nextLong(6000))
+            network.plug(name)
+        }
+    }
+}
+
+private fun membership() = CROWDS.map { count ->
+    inNamespaces("membership", count) { _, network, names ->
+        val seconds = 20
+        Thread.sleep(seconds * 1000L) // joining ends
+        val before = names.sumOf(network::bytesSent)
+        Thread.sleep(seconds * 1000L)
+        val rate = (names.sumOf(network::bytesSent) - before) / seconds / count
+        println(figures("membership of %d computers: each sends %,d bytes a second, %,d to each other", count, rate, rate / (count - 1)))
+        true
+    }
+}.all { it }

@@ -1,0 +1,74 @@
+package benchmarks.fleet
+
+import java.io.File
+import java.net.ServerSocket
+import java.nio.file.Path
+import kotlin.io.path.createTempDirectory
+import kotlin.io.path.writeText
+
+/**
+ * A project of agents in a folder of its own, and the processes that run it.
+ *
+ * @param mas2j the text of `bench.mas2j`
+ * @param agents its agents, without `.asl`
+ */
+internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
+    private val folder = createTempDirectory("argo-bench-fleet")
+    private val processes = mutableListOf<Process>()
+
+    init {
+        file("bench.mas2j").writeText(mas2j)
+        for (name in agents.map { "$it.asl" } + listOf("logging.properties", "jason.properties")) {
+            file(name).writeText(Project::class.java.getResource("/fleet/$name")!!.readText())
+        }
+    }
+
+    fun file(name: String): Path = folder.resolve(name)
+
+    /** What all processes have printed. */
+    fun printed(): String = file(OUT).toFile().readText()
+
+    /** Starts `program`, a main class and its arguments, in a Java machine with [options]. */
+    fun start(program: List<String>, options: List<String> = emptyList()): Process {
+        val java = listOf(File(System.getProperty("java.home"), "bin/java").path) + options
+        return ProcessBuilder(java + listOf("-cp", System.getProperty("java.class.path")) + program).directory(folder.toFile())
+            .redirectErrorStream(true).redirectOutput(ProcessBuilder.Redirect.appendTo(file(OUT).toFile())).start().also { processes += it }
+    }
+
+    /** Starts the computer [name] of the fleet. */
+    fun startComputer(name: String, options: List<String> = emptyList()): Process =
+        start(listOf("argo.fleet.MainKt", "bench.mas2j", "--at", name), options)
+
+    /** The lines of a file that agents write, as numbers; none before there is one. */
+    fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
+        .map { line -> line.split(' ').map(String::toLong) }
+
+    /** @throws IllegalStateException if [condition] does not hold within [seconds], or no process runs any more */
+    fun await(seconds: Int, what: String, condition: () -> Boolean) {
+        val end = System.nanoTime() + seconds * 1_000_000_000L
+        while (!condition()) {
+            check(System.nanoTime() < end && processes.any { it.isAlive }) { "in vain: $what\n${printed().takeLast(2000)}" }
+            Thread.sleep(50)
+        }
+    }
+
+    override fun close() {
+        processes.forEach { it.destroyForcibly().waitFor() }
+        folder.toFile().deleteRecursively()
+    }
+
+    companion object {
+        private const val OUT = "out.txt"
+
+        /** Below those that the system gives to outgoing connections, which would take them meanwhile. */
+        private const val FIRST_PORT = 21_000
+
+        fun freePorts(count: Int): List<Int> = generateSequence(FIRST_PORT) { it + 1 }.filter(::isFree).take(count).toList()
+
+        private fun isFree(port: Int) = runCatching { ServerSocket(port).close() }.isSuccess
+
+        /** The infrastructure of [names] on this computer. */
+        fun fleetOf(names: List<String>): String =
+            "Fleet(name(bench), hosts([${names.zip(freePorts(names.size)).joinToString { (name, port) -> "$name(\"127.0.0.1:$port\")" }}]))"
+    }
+}

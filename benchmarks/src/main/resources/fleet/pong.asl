@@ -1,0 +1,9 @@
+// Calls ping until it answers; then sends everything back.
+!call.
+
++!call : not met <- .send(ping, achieve, start); .wait(300); !call.
++!call.
+-!call <- .wait(300); !call.
+
++!back[source(S)] : met <- .send(S, achieve, here).
++!back[source(S)] <- +met; .send(S, achieve, here).
