@@ -32,7 +32,7 @@ def main():
     now, carried, texts, board = [0], [], [], None
     high, last = 0, 0  # the test's clock has 16 bits
     while record := sys.stdin.buffer.read(6):
-        what, flag, time, length = struct.unpack("=cBHH", record)
+        what, flag, time, length = struct.unpack("<cBHH", record)
         data = sys.stdin.buffer.read(length) if length else b""
         if time < last:
             high += 65536
@@ -54,7 +54,8 @@ def main():
             board.done(board.pending, bool(flag))
         said = b"".join(bytes([len(text)]) + text for text in carried)
         carried.clear()
-        sys.stdout.buffer.write(struct.pack("=I", len(board.line.sent)) + board.line.sent + struct.pack("=I", len(said)) + said)
+        for field in (board.line.sent, said):
+            sys.stdout.buffer.write(struct.pack("<H", len(field)) + field)
         sys.stdout.buffer.flush()
         board.line.sent = b""
 
