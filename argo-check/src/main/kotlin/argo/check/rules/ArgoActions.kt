@@ -13,8 +13,9 @@ internal object ArgoActions {
 
     val ERRORS = setOf(
         "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port",
-        "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_vocabulary",
-        "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter", "bad_filter",
+        "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_answer",
+        "other_answer", "no_vocabulary", "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter",
+        "bad_filter",
     )
 
     val JASON_ERRORS = setOf(
