@@ -1,5 +1,6 @@
 package argo.recording
 
+import argo.filters.matching.withoutSmoothed
 import kotlinx.serialization.Serializable
 
 /** A reasoning cycle of an agent: its input, and the agent's course. Immutable. */
@@ -234,7 +235,10 @@ data class PerceivedSnapshot(
     val texts: List<String>,
     @Holds("those that the filter let through, and those that stand in for held-back ones; missing: all")
     val kept: List<String>? = null,
-)
+) {
+    /** The texts that the filter held back. */
+    val heldBack: Set<String> get() = kept?.let { texts - it.map(::withoutSmoothed).toSet() }.orEmpty().toSet()
+}
 
 /** The outcome of a command. */
 @Serializable

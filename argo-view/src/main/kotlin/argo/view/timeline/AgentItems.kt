@@ -1,6 +1,5 @@
 package argo.view.timeline
 
-import argo.filters.matching.withoutSmoothed
 import argo.recording.Call
 import argo.recording.CommandEnd
 import argo.recording.Cycle
@@ -55,9 +54,9 @@ internal class AgentItems(
     }
 
     private fun frameDetail(it: PerceivedSnapshot): List<String> {
-        val dropped = it.kept?.let { kept -> it.texts - kept.map(::withoutSmoothed).toSet() }.orEmpty()
+        val heldBack = it.heldBack
         return listOf("from ${it.port}: ${it.texts.joinToString("; ")}") +
-            (if (dropped.isEmpty()) emptyList() else listOf("held back by the filter: ${dropped.joinToString("; ")}"))
+            (if (heldBack.isEmpty()) emptyList() else listOf("held back by the filter: ${heldBack.joinToString("; ")}"))
     }
 
     private fun chosen(cycle: Cycle, trigger: String) {
