@@ -317,7 +317,7 @@ class BoardPerceptsSpec : FunSpec({
         perceiving {
             hears("reflex(stop,done);reflex(stop,failed);reflex(stop,soon);reflex(stop);")
             perceived() shouldBe listOf("reflex(stop,soon)", "reflex(stop)")
-            refused().first() shouldContain "reflex/2 with done or failed is the belief about a reflex's outcome"
+            refused().first() shouldContain "reflex/2 with done or failed is a belief of ARGO's own, which no board can claim"
         }
     }
 })

@@ -53,7 +53,7 @@ class CommandCheck(private val root: Path) {
             "tools" -> tool(rest)
             "new" -> if (rest.isEmpty()) null else tool(words)
             "explore" -> tool(words)
-            "bench" -> rest.firstOrNull { !Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
+            "bench" -> rest.firstOrNull()?.takeUnless { Regex("""\b$it \(""").containsMatchIn(usage) }?.let { "./argo bench has no $it" }
             "board" -> if (rest.isEmpty() || rest.any { it.endsWith(".ino") }) null else "./argo board takes a sketch"
             "test" -> if (rest.isEmpty() || rest == listOf("--all")) null else "./argo test takes --all or nothing"
             "dist" -> if (rest.isEmpty() || rest == listOf("--bundle")) null else "./argo dist takes --bundle or nothing"
