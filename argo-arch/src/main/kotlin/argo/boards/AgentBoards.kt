@@ -93,7 +93,7 @@ internal class AgentBoards(
 
     val ports = Ports(owner, states, User(), leavesRulesToBoards, platform) { log.warning(it) }
 
-    val ready = ReadySnapshots(platform, { perceived.get().boards }, waker::wake)
+    val ready = SimultaneousSnapshots(platform, { perceived.get().boards }, waker::wake)
 
     /** True if boards watch critical rules themselves as far as they can, and messages go out at the pace of the line. */
     val leavesRulesToBoards get() = inCycle == null

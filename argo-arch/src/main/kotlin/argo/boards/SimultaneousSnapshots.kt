@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicReference
  * @param boards returns the boards that the agent perceives
  * @param wake wakes the agent until its argument returns true; called when a wait has lasted too long
  */
-internal class ReadySnapshots(
+internal class SimultaneousSnapshots(
     private val platform: Platform,
     private val boards: () -> List<Board>,
     private val wake: (seen: () -> Boolean) -> Unit,

@@ -1,0 +1,146 @@
+package argo.perception
+
+import argo.filters.CriticalRule
+import jason.asSyntax.Literal
+import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/**
+ * Keeps only the newest snapshot, and hands it over when the [work] that the last one left to the agent is done.
+ * A snapshot is handed over at once if it has a critical percept that the last one did not have. Before that, only a newer snapshot that
+ * meets the same critical rules replaces it. So there are never more such snapshots than rules. A board that is always critical must not
+ * make events pile up. So when [MANY_EVENTS] wait, each critical rule lets only one more snapshot pass at once, until the work is done.
+ * Each [event][Snapshot.event] is handed over in its turn, together with the newest of all other percepts. Of more than [MAX_EVENTS]
+ * the oldest are lost.
+ * @param tellLost called at each loss, with the number of lost events
+ * @param tellLate called without the lock when snapshots have waited for longer than [LATE_MS], with the work that they wait for
+ */
+internal class FreshHandOver(
+    private val work: EarlierWork,
+    private val tellLost: (count: Long) -> Unit = { },
+    private val tellLate: (ms: Long, why: String) -> Unit = { _, _ -> },
+) : HandOver {
+    private val lock = ReentrantLock()
+    private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
+    private val events = ConcurrentLinkedQueue<PerceptEvent>() // changed under the lock only, as their number
+    private var last: Snapshot? = null // the last taken snapshot, without its event
+    private var eventCount = 0
+    private var lost = 0L
+    private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
+    private val earlyRules = HashSet<CriticalRule>() // rules that let a snapshot pass early since the last snapshot in turn
+
+    private var waitingSince: Long? = null // the time of the first message since the last hand-over; null: none has come
+
+    @Volatile
+    private var newest: Snapshot? = null
+
+    override fun put(snapshot: Snapshot) {
+        val waitedMs = lock.withLock {
+            keep(snapshot)
+            val since = waitingSince ?: snapshot.receivedNanos.also { waitingSince = it }
+            TimeUnit.NANOSECONDS.toMillis(snapshot.receivedNanos - since)
+        }
+        if (waitedMs > LATE_MS) work.kindLeft()?.let { tellLate(waitedMs, it) }
+    }
+
+    private fun keep(snapshot: Snapshot) {
+        snapshot.event?.let(::add)
+        keepNewest(snapshot.withoutEvent())
+    }
+
+    private fun keepNewest(snapshot: Snapshot) {
+        val newer = newest?.takeIf { it.receivedNanos - snapshot.receivedNanos > 0 }
+        if (snapshot.critical.any { it.percept !in known }) {
+            val met = rules(snapshot)
+            critical.removeAll { met.containsAll(rules(it)) }
+            critical.addLast(snapshot)
+            newest = newer
+        } else {
+            newest = newer ?: snapshot
+        }
+    }
+
+    private fun add(event: PerceptEvent) {
+        events += event
+        if (++eventCount <= MAX_EVENTS) return
+        takeEvent()
+        tellLost(++lost)
+    }
+
+    private fun takeEvent(): PerceptEvent? = events.poll()?.also { eventCount-- }
+
+    private fun isWaiting() = newest != null || events.isNotEmpty()
+
+    override fun isReady(): Boolean = isReady { work.isDone() }
+
+    private inline fun isReady(isDone: () -> Boolean): Boolean {
+        val urgent = firstCritical()
+        return if (urgent == null) isWaiting() && isDone() else mayBeEarly(urgent) || isDone()
+    }
+
+    override fun isUrgent(): Boolean = firstCritical() != null && isReady()
+
+    override fun dueInMs(): Long? = if (!isWaiting()) null else work.dueInMs()
+
+    private fun firstCritical(): Snapshot? = lock.withLock { critical.firstOrNull() }
+
+    private fun mayBeEarly(snapshot: Snapshot) =
+        work.waitingEvents < MANY_EVENTS || lock.withLock { rules(snapshot).any { it !in earlyRules } }
+
+    override fun take(): Snapshot? {
+        work.takenIn()
+        if (!isWaiting() && firstCritical() == null) return null
+        val isInTurn = work.isDone(isAwaited = true)
+        if (!isReady { isInTurn }) return null
+        return lock.withLock { next(isInTurn) }?.also { work.begin() }
+    }
+
+    private fun next(isInTurn: Boolean): Snapshot? {
+        val next = critical.removeFirstOrNull() ?: (if (isInTurn) takeInTurn() else null) ?: return null
+        if (isInTurn) earlyRules.clear() else earlyRules += rules(next)
+        known = next.critical.mapTo(HashSet()) { it.percept }
+        waitingSince = null
+        last = next.withoutEvent()
+        return next
+    }
+
+    private fun takeInTurn(): Snapshot? {
+        val state = takeNewest() ?: last?.takeIf { events.isNotEmpty() } ?: return null
+        return takeEvent()?.let(state::with) ?: state
+    }
+
+    private fun takeNewest(): Snapshot? = newest.also { newest = null }
+
+    private fun rules(snapshot: Snapshot) = snapshot.critical.mapTo(HashSet()) { it.rule }
+
+    override fun drain() = lock.withLock {
+        val state = newest ?: critical.lastOrNull() ?: last
+        val inTurn = generateSequence(::takeEvent).mapNotNull { state?.with(it) }.toList().ifEmpty { listOfNotNull(newest) }
+        newest = null
+        (critical + inTurn).sortedBy { it.receivedNanos }.also { critical.clear() }
+    }
+
+    override fun clear() = lock.withLock {
+        critical.clear()
+        events.clear()
+        eventCount = 0
+        last = null
+        earlyRules.clear()
+        known = emptySet()
+        newest = null
+        waitingSince = null
+    }
+
+    companion object {
+        /** Waiting snapshots are reported after this time in ms. */
+        const val LATE_MS = 2000L
+
+        /** While fewer events than this wait, a critical snapshot is handed over at once. */
+        const val MANY_EVENTS = 1000
+
+        /** The most events that wait for an agent. */
+        const val MAX_EVENTS = 1000
+    }
+}
