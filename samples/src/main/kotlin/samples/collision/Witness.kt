@@ -45,7 +45,7 @@ class Witness(private val changed: (front: Double?, events: Int, intentions: Int
 
     /**
      * @property distance the front distance in cm; null: the agent has perceived none
-     * @property status `front` while the agent has its robot drive, `stopped` when it has stopped it, null before
+     * @property status `front` while the agent lets the robot drive, `stopped` after the agent has stopped the robot, null before either
      * @property trouble the reason why the agent cannot go on; null: it can
      * @property port the state of the agent's port: `on`, `off` or `timeout`; null: the agent has not asked for a port
      */

@@ -9,7 +9,7 @@ import kotlin.concurrent.thread
  * A computer of a fleet, which is a process here: `argo-fleet.jar` in the directory of the project.
  *
  * @property name the computer's name in the `.mas2j`, behind `at`
- * @param printed receives each line that it prints, from a thread of its own
+ * @param printed called with each line that the process prints, on a thread that reads them
  */
 internal class FleetComputer private constructor(
     val name: String, private val process: Process, printed: (String) -> Unit,

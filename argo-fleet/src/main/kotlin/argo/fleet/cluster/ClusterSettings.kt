@@ -9,9 +9,8 @@ import java.nio.file.Path
  *
  * @property fleet the fleet's name; computers of other fleets are refused
  * @property here this computer's name
- * @property hosts the computers that the fleet consists of, by their names, this one among them, and where each listens, which need not be
- * resolved; empty: whoever is
- * found on the local network belongs to it
+ * @property hosts the address at which each computer of the fleet listens, by the computer's name; this computer is among them. Addresses
+ * need not be resolved. Empty: every computer that is found on the local network belongs to the fleet
  * @property bind where this computer listens, and the interface on which it looks for others
  * @property certificates the folder with the certificates of `tls://`; null: connections are not encrypted, and whoever reaches a port may
  * take part

@@ -34,7 +34,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     /** Returns the number of [intention]; null: the agent has carried out no step of it. */
     fun numberOf(intention: Intention): Int? = numbers[intention]
 
-    /** Continues after [intentions] counted intentions. The remaining ones have these [numbers]. */
+    /** Continues to count intentions from [intentions] on. The intentions that are there have these [numbers]. */
     fun restore(intentions: Int, numbers: Map<Intention, Int>) {
         this.intentions = intentions
         this.numbers.putAll(numbers)

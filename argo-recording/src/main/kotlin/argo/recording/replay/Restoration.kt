@@ -124,7 +124,7 @@ internal class Restoration(
         return timers
     }
 
-    /** Returns the listener that [make] makes. The listener begins at most one timer; [timer] takes its work. */
+    /** Returns the listener that [make] makes. The listener begins at most one timer. [timer] gets that timer's work. */
     private fun begun(timer: (Callable<*>) -> Unit, make: () -> CircumstanceListener): CircumstanceListener {
         val keeper = object : Keeper {
             override fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V> {

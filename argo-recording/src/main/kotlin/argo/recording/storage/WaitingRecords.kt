@@ -64,8 +64,8 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
 }
 
 /**
- * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. A [Gap] replaces messages without room, in their
- * order. Any thread may call. Nobody holds the lock while a record is written.
+ * The queue of records for the writing thread, with at most [maxBytes] bytes of messages. Messages for which there is no room are left out.
+ * A [Gap] takes their place in the order of the records. Any thread may call. Nobody holds the lock while a record is written.
  */
 internal class WaitingRecords(private val maxBytes: Long) {
     private val lock = ReentrantLock()

@@ -28,7 +28,10 @@ internal class SimulatedClock {
         if (samples.size > KEPT) samples.removeFirst()
     }
 
-    /** Fills the gap before [simNanos] at [atNanos]: during the silence the clock stood, and then ran on at its previous speed. */
+    /**
+     * Adds a sample at the time at which the clock went on. In a silence that ends with [simNanos] at [atNanos], the clock is taken to have
+     * stood, and then to have run at its previous speed.
+     */
     private fun standUntil(last: Sample, simNanos: Long, atNanos: Long) {
         val began = atNanos - ((simNanos - last.simNanos) / speed(samples.size - SHORT)).toLong()
         if (began > last.atNanos) samples.addLast(Sample(last.simNanos, began))

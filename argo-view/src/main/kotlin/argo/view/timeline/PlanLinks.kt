@@ -23,7 +23,7 @@ internal class PlanLinks {
     /** Returns the step that caused the event of a goal, [trigger]; null: the agent began with the goal, or the goal came from outside. */
     fun posing(trigger: String): Int? = if (trigger.startsWith('-')) failed else posing[functor(trigger.drop(2))]
 
-    /** Returns the number of the intention of [step]; null: the goal began an intention. */
+    /** Returns the number of the intention in which [step] posed its goal; null: the goal began an intention of its own. */
     fun intentionOf(step: Int): Int? = intentions[step]
 
     fun chosen(event: Int, plan: Place, intention: Int?) {
