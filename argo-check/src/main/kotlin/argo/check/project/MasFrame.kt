@@ -41,7 +41,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
     private fun source() {
         var last = at
         while (tokens.getOrNull(last + 1)?.let { it.span.start == tokens[last].span.end && !isBehindSource(it) } == true) last++
-        val written = tokens.subList(at, last + 1).joinToString("") { it.text }
+        val written = tokens.subList(at, minOf(last + 1, tokens.size)).joinToString("") { it.text }
         take("a program in lower case, as bob.asl or ./src/bob.asl, or ;") { SOURCE.matches(written) }
         if (error == null) at = last + 1
     }

@@ -36,6 +36,7 @@ class MasFrameSpec : FunSpec({
             "MAS m { agents: a }" to "1:19 ;, not }",
             "MAS m { agents: a; b }" to "1:22 ;, not }",
             "MAS m { agents: a b c; }" to "1:21 ;, not c",
+            "MAS m { agents: a" to "1:18 $PROGRAM, not the end of the file",
             "MAS m { agents: a \"b.asl\"; }" to "1:19 $PROGRAM, not \"b.asl\"",
             "MAS m { agents: a Bob.asl; }" to "1:19 $PROGRAM, not Bob",
             "MAS m { agents: a test-b.asl; }" to "1:19 $PROGRAM, not test",
