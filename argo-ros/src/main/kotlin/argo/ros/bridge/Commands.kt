@@ -41,7 +41,7 @@ import java.util.concurrent.atomic.AtomicLong
  *
  * @param graph the robot's graph, with the nodes that take the messages
  * @param warn takes reports of parts of a command that are left out
- * @param progress takes the newest feedback of a goal, for the rule of its percept; null: no goal of the rule is under way any more
+ * @param progress takes the newest feedback of a goal, for the rule of its percept; null: the goal has ended
  */
 internal class Commands(
     private val port: String,
@@ -56,6 +56,7 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
+    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // the goal of each rule whose feedback came last
     private val session = "argo-${UUID.randomUUID()}" // each command's id begins with it, which excludes answers to other clients
     private val number = AtomicLong()
 
@@ -102,7 +103,7 @@ internal class Commands(
         val message = Outgoing(messageOf(rule, body, id), options.urgent(), rule.name, options.latest())
         val entry = Pending(rule, text, message, outcome)
         pending[id] = entry
-        outcome.whenComplete { _, _ -> ended(id, rule) }
+        outcome.whenComplete { _, _ -> ended(id, entry) }
         message.left.whenComplete { _, trouble -> left(entry, trouble) }
         limit(id, entry, options.limitMillis())
         graph.sends(rule) { reason -> lost(id, entry, reason) }
@@ -111,13 +112,14 @@ internal class Commands(
         return SentCommand(outcome, eitherOf(message.left, outcome), giveUp)
     }
 
-    private fun ended(id: String, rule: CommandRule) {
+    private fun ended(id: String, entry: Pending) {
         pending -= id
-        forgetFeedback(rule)
+        forgetFeedback(entry)
     }
 
-    private fun forgetFeedback(rule: CommandRule) {
-        if (rule.feedback != null && pending.values.none { it.rule === rule && !it.outcome.isDone }) progress(rule.feedback, null)
+    /** Forgets the feedback of a goal that has ended. The agent may have begun the next goal already, whose feedback stays. */
+    private fun forgetFeedback(entry: Pending) {
+        if (progressing.remove(entry.rule, entry)) entry.rule.feedback?.let { progress(it, null) }
     }
 
     private fun known() = rules.joinToString(", ") { "${it.name}/${it.parameters.size}" }.ifEmpty { "none" }
@@ -214,7 +216,8 @@ internal class Commands(
         val rule = entry.rule.feedback ?: return
         if (feedback == null || entry.outcome.isDone) return
         progress(rule, feedback)
-        if (entry.outcome.isDone) forgetFeedback(entry.rule) // it has ended meanwhile
+        progressing[entry.rule] = entry
+        if (entry.outcome.isDone) forgetFeedback(entry) // it has ended meanwhile
     }
 
     /** Ends the command of [entry], which [response] has answered. */
