@@ -28,11 +28,13 @@ class AgentProgram(val path: Path, text: String) {
     /** The files that this program includes, as written. */
     val includes: List<String> get() = directives("include").mapNotNull { (it.call?.arguments?.firstOrNull() as? StringTerm)?.text }
 
-    internal val filtersCalled: List<String> get() = mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
-        when (val name = it.literal.arguments.firstOrNull()) {
-            is Literal -> name.functor
-            is StringTerm -> name.text.substringAfterLast('/')
-            else -> null
+    internal val filtersCalled: List<String> by lazy {
+        mentions[Role.INTERNAL].filter { it.functor.endsWith("change_filter") }.mapNotNull {
+            when (val name = it.literal.arguments.firstOrNull()) {
+                is Literal -> name.functor
+                is StringTerm -> name.text.substringAfterLast('/')
+                else -> null
+            }
         }
     }
 

@@ -3,11 +3,15 @@ package argo.check.project
 import argo.check.syntax.Position
 import argo.check.syntax.Span
 import javino.PerceptKind
+import kotlin.io.path.name
 
 /** A word to which [file] gives a meaning, at [span]. If it [isObserved], it was seen for a while, and there may be others. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
-internal class Unreadable(val file: ProjectFile, val span: Span, val reason: String)
+/** A part [span] of [file] that describes no percept, for a [reason]. */
+class Unreadable(val file: ProjectFile, val span: Span, val reason: String) {
+    override fun toString(): String = "${file.path.name}: $reason"
+}
 
 /** The kinds of percepts that [file] describes. */
 internal class Descriptions(private val file: ProjectFile) {

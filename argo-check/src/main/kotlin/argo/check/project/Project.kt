@@ -45,7 +45,7 @@ data class Project(
     }
 
     /** Returns true if the file at [path] with this [text], in XML or JSON, is a filter by its folder, its rules or a program's call. */
-    fun isFilter(path: Path, text: String): Boolean =
+    private fun isFilter(path: Path, text: String): Boolean =
         FilterFile.isMeant(path, text, programs.values.flatMap { it.filtersCalled }.toSet())
 
     /** Returns the agents whose program is [path] or includes [path]. */

@@ -146,7 +146,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
         val functors = (described.map { it.meaning } + mapped).map { it.functor() }.toSet()
         val recorded = recordings.flatMap { recordedKinds(textOf(it)) }.filter { it.functor() !in functors }
         return Robot(
-            described, boards.flatMap { it.actions }, descriptions.flatMap { it.unreadable }.map { "${it.file.path.name}: ${it.reason}" },
+            described, boards.flatMap { it.actions }, descriptions.flatMap { it.unreadable },
             mapped + recorded, mappings.flatMap { it.actions }, isComplete = mappings.all { it.isComplete } && recorded.isEmpty(),
         )
     }

@@ -10,13 +10,13 @@ import javino.PerceptTerm
  *
  * @property described the kinds of percepts that files describe, with their places
  * @property registered the actions that programs of boards register, with their places
- * @property unreadable the reasons why descriptions of percepts cannot be read, each with the name of its file
+ * @property unreadable the descriptions of percepts that cannot be read
  * @property isComplete false if the robot may have other percepts
  */
 class Robot(
     val described: List<Described<PerceptKind>> = emptyList(),
     val registered: List<Described<BoardAction>> = emptyList(),
-    val unreadable: List<String> = emptyList(),
+    val unreadable: List<Unreadable> = emptyList(),
     otherPercepts: List<PerceptKind> = emptyList(),
     otherActions: List<BoardAction> = emptyList(),
     val isComplete: Boolean = true,

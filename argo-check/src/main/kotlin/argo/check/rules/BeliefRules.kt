@@ -20,7 +20,7 @@ internal object BeliefRules : Rule {
         val tests = scene.mentions(Role.TEST_HANDLED).map { it.literal.indicator }.toSet()
         val often = scene.facts.often(*READS)
         val percepts = scene.project.robot.percepts.map { it.functor() }.toSet()
-        val arities = believed.groupBy({ it.functor }, { it.arity })
+        val arities = GoalRules.aritiesIn(believed)
         val base = believed.map { it.functor } + TRUTHS + scene.namesOfJaCaMo + percepts + scene.project.operations
         val isClosed = scene.isClosed && scene.agents.none { it.isArgo } && !scene.isOpen(Role.BELIEVED) && !scene.facts.isOpen(Role.TOLD)
         val names = Names(base)
@@ -29,7 +29,7 @@ internal object BeliefRules : Rule {
         for (mention in READS.flatMap { scene.program.mentions[it] }) {
             val indicator = mention.literal.indicator
             if (indicator in known || indicator in tests || mention.functor in percepts || scene.isKnownElsewhere(mention)) continue
-            val sameName = arities[mention.functor].orEmpty().distinct()
+            val sameName = arities[mention.functor]
             val candidates = when {
                 often[mention.functor] != 1 -> names
                 mention.role == Role.DELETED -> namesOfAll
@@ -38,9 +38,9 @@ internal object BeliefRules : Rule {
             val meant = candidates.near(mention.functor)
             val what = "${mention.functor}/${mention.arity} is ${wordFor(mention.role)} and never believed"
             when {
-                sameName.isNotEmpty() -> report.warning(
+                sameName != null -> report.warning(
                     "belief-arity", mention.span,
-                    "$what: the agent believes ${sameName.sorted().joinToString(" and ") { "${mention.functor}/$it" }}",
+                    "$what: the agent believes ${GoalRules.forms(mention, sameName)}",
                     WHY_READ, "correct the arguments",
                 )
                 meant != null -> report.warning("belief-unknown", mention.span, what, WHY_READ, "did you mean $meant?")

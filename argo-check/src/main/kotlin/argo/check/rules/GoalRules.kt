@@ -83,8 +83,8 @@ internal object GoalRules : Rule {
     /** Goals that many projects get from outside. */
     private val USUAL = setOf("start", "kqml_received")
 
-    private fun aritiesIn(mentions: List<Mention>): Map<String, List<Int>> =
+    fun aritiesIn(mentions: List<Mention>): Map<String, List<Int>> =
         mentions.groupBy({ it.functor }, { it.arity }).mapValues { (_, all) -> all.distinct() }
 
-    private fun forms(mention: Mention, arities: List<Int>) = arities.sorted().joinToString(" and ") { "${mention.functor}/$it" }
+    fun forms(mention: Mention, arities: List<Int>) = arities.sorted().joinToString(" and ") { "${mention.functor}/$it" }
 }

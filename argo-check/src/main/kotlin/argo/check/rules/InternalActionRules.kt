@@ -162,7 +162,7 @@ internal object InternalActionRules : Rule {
     }
 
     private fun isNumber(term: Term): Boolean =
-        term is NumberTerm || term is Operation && term.operators.all { it.text in ARITHMETIC } || term is Prefixed ||
+        term is NumberTerm || term is Operation && term.isArithmetic || term is Prefixed ||
             term is Literal && term.functor in FUNCTIONS
 
     private fun isAtom(term: Term) = term is Literal && term.arity == 0 && !term.isInternal
@@ -184,7 +184,6 @@ internal object InternalActionRules : Rule {
 
     private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
 
-    private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
     private val PLACES = setOf("begin/0", "end/0")
     private const val MAX_TEXT = 40
     private const val RANGE_WITHOUT_STEP = 3

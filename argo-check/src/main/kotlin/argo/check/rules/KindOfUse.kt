@@ -23,7 +23,6 @@ internal class KindOfUse(val variable: String, val kind: Char, val term: Term, v
         private const val STRING = 's'
         private const val ATOM = 'a'
         private val KINDS = setOf(LIST, NUMBER, STRING, ATOM, 'e')
-        private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
 
         /** Returns the uses in [component], a plan or a rule, whose variables are its own. */
         fun within(component: Node): Sequence<KindOfUse> = component.withDescendants().flatMap(::at)
@@ -32,7 +31,7 @@ internal class KindOfUse(val variable: String, val kind: Char, val term: Term, v
             node is Literal && node.isInternal -> argumentsOf(node)
             node is Literal && node.indicator == "source/1" -> listOfNotNull(use(node.arguments.single(), ATOM))
             node is ListTerm -> listOfNotNull(node.tail?.let { use(it, LIST) })
-            node is Operation && node.operators.all { it.text in ARITHMETIC } -> node.operands.mapNotNull { use(it, NUMBER) }
+            node is Operation && node.isArithmetic -> node.operands.mapNotNull { use(it, NUMBER) }
             node is Operation && node.operators.size == 1 ->
                 node.operands.let { (left, right) -> listOfNotNull(compared(left, right, node), compared(right, left, node)) }
             else -> emptyList()

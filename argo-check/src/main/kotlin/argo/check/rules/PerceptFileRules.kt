@@ -4,18 +4,16 @@ import argo.check.findings.Finding
 import argo.check.findings.Level
 import argo.check.findings.Place
 import argo.check.project.Project
-import argo.check.project.ProjectFile
-import argo.check.project.perceptsFile
 import argo.check.syntax.Position
 
 /** Lines in files of percepts that describe no percept, and files that were not read. */
 internal object PerceptFileRules {
-    fun check(project: Project): List<Finding> = project.perceptFiles.flatMap(::lines) + project.leftOut.map { (file, why) ->
+    fun check(project: Project): List<Finding> = lines(project) + project.leftOut.map { (file, why) ->
         Finding("left-out", Level.WARNING, Place(file, Position(1, 1), Position(1, 1)), "this is not checked: $why",
             "its names are not known", "make it a readable file, or smaller")
     }
 
-    private fun lines(file: ProjectFile): List<Finding> = perceptsFile(file).unreadable.map {
-        Finding("percepts-file", Level.ERROR, file.place(it.span), it.reason, "this line is left out", "correct it")
+    private fun lines(project: Project): List<Finding> = project.robot.unreadable.filter { it.file in project.perceptFiles }.map {
+        Finding("percepts-file", Level.ERROR, it.file.place(it.span), it.reason, "this line is left out", "correct it")
     }
 }

@@ -43,12 +43,14 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
 
     /** True if a name may have a meaning outside of the programs: data may become formulas, and other languages may add beliefs. */
     fun isKnownElsewhere(mention: Mention): Boolean =
-        mention.functor in facts.data || mention.functor in unread || mention.functor in project.foreignNames || isSentByOthers(mention) ||
-            mention.functor in OF_JASON || mention.functor in OF_ARGO || mention.functor in OF_JACAMO
+        mention.functor in facts.data || mention.functor in OF_JACAMO || isNamedOutside(mention)
 
     /** Returns true if all texts of the project mention this name once. */
-    fun isSingle(mention: Mention): Boolean = facts.times(mention.functor) == 1 && mention.functor !in unread &&
-        mention.functor !in project.foreignNames && !isSentByOthers(mention) && mention.functor !in OF_JASON && mention.functor !in OF_ARGO
+    fun isSingle(mention: Mention): Boolean = facts.times(mention.functor) == 1 && !isNamedOutside(mention)
+
+    /** Returns true if the name stands in unread text or another language, or others, Jason or ARGO give it a meaning. */
+    private fun isNamedOutside(mention: Mention): Boolean = mention.functor in unread || mention.functor in project.foreignNames ||
+        isSentByOthers(mention) || mention.functor in OF_JASON || mention.functor in OF_ARGO
 
     fun isSentByOthers(mention: Mention): Boolean =
         mention.functor in facts.sentByOthers || mention.literal.indicator in facts.sentByOthers

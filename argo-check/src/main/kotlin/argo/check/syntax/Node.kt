@@ -94,7 +94,14 @@ class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands
 
+    /** True if all operators are those of numbers. */
+    val isArithmetic: Boolean get() = operators.all { it.text in ARITHMETIC }
+
     fun isOf(symbol: String): Boolean = operators.all { it.text == symbol }
+
+    private companion object {
+        val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
+    }
 }
 
 /** An operand behind `not`, `+` or `-`. */

@@ -23,7 +23,7 @@ private fun step(formula: Formula): List<SyntaxError> =
     if (formula.operator == BodyOperator.DO && isConstant(formula.term)) listOf(refusal(formula.term, "no step of a plan")) else emptyList()
 
 private fun operands(operation: Operation, hasFunctions: Boolean): List<SyntaxError> = when {
-    operation.operators.all { it.text in ARITHMETIC } -> numbers(operation.operands, hasFunctions)
+    operation.isArithmetic -> numbers(operation.operands, hasFunctions)
     operation.operators.all { it.text == "&" || it.text == "|" } -> formulas(operation.operands)
     else -> emptyList()
 }
@@ -42,5 +42,4 @@ private fun isConstant(term: Term): Boolean = when (term) {
 
 private fun refusal(term: Term, what: String) = SyntaxError(term.span, "this is $what")
 
-private val ARITHMETIC = setOf("+", "-", "*", "/", "div", "mod", "**")
 private val REGISTRATIONS = setOf("register_function", "include")

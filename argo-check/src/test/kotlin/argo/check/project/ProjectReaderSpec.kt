@@ -76,7 +76,7 @@ class ProjectReaderSpec : FunSpec({
         robot.described.map { "${it.meaning} ${it.file.path.name}:${it.file.lines.position(it.span.start)}" } shouldContainExactly
             listOf("dist(cm 0..9) percepts:1:3", "ready b.ino:1:21")
         robot.registered.map { "${it.meaning} ${it.file.lines.position(it.span.start)}" } shouldContainExactly listOf("go/* 2:18")
-        robot.unreadable.single() shouldContain "percepts: \"Dist\" is no functor"
+        "${robot.unreadable.single()}" shouldContain "percepts: \"Dist\" is no functor"
     }
 
     test("files of percepts are called percepts, or end so") {

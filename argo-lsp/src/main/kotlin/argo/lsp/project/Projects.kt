@@ -50,7 +50,7 @@ internal class Projects(private val texts: OpenTexts, private val tell: (String)
 
     private fun read(file: Path): argo.check.project.Project {
         val found = if (rootOf(file) == null) ProjectReader().programsIn(file.parent) else ProjectReader().projectOf(file)
-        found.robot.unreadable.filter(told::add).forEach(tell)
+        found.robot.unreadable.map { "$it" }.filter(told::add).forEach(tell)
         return found
     }
 
