@@ -104,7 +104,8 @@ internal class BoardPercepts(
                 if (it) {
                     reports.dropBefore(askedNanos)
                     this.message = texts
-                    val old = seenNanos.filter { (text, nanos) -> olderNanos[text] == nanos }.keys + reports.texts
+                    val old = if (session.filter?.smoothing.isNullOrEmpty()) emptySet()
+                    else seenNanos.filter { (text, nanos) -> olderNanos[text] == nanos }.keys + reports.texts
                     olderNanos = seenNanos
                     val times = times(reports.texts, seenNanos, receivedNanos)
                     perceive(port, reports.placedIn(texts), receivedNanos, isMessage = true, old, event, times)

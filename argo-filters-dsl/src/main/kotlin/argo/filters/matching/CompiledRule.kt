@@ -83,10 +83,10 @@ private class CompiledCondition(condition: Condition) {
     /** Notes in [latches] whether it holds for the sensor of the percept from now on. */
     fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) {
         if (argument >= TermBounds.arity(tail)) return
-        val isOn = isMet(text, functorEnd, end, tail, latches)
         val start = TermBounds.argument(text, functorEnd, end, argument)
         val argumentEnd = TermBounds.partEnd(text, start, end, ')')
-        latches.set(latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail)), isOn)
+        val wasOn = latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
+        latches.set(wasOn, tests[0].isMetBy(text, start, argumentEnd) || wasOn && until?.isMetBy(text, start, argumentEnd) == true)
     }
 
     private fun anyAnnotationMeets(text: CharSequence, open: Int, end: Int): Boolean {
