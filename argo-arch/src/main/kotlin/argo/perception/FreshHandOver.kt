@@ -2,7 +2,7 @@ package argo.perception
 
 import argo.filters.CriticalRule
 import jason.asSyntax.Literal
-import java.util.concurrent.ConcurrentLinkedQueue
+import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
@@ -24,9 +24,8 @@ internal class FreshHandOver(
 ) : HandOver {
     private val lock = ReentrantLock()
     private val critical = ArrayDeque<Snapshot>() // snapshots with new critical percepts, in order
-    private val events = ConcurrentLinkedQueue<PerceptEvent>() // changed under the lock only, as their number
+    private val events = LinkedBlockingQueue<PerceptEvent>() // changed under the lock only
     private var last: Snapshot? = null // the last taken snapshot, without its event
-    private var eventCount = 0
     private var lost = 0L
     private var known: Set<Literal> = emptySet() // the critical percepts of the last taken snapshot
     private val earlyRules = HashSet<CriticalRule>() // rules that let a snapshot pass early since the last snapshot in turn
@@ -64,12 +63,10 @@ internal class FreshHandOver(
 
     private fun add(event: PerceptEvent) {
         events += event
-        if (++eventCount <= MAX_EVENTS) return
-        takeEvent()
+        if (events.size <= MAX_EVENTS) return
+        events.poll()
         tellLost(++lost)
     }
-
-    private fun takeEvent(): PerceptEvent? = events.poll()?.also { eventCount-- }
 
     private fun isWaiting() = newest != null || events.isNotEmpty()
 
@@ -108,7 +105,7 @@ internal class FreshHandOver(
 
     private fun takeInTurn(): Snapshot? {
         val state = takeNewest() ?: last?.takeIf { events.isNotEmpty() } ?: return null
-        return takeEvent()?.let(state::with) ?: state
+        return events.poll()?.let(state::with) ?: state
     }
 
     private fun takeNewest(): Snapshot? = newest.also { newest = null }
@@ -117,7 +114,7 @@ internal class FreshHandOver(
 
     override fun drain() = lock.withLock {
         val state = newest ?: critical.lastOrNull() ?: last
-        val inTurn = generateSequence(::takeEvent).mapNotNull { state?.with(it) }.toList().ifEmpty { listOfNotNull(newest) }
+        val inTurn = generateSequence { events.poll() }.mapNotNull { state?.with(it) }.toList().ifEmpty { listOfNotNull(newest) }
         newest = null
         (critical + inTurn).sortedBy { it.receivedNanos }.also { critical.clear() }
     }
@@ -125,7 +122,6 @@ internal class FreshHandOver(
     override fun clear() = lock.withLock {
         critical.clear()
         events.clear()
-        eventCount = 0
         last = null
         earlyRules.clear()
         known = emptySet()
