@@ -237,8 +237,12 @@ data class PerceivedSnapshot(
     val kept: List<String>? = null,
 ) {
     /** The texts that the filter held back. */
-    val heldBack: Set<String> get() = kept?.let { texts - it.map(::withoutSmoothed).toSet() }.orEmpty().toSet()
+    val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
+
+/** Returns those of [texts] that a filter held back, which let [kept] through; null: all. */
+internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
+    kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 
 /** The outcome of a command. */
 @Serializable

@@ -1,7 +1,7 @@
 package argo.recording.why
 
-import argo.filters.matching.withoutSmoothed
 import argo.platform.Plans
+import argo.recording.heldBack
 import argo.recording.replay.normal
 import jason.asSemantics.Event
 import jason.asSemantics.Unifier
@@ -62,8 +62,7 @@ internal class Unchosen(private val question: Question, private val ruleOf: (por
     /** Notes the percepts that the filter has dropped from [frames], the newest frames. */
     fun perceived(frames: Collection<Frame>) {
         for (frame in frames) {
-            val kept = frame.kept?.mapTo(HashSet(), ::withoutSmoothed) ?: continue
-            for (text in frame.texts) if (text !in kept) dropped[functorOf(text)] = Missed(text, frame)
+            for (text in heldBack(frame.texts, frame.kept)) dropped[functorOf(text)] = Missed(text, frame)
         }
     }
 
