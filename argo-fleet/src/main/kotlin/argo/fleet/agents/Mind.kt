@@ -11,6 +11,11 @@ import jason.asSyntax.Rule
 import jason.bb.BeliefBase
 import java.util.logging.Logger
 
+private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector")
+
+/** Returns true if [belief] comes from the program: no mind contains it, and it stays when a mind is restored. */
+private fun isOfProgram(belief: Literal) = belief is Rule || belief.hasAnnot(HIDDEN)
+
 /**
  * What an agent believes and wants, as AgentSpeak: each a literal. Percepts, rules and plans are not among them: they come from the world
  * and from the program. Of each intention the goal is kept that it began with; intentions that no goal has begun are not kept.
@@ -20,8 +25,6 @@ internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
     fun program(): String = (beliefs.map { "$it." } + goals.map { "!$it." }).joinToString("\n")
 
     companion object {
-        private val HIDDEN = ASSyntax.createAtom("hide_in_mind_inspector")
-
         /** Returns the mind of the agent of [ts]. Called by its thread. [leftOut] gets what no text can hold, each with the reason. */
         fun of(ts: TransitionSystem, leftOut: (String) -> Unit): Mind {
             fun text(literal: Literal): String? = try {
@@ -34,7 +37,7 @@ internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
         }
 
         private fun kept(agent: Agent): List<Literal> =
-            agent.bb.filterNot { it is Rule || it.hasAnnot(HIDDEN) || it.annots?.any { source -> source == BeliefBase.TPercept } == true }
+            agent.bb.filterNot { isOfProgram(it) || it.annots?.any { source -> source == BeliefBase.TPercept } == true }
 
         private fun goals(ts: TransitionSystem): List<Literal> {
             val waiting = ts.c.events.filter { it.intention == null || it.intention === Intention.EmptyInt }
@@ -58,7 +61,7 @@ internal data class Mind(val beliefs: List<String>, val goals: List<String>) {
 internal fun restore(ts: TransitionSystem, program: String, log: Logger) {
     val lines = program.lines().filter { it.isNotEmpty() }.map { it.removeSuffix(".") }
     val bb = ts.ag.bb
-    val own = bb.filter { it is Rule || it.hasAnnot(ASSyntax.createAtom("hide_in_mind_inspector")) }
+    val own = bb.filter(::isOfProgram)
     bb.clear()
     own.forEach(bb::add)
     ts.c.clearEvents()

@@ -64,6 +64,14 @@ internal class Fleet(
     /** Sends [message] to another [computer]; completes or fails as [Cluster.send] does. */
     fun send(computer: String, message: FleetMessage): CompletionStage<Void> = cluster.send(computer, message.encode())
 
+    /** Sends [message] to all other computers in touch; each send completes or fails as [Cluster.send] does. */
+    fun sendOthers(message: FleetMessage): Map<String, CompletionStage<Void>> {
+        val others = directory.inTouch - here
+        if (others.isEmpty()) return emptyMap()
+        val bytes = message.encode()
+        return others.associateWith { cluster.send(it, bytes) }
+    }
+
     /** An agent of this computer has begun. */
     fun came(agent: String) = tell(RosterNews(came = setOf(agent)))
 
@@ -80,8 +88,8 @@ internal class Fleet(
      * Tells all computers in touch to stop. Completes when each has been told, or is lost, or two seconds are over.
      */
     fun stopOthers(wanted: Stop): CompletionStage<Void> {
-        val told = (directory.inTouch - here).map { computer ->
-            send(computer, wanted).handle { _, lost ->
+        val told = sendOthers(wanted).map { (computer, end) ->
+            end.handle { _, lost ->
                 if (lost != null) log.warning("$computer has not been told to stop: ${lost.message}")
             }.toCompletableFuture()
         }
@@ -92,18 +100,19 @@ internal class Fleet(
 
     private fun tell(news: RosterNews) = synchronized(this) {
         change { it.with(here, news) }
-        (directory.inTouch - here).forEach { sendRoster(it, news) }
+        sendOthers(news).forEach { (computer, end) -> repeatIfLost(computer, end) }
     }
 
     private fun tellAll(computer: String, asksBack: Boolean = false) = synchronized(this) {
         if (computer !in directory.inTouch) return@synchronized
         val mine = directory.roster(here)
-        sendRoster(computer, RosterNews(isWhole = true, came = mine.agents, offered = mine.offers, asksBack = asksBack))
+        val whole = RosterNews(isWhole = true, came = mine.agents, offered = mine.offers, asksBack = asksBack)
+        repeatIfLost(computer, send(computer, whole))
     }
 
-    /** Sends [news]. If they do not arrive although [computer] stays in touch, it is told everything anew a little later. */
-    private fun sendRoster(computer: String, news: RosterNews) {
-        send(computer, news).exceptionally { failed ->
+    /** If the news with this [end] do not arrive although [computer] stays in touch, it is told everything anew a little later. */
+    private fun repeatIfLost(computer: String, end: CompletionStage<Void>) {
+        end.exceptionally { failed ->
             if (computer in directory.inTouch && failed.reason() !is Refused) {
                 CompletableFuture.delayedExecutor(RETRY_MS, TimeUnit.MILLISECONDS).execute { tellAll(computer) }
             }

@@ -83,8 +83,8 @@ internal class Leases(
      */
     fun keep(mind: MindNews) {
         synchronized(this) { held(mind.agent).take(mind) }
-        (fleet.directory.inTouch - fleet.here).forEach { computer ->
-            fleet.send(computer, mind).exceptionally { failed ->
+        fleet.sendOthers(mind).forEach { (computer, end) ->
+            end.exceptionally { failed ->
                 log.warning("$computer has not got what ${mind.agent} believes: ${failed.message}")
                 null
             }
@@ -153,7 +153,7 @@ internal class Leases(
         private fun claim() {
             val claim = lease.claim(agent).copy(mindTerm = mind?.term ?: 0, mindNumber = mind?.number ?: 0)
             lease.take(fleet.here, lease.answer(fleet.here, claim))
-            (fleet.directory.inTouch - fleet.here).forEach { fleet.send(it, claim) }
+            fleet.sendOthers(claim)
         }
     }
 
