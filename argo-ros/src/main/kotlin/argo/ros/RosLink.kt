@@ -73,6 +73,7 @@ internal class RosLink private constructor(
     private val commands = Commands(port, mapping.commands, types, graph, clock, ::send, warn, ::progress)
 
     // guarded by lock, as all below
+    private val poses = mapping.poses.distinctBy { it.topic } // several rules may be about one pose
     private val topics = TopicMessages(mapping.percepts + mapping.feedback, types::of) { warn("${mapping.source}: $it") }
     private val perceived = mapping.percepts.map { it.topic }.toSet()
     private val frames = FrameTree(mapping.poses.mapNotNull { it.frames }) { warn("${mapping.source}: $it") }
@@ -131,7 +132,7 @@ internal class RosLink private constructor(
     /** Takes the transforms in [message] of [topic], and the poses that follow from them. */
     private fun moved(message: JsonObject, topic: String, nowNanos: Long) {
         frames.add(message, topic == Frames.STATIC, nowNanos) { stamp -> time.trueAt(topic, stamp, nowNanos) }
-        for (rule in mapping.poses.distinctBy { it.topic }) {
+        for (rule in poses) {
             val pose = frames.pose(checkNotNull(rule.frames), nowNanos) ?: continue
             topics.add(rule.topic, pose.json, pose.trueNanos, nowNanos)
         }

@@ -1,6 +1,7 @@
 package argo.ros.bridge
 
 import argo.ros.mapping.Frames
+import argo.ros.mapping.headingOf
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
@@ -107,7 +108,7 @@ internal class Transform private constructor(private val move: List<Double>, pri
         get() {
             val rotation = JsonObject(AXES.zip(q.map { JsonPrimitive(it) }).toMap())
             val (x, y, z, w) = q
-            val yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+            val yaw = headingOf(x, y, z, w)
             val place = AXES.zip(move.map { JsonPrimitive(it) })
             return JsonObject(place.toMap() + mapOf("yaw" to JsonPrimitive(yaw), "rotation" to rotation))
         }

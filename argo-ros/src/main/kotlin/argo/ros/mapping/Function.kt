@@ -65,8 +65,11 @@ private fun Value.list() = (this as? Value.Part)?.json as? JsonArray
 private fun yawOf(quaternion: Value): Value? {
     val scope = (quaternion as? Value.Part)?.json?.let(::MessageScope) ?: return null
     val (x, y, z, w) = listOf("x", "y", "z", "w").map { scope.valueOf(listOf(Step.Name(it))).number() ?: return null }
-    return Value.of(Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
+    return Value.of(headingOf(x, y, z, w))
 }
+
+/** Returns the heading of a unit quaternion in rad, counter-clockwise from the x axis. */
+internal fun headingOf(x: Double, y: Double, z: Double, w: Double): Double = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 
 /** Returns true if [one] is [other] with two letters in the other order, or with one letter wrong, missing or too many. */
 internal fun isNear(one: String, other: String): Boolean {
