@@ -56,7 +56,6 @@ def main():
         carried.clear()
         for field in (board.line.sent, said):
             sys.stdout.buffer.write(struct.pack("<H", len(field)) + field)
-        sys.stdout.buffer.flush()
         board.line.sent = b""
 
 
