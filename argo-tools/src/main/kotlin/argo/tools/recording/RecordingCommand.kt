@@ -1,7 +1,10 @@
 package argo.tools.recording
 
+import argo.mcap.McapChannel
+import argo.mcap.McapException
 import argo.mcap.McapMessage
 import argo.mcap.McapReader
+import argo.mcap.RosMessages
 import argo.tools.command.DataCommand
 import argo.tools.command.ExitStatus
 import argo.tools.command.ToolException
@@ -23,12 +26,13 @@ import java.nio.file.Path
 @Command(
     name = "recording",
     description = [
-        "Shows what a recording in the MCAP format (FILE.mcap) holds, with --messages each message, with --file a file inside.",
+        "Shows what a recording in the MCAP format (FILE.mcap) holds, or a bag of ROS 2 in that format: with --messages each message, " +
+            "with --file a file inside.",
         "Of a recording that was cut off or is damaged it shows the whole parts; then the exit status is 1.",
     ],
 )
 internal class RecordingCommand : DataCommand() {
-    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording in the MCAP format"])
+    @Parameters(index = "0", paramLabel = "FILE", description = ["a recording or a bag in the MCAP format"])
     private lateinit var file: Path
 
     @Option(names = ["--messages"], description = ["prints the messages in their order, with their seconds since the first one"])
@@ -58,8 +62,9 @@ internal class RecordingCommand : DataCommand() {
                 json -> out.println(RecordingContents(recording).json())
                 else -> RecordingContents(recording).lines("$file").forEach { out.println(printable(it)) }
             }
-            recording.problems.forEach { err.println("$file: ${printable(it)}") }
-            if (recording.isComplete) ExitStatus.DONE else ExitStatus.FAILED
+            val problems = recording.problems + unread
+            problems.forEach { err.println("$file: ${printable(it)}") }
+            if (problems.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
         }
     }
 
@@ -85,20 +90,38 @@ internal class RecordingCommand : DataCommand() {
         if (printed == 0) err.println("$file has no such message in that time")
     }
 
+    private val unread = LinkedHashSet<String>()
+    private val bag = HashMap<Int, RosMessages?>() // the types of ROS 2, by channel; null: it is another's, or cannot be read
+
+    /** Returns [message] as text; one of ROS 2 in JSON. */
+    private fun textOf(message: McapMessage): String = bag.getOrPut(message.channel.id) { typeOf(message.channel) }?.let { type ->
+        try {
+            "${type.read(message.data)}"
+        } catch (unreadable: McapException) {
+            "(${message.data.size} bytes)".also { unread += "messages of ${message.channel.topic} are left out: ${unreadable.message}" }
+        }
+    } ?: message.text
+
+    private fun typeOf(channel: McapChannel): RosMessages? = try {
+        RosMessages.of(channel)
+    } catch (unreadable: McapException) {
+        null.also { unread += "messages of ${channel.topic} are shown as they are: ${unreadable.message}" }
+    }
+
     private fun print(message: McapMessage, start: Long) {
         val seconds = secondsIn(message.logTimeNs - start)
         if (json) {
             val members = arrayOf("topic" to message.channel.topic, "seconds" to seconds, "ns" to message.logTimeNs)
-            out.println(jsonOf(*members, "message" to parsed(message)))
+            out.println(jsonOf(*members, "message" to parsed(textOf(message))))
         } else {
-            out.println("%9.3f s  %s  %s".format(seconds, printable(message.channel.topic), printable(message.text)))
+            out.println("%9.3f s  %s  %s".format(seconds, printable(message.channel.topic), printable(textOf(message))))
         }
     }
 
-    private fun parsed(message: McapMessage): JsonElement = try {
-        Json.parseToJsonElement(message.text)
+    private fun parsed(text: String): JsonElement = try {
+        Json.parseToJsonElement(text)
     } catch (_: SerializationException) {
-        JsonPrimitive(message.text) // another program's recording may contain other formats
+        JsonPrimitive(text) // another program's recording may contain other formats
     }
 
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {
