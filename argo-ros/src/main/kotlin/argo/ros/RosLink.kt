@@ -1,5 +1,6 @@
 package argo.ros
 
+import argo.links.Answer
 import argo.links.BoardLink
 import argo.links.BoardMessage
 import argo.links.SentCommand
@@ -246,9 +247,9 @@ internal class RosLink private constructor(
 
     override fun send(text: String, options: SendOptions): SentCommand = commands.send(text, options)
 
-    override fun sendAndAwait(text: String, options: SendOptions) {
+    override fun sendAndAwait(text: String, options: SendOptions): Answer? {
         try {
-            send(text, options).outcome.get()
+            return send(text, options).outcome.get() as? Answer
         } catch (failed: ExecutionException) {
             throw failed.cause ?: failed
         } catch (_: InterruptedException) {

@@ -42,6 +42,18 @@ class AnswersSpec : FunSpec({
         }
     }
 
+    test("an answer is had with argo_sensing=in_cycle too") {
+        val program = """!start. +!start <- argo.port("$PORT"); .wait(100); argo.act(add(1,2), [answer(S)]); +sum(S)."""
+        agentOf(program) {
+            board(PORT).playsItsMapping()
+            options("argo_sensing" to "in_cycle")
+        }.use {
+            it.shouldBelieve("port(\"$PORT\",on)")
+            it.board.publishes("/add", """{"sum": 3}""")
+            it.shouldBelieve("sum(3)")
+        }
+    }
+
     context("an answer that cannot be had fails the plan with the reason:") {
         listOf(
             Triple("argo.act(go, [answer(R)])", "no_answer", "has no answer to \"go\", which was not sent"),
