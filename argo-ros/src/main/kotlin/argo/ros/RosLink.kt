@@ -322,6 +322,7 @@ internal class RosLink private constructor(
         commands.announcements().forEach { send(Outgoing(it)) }
         time.ask()
         graph.check()
+        mapping.doubts.forEach(warn)
         try {
             types.check(CHECKING_MS)
         } catch (_: InterruptedException) {

@@ -149,6 +149,31 @@ class AnswersSpec : FunSpec({
         }
     }
 
+    context("the goal of an intention goes on or is cancelled:") {
+        listOf("drop_desire(go)" to 1, "fail_goal(go)" to 1, "suspend(go)" to 0).forEach { (action, cancelled) ->
+            test(action) {
+                val program = """
+                    !start.
+                    +!start <- argo.port("BRIDGE#answers"); argo.percepts(open); argo.limit(20); !go.
+                    +!go <- argo.act(turn(1)).
+                    +count(1) <- .$action; +done.
+                """
+                TestBridge().use { bridge ->
+                    Mas(program.replace("BRIDGE", bridge.port)).use { mas ->
+                        eventually(LIMIT) { bridge.heard("send_action_goal").size shouldBe 1 }
+                        eventually(LIMIT) {
+                            bridge.publish("/count", """{"data": 1}""")
+                            ("done" in mas.beliefs()) shouldBe true
+                        }
+                        bridge.publish("/count", """{"data": 2}""") // behind it, a cancellation would have come
+                        mas.awaitBelief("count(2)")
+                        bridge.heard("cancel_action_goal").size shouldBe cancelled
+                    }
+                }
+            }
+        }
+    }
+
     test("a port that is closed cancels the goals that are under way") {
         TestBridge().use { bridge ->
             val mapping = mappingOf("commands:\n  - dock -> action /dock my_msgs/DockAction\n  - turn -> action /turn a/action/Turn", "t")

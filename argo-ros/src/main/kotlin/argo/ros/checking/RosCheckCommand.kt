@@ -72,7 +72,7 @@ internal class RosCheckCommand : ToolCommand() {
             return ExitStatus.FAILED
         }
         out.println("$file: ${counted(mapping.percepts.size, "percept")}, ${counted(mapping.commands.size, "command")}")
-        address?.let { check(mapping, it) }
+        address?.let { check(mapping, it) } ?: synchronized(found) { found += mapping.doubts }
         synchronized(found) { found.forEach { err.println(it) } }
         return if (found.isEmpty()) ExitStatus.DONE else ExitStatus.FAILED
     }
