@@ -36,6 +36,12 @@ internal class Facts(val project: Project) {
         agentNames != null && project.leftOut.isEmpty() && project.masFiles.all { mas -> mas.environment?.let(::isInProject) ?: true }
     }
 
+    /** The arguments of goals and rules that need a value. */
+    val inputs: Inputs by lazy {
+        val believed = mentions(Role.BELIEVED, Role.TOLD).groupingBy { it.literal.indicator }.eachCount()
+        Inputs(project.programs.values.flatMap { it.program.components.flatMap(::clauses) }, believed)
+    }
+
     val arguments: Arguments by lazy { Arguments(project.programs.values) }
 
     /** Returns the mentions in [roles] by all agents of the project. */

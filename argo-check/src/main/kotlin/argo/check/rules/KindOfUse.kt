@@ -44,6 +44,8 @@ internal class KindOfUse(val variable: String, val kind: Char, val term: Term, v
 
         private fun compared(term: Term, with: Term, comparison: Operation): KindOfUse? = when (with) {
             is NumberTerm -> use(term, NUMBER)
+            is Operation -> if (with.isArithmetic) use(term, NUMBER) else null
+            is Literal -> if (with.functor in InternalAction.FUNCTIONS) use(term, NUMBER) else null
             is ListTerm -> if (comparison.isOf("=")) use(term, LIST) else null
             is StringTerm -> if (comparison.isOf("=")) use(term, STRING) else null
             else -> null
