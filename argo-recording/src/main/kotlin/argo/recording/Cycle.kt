@@ -240,7 +240,7 @@ data class PerceivedSnapshot(
     val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
 
-/** Returns those of [texts] that a filter held back, which let [kept] through; null: all. */
+/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: all. */
 internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
     kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 

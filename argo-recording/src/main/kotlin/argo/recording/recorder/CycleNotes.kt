@@ -42,10 +42,7 @@ internal class CycleNotes(val ns: Long) {
 
     var underWay: CallNote? = null
 
-    /**
-     * True if the cycle begins with work from earlier cycles. Only this field shows such a cycle if the work merely removes an ended
-     * intention.
-     */
+    /** True if the cycle begins with work from earlier cycles. Only this field shows the work if it merely removes an ended intention. */
     var isAtWork = false
 
     var isSending = false
@@ -79,7 +76,7 @@ internal class PerceptNote(private val keep: Int, private val now: List<Literal>
     fun change() = PerceptChange(keep, texts(), keepLast)
 }
 
-/** A recorded cycle. The thread that stores it makes its texts. Immutable. */
+/** A recorded cycle. The thread that stores the cycle makes its texts. Immutable. */
 internal class CycleNote(
     val index: Long,
     val number: Int,
@@ -109,7 +106,7 @@ internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Bo
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Adds another answer to the call. Returns false and ignores the answer if a loop finds it in a later cycle. */
+    /** Adds another answer to the call. If a loop finds the answer in a later cycle, ignores it and returns false. */
     fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
 
     fun sent(command: IssuedCommand) {
