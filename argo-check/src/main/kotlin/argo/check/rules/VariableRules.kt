@@ -44,7 +44,7 @@ internal object VariableRules : Rule {
         }
     }
 
-    /** Returns the variables that an internal action reads where they occur for the first time, with that action. */
+    /** Returns the variables that first occur as an argument that an internal action reads, with that action. */
     private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
         val first = variables.distinctBy { it.name.text }.toSet()
         val calls = scope.withDescendants().filterIsInstance<Literal>().filter { it.isInternal }
