@@ -92,7 +92,7 @@ internal data class PortState(
  *
  * @property frameAgeMs the age of the newest message; null: no message has come
  * @property handedOverAgeMs the time since the agent last perceived a message; null: it has perceived none
- * @property delayMs the age of that message at its perception
+ * @property delayMs the age of the last perceived message at its perception
  * @property more the number of percepts left out of [percepts]
  * @property moreCourses the number of sensors with numbers but without a shown course
  */

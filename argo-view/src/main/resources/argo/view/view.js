@@ -3,7 +3,7 @@
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
-let state = null;          // the newest one
+let state = null;          // the newest state
 let receivedAt = 0;        // when the newest state came
 let source = null;
 let connection = 'connecting';
@@ -11,7 +11,7 @@ let frozen = null;         // shown instead of the newest state while the page i
 let courses = {};          // numbers of sensors in the last minute, by the sensors' keys
 let filters = null;        // the names of all filters
 let waits = false;         // true while a pressed button has no answer yet
-const explained = new Map(); // by a percept's key: its text and filter when the page asked, and why it was kept or dropped
+const explained = new Map(); // by a percept's key: why it was kept or dropped, with its text and filter when the page asked
 
 // --- words ---
 

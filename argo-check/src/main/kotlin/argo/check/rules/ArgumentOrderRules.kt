@@ -4,7 +4,7 @@ import argo.check.findings.Level
 import argo.check.syntax.Belief
 import argo.check.syntax.Literal
 
-/** Neighbouring arguments that stand the other way round wherever else the project has this literal, or these two variables. */
+/** Finds neighbouring arguments whose order is the reverse elsewhere in the project, in the same literal or of the same variables. */
 internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val arguments = scene.facts.arguments
@@ -23,7 +23,7 @@ internal object ArgumentOrderRules : Rule {
         return true
     }
 
-    /** Tells of two variables that hardly ever stand side by side in this order elsewhere, and in the other one in several plans. */
+    /** Reports two neighbouring variables that elsewhere hardly ever stand in this order, but in the reverse order in several plans. */
     private fun ofVariables(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report) {
         val own = inside.flatMap { it.neighbours }.toSet()
         for ((first, second) in literal.neighbours) {
@@ -41,7 +41,7 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** Returns how many plans speak for an order that people keep everywhere: X and Y, I and J, X1 and X2. */
+    /** Some orders are usual everywhere: X and Y, I and J, X1 and X2. Returns the number of plans for which a usual order counts. */
     private fun usual(first: String, second: String): Int {
         val at = first.indices.filter { first[it] != second.getOrNull(it) }.singleOrNull()
         return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0
@@ -62,7 +62,7 @@ internal object ArgumentOrderRules : Rule {
     private fun isOfHead(literal: OpenLiteral) =
         ((literal.component as? Belief)?.head as? Literal)?.indicator == literal.mention.literal.indicator
 
-    /** Returns true if the plan has the literal with these variables the other way round too. */
+    /** Returns true if the plan also has the literal with these variables in the reverse order. */
     private fun isBothWays(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>): Boolean {
         val (first, second) = literal.arguments.drop(index)
         return first.isVariable && second.isVariable && inside.any { other ->
@@ -97,8 +97,8 @@ internal object ArgumentOrderRules : Rule {
     }
 
     /**
-     * How much speaks for [argument], one of the column [here], being in the column [there], which has [neighbour]; negative: it is in its
-     * place.
+     * Returns how strongly the other literals suggest that [argument] of the column [here] belongs in the column [there], where [neighbour]
+     * is. Negative: [argument] is in its place.
      */
     private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
         val sign = argument.sign ?: return 0
@@ -124,6 +124,6 @@ internal object ArgumentOrderRules : Rule {
     private const val ALIKE = 1
     private const val ENOUGH = 2
 
-    /** So many other plans make an order the usual one. */
+    /** This number of other plans makes an order the usual one. */
     private const val MIN_PLANS = 2
 }

@@ -17,8 +17,8 @@ import argo.check.syntax.Variable
 /**
  * An argument of a literal.
  *
- * @property sign the argument in one word; null: it says nothing
- * @property kind what it is, as `number`; null: not known
+ * @property sign the argument in one word; null: it has none
+ * @property kind the argument's kind, such as `number`; null: not known
  */
 internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     val isVariable: Boolean = term is Variable
@@ -61,7 +61,7 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     }
 }
 
-/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief it is in. */
+/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief that contains it. */
 internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
     val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
 
@@ -91,7 +91,7 @@ internal class Column {
         argument.kind?.let { kinds.merge(it, 1, Int::plus) }
     }
 
-    /** Returns how many other arguments than [own], which is one of this column, have [sign]. */
+    /** Returns how many arguments of this column other than [own] have [sign]. */
     fun signsLike(sign: String, own: Argument): Int = signs.getOrDefault(sign, 0) - if (own.sign == sign) 1 else 0
 
     /** Returns how many arguments are atoms numbered like [stem]. */
@@ -126,7 +126,7 @@ internal class Arguments(programs: Collection<AgentProgram>) {
     fun columnsOf(literal: OpenLiteral): List<Column> =
         columns.getOrPut(literal.mention.literal.indicator) { List(literal.arguments.size) { Column() } }
 
-    /** Returns in how many plans, rules and beliefs variables stand side by side as in [pair]. */
+    /** Returns the number of plans, rules and beliefs in which the variables of [pair] are neighbours in this order. */
     fun often(pair: Pair<String, String>): Int = pairs.getOrDefault(pair, 0)
 
     private fun literalsIn(program: AgentProgram): List<List<OpenLiteral>> = program.program.components.map { component ->

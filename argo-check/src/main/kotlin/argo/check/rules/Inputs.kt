@@ -26,7 +26,9 @@ internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
             .mapNotNull { plan -> (plan.trigger.term as? Literal)?.let { it to plan.context } },
     ) { true }
 
-    private val ofRules = common(clauses.filterIsInstance<Belief>().mapNotNull { rule -> (rule.head as? Literal)?.let { it to rule.condition } }) {
+    private val ofRules = common(
+        clauses.filterIsInstance<Belief>().mapNotNull { rule -> (rule.head as? Literal)?.let { it to rule.condition } },
+    ) {
         it.size == believed[it.first().first.indicator] && it.any { (_, condition) -> condition != null }
     }
 

@@ -96,7 +96,7 @@ internal object InternalActionRules : Rule {
 
     private fun isTypeName(text: String) = '.' in text || text.firstOrNull()?.isUpperCase() == true
 
-    /** Numbers in the wrong order make a range that has none. */
+    /** Reports a `.range` without numbers, since it begins above its end. */
     private fun emptyRange(call: Mention, report: Report) {
         if (call.functor != ".range" || call.arity != RANGE_WITHOUT_STEP) return
         val (from, to) = call.literal.arguments.drop(1).map { it as? NumberTerm ?: return }

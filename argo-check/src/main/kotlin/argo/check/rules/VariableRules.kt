@@ -36,12 +36,13 @@ internal object VariableRules : Rule {
         }
     }
 
-    /** Returns the variables that an internal action reads where they occur for the first time, with that action. */
+    /** Returns the variables that first occur as an argument that an internal action reads, with that action. */
     private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
         val first = variables.distinctBy { it.name.text }.toSet()
         return scope.withDescendants().filterIsInstance<Literal>().flatMap { call ->
             val inputs = InternalAction.of(call)?.inputs.orEmpty()
-            call.arguments.filterIndexed { index, _ -> index in inputs }.flatMap(::members).filter { it in first }.map { it as Variable to call }
+            call.arguments.filterIndexed { index, _ -> index in inputs }.flatMap(::members).filter { it in first }
+                .map { it as Variable to call }
         }.toMap()
     }
 

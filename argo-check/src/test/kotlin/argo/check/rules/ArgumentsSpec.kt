@@ -20,7 +20,8 @@ class ArgumentsSpec : FunSpec({
                 "bind it before, or correct the order of the arguments",
         )
         found("$fib!f(A,N-1); F = A.\n+!f(_,_).").shouldBeEmpty()
-        found("!p. +!p : o(O) & near(1,V,O) <- .print(V). o([1]).\nnear(P,[H|_],H) :- P <= H.\nnear(_,[H],H).", "variable-un") shouldContainExactly
+        val near = "o([1]).\nnear(P,[H|_],H) :- P <= H.\nnear(_,[H],H)."
+        found("!p. +!p : o(O) & near(1,V,O) <- .print(V). $near", "variable-un") shouldContainExactly
             listOf("1:25 variable-unbound: V has no value yet, and argument 2 of near/3 needs one; " +
                 "bind it before, or correct the order of the arguments")
         found("!p. +!p <- +far(4); ?far(V); .print(V).\nfar(X) :- X > 3.").shouldBeEmpty()
@@ -56,11 +57,12 @@ class ArgumentsSpec : FunSpec({
         found("!m. +!m <- makeArtifact(\"c\",\"ex.Counter\",[],Id); lookupArtifact(\"c\",Id).", "internal").shouldBeEmpty()
         found("!m. +!m <- makeArtifact(\"table\",\"table\").", "internal").shouldBeEmpty()
         found("!m. +!m <- makeArtifact(\"ex.Counter\",\"c\",[],Id); .print(Id).", "internal") shouldContainExactly listOf(
-            "1:25 internal-action-arguments: argument 2 of makeArtifact is the name of a Java class, and \"ex.Counter\" looks like one, not " +
-                "\"c\"; correct the order of the arguments",
+            "1:25 internal-action-arguments: argument 2 of makeArtifact is the name of a Java class, and \"ex.Counter\" looks like one, " +
+                "not \"c\"; correct the order of the arguments",
         )
         found("!m(\"c\"). +!m(C) <- lookupArtifact(Id,C); .print(Id).", "variable-un") shouldContainExactly listOf(
-            "1:35 variable-unbound: Id has no value yet, and lookupArtifact needs one; bind it before, or correct the order of the arguments",
+            "1:35 variable-unbound: Id has no value yet, and lookupArtifact needs one; " +
+                "bind it before, or correct the order of the arguments",
         )
     }
 
