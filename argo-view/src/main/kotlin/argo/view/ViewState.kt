@@ -142,9 +142,10 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
  * A belief, or a rule.
  *
  * @property sources `percept`, `self` or agents
+ * @property whole the belief with its sources, for a person who has the agent forget it; null: a percept, a rule, or too long
  */
 @Serializable
-internal data class Belief(val text: String, val sources: List<String>)
+internal data class Belief(val text: String, val sources: List<String>, val whole: String?)
 
 /** The agent's intentions; [total] also counts those that [intentions] leaves out. */
 @Serializable
