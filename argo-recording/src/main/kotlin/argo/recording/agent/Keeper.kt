@@ -34,13 +34,14 @@ internal interface Keeper {
             if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
-        /** Does [work] with [keeper] as the [current] one, before the agent's cycle has begun. */
+        /** Does [work] with [keeper] as the [current] one, before the agent senses in a cycle. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
+            val around = current
             current = keeper
             try {
                 return work()
             } finally {
-                current = null
+                current = around
             }
         }
     }

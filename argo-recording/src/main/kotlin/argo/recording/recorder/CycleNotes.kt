@@ -6,6 +6,7 @@ import argo.recording.CallFailure
 import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.FilterChange
+import argo.recording.GivenOrder
 import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
@@ -35,6 +36,7 @@ internal class CycleNotes(val ns: Long) {
     val calls = ArrayList<CallNote>()
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
+    var orders: List<GivenOrder> = emptyList()
 
     /** The reason why no replay can have this cycle; null: none is known. */
     var refusal: Refusal? = null
@@ -58,12 +60,12 @@ internal class CycleNotes(val ns: Long) {
     fun end() = calls.forEach(CallNote::end)
 
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty() && !isChangedOutside && refusal == null
+        filters.isEmpty() && orders.isEmpty() && !isChangedOutside && refusal == null
 
     /** Returns the agent's input. Call this after the cycle. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
-        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders,
     )
 }
 

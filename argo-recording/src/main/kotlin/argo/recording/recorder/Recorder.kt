@@ -5,6 +5,7 @@ import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.hand.Order
 import argo.insides.Insides
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
@@ -37,6 +38,7 @@ import argo.recording.agent.callFailure
 import argo.recording.agent.complete
 import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
+import argo.recording.agent.given
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
 import argo.recording.agent.triggerText
@@ -224,6 +226,14 @@ internal class Recorder(
             it.code.included()
         }
         return live()
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
+        val agent = current() ?: return live().forEach(carryOut)
+        val orders = live()
+        if (orders.isEmpty()) return
+        agent.now.orders += orders.map(::given)
+        Keeper.within(this) { orders.forEach(carryOut) }
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->

@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Perception
+import argo.hand.Order
 import argo.observing.CommandFailure
 import argo.recording.Call
 import argo.recording.Course
@@ -24,6 +25,7 @@ import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
+import argo.recording.agent.orderOf
 import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
 import jason.JasonException
@@ -106,6 +108,11 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         guarded(ts) { code.apply { watchAdded() } }
         Keeper.within(this) { answers.carryOut(cycle) }
         Keeper.begin(this, ts)
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
+        if (cycle.input.orders.isEmpty()) return
+        Keeper.within(this) { cycle.input.orders.map(::orderOf).forEach(carryOut) }
     }
 
     override fun perceive(live: () -> Perception): Perception {
