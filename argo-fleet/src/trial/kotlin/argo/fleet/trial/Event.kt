@@ -14,7 +14,7 @@ enum class Kind {
     /** A new view: the names of its computers. */
     VIEWED,
 
-    /** An agent that outlives its computer begins or ends to run here: the agent's name. */
+    /** An agent that outlives its computer begins to run here, or stops: the agent's name. */
     BEGAN, ENDED,
 
     /** All messages have ended, and nothing follows; or somebody else has noted that the program was killed. */
