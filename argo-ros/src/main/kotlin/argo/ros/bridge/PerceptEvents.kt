@@ -24,7 +24,7 @@ internal class PerceptEvents(private val warn: (String) -> Unit) {
         if ((++lost).countOneBits() == 1) warn("$lost events of $topic and others are lost, since more than $MAX_EVENTS waited")
     }
 
-    /** Takes the next event; null: there is none, or it equals the last one, so that a message without it must come between them. */
+    /** Takes the next event; null: none. Between two equal events one call returns null, so that both events count. */
     fun next(): Percept? {
         val next = waiting.firstOrNull()?.takeIf { it.text != last }
         last = next?.text

@@ -141,7 +141,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** The most reasons reported for each rule. A message's numbers in them could make many. */
+        /** The most reasons reported for each rule. Reasons contain values of messages, so there could be any number. */
         const val MAX_TOLD = 3
     }
 }
