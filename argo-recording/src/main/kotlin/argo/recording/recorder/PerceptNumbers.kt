@@ -4,10 +4,12 @@ import argo.filters.GroundTerm
 import argo.recording.PerceivedSnapshot
 import argo.recording.storage.Encoded
 import argo.recording.storage.RecordChannel
+import java.util.concurrent.TimeUnit
 
 /**
  * Makes messages of the numbers in percepts, for programs that plot: `dist(front,38)` of the agent `driver` is `{"value":38}` in the topic
- * `/driver/percept/dist/front`, when it changes. For the thread that stores records.
+ * `/driver/percept/dist/front`, when it changes. Of several changes within [LEAST_NS] the last one counts. For the thread that stores
+ * records.
  *
  * @param channel returns the channel of a topic for a schema with a name
  * @param warn takes a sentence if there are more than [MAX_CHANNELS] topics
@@ -17,46 +19,56 @@ internal class PerceptNumbers(
     private val channel: (topic: String, schemaName: String, jsonSchema: String) -> RecordChannel,
     private val warn: (String) -> Unit,
 ) {
-    private class Course(val channel: RecordChannel, var last: String? = null)
+    private class Course(val channel: RecordChannel) {
+        var text = "" // the newest numbers
+        var storedNs: Long? = null // the time of the newest message
+    }
 
     private val courses = HashMap<String, Course>()
+    private val held = LinkedHashMap<Course, Encoded>() // changes that came soon after others
     private var hasWarned = false
 
-    /** Returns a message for each changed number in [snapshots], whose times are ahead by [offsetNs]. */
-    fun of(snapshots: List<PerceivedSnapshot>, offsetNs: Long): List<Encoded> = snapshots.flatMap { snapshot ->
-        snapshot.texts.mapNotNull { changed(it, snapshot.namespace, snapshot.receivedNs + offsetNs) }
+    /** Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, as known at [nowNs]. */
+    fun of(snapshots: List<PerceivedSnapshot>, offsetNs: Long, nowNs: Long): List<Encoded> {
+        for (snapshot in snapshots) snapshot.texts.forEach { note(it, snapshot.namespace, snapshot.receivedNs + offsetNs) }
+        val due = held.filterKeys { course -> course.storedNs?.let { nowNs - it >= LEAST_NS } != false }
+        held -= due.keys
+        due.forEach { (course, message) -> course.storedNs = message.timeNs }
+        return due.values.toList()
     }
 
-    private fun changed(percept: String, namespace: String?, timeNs: Long): Encoded? {
-        val literal = GroundTerm.ofOrNull(percept) as? GroundTerm.Structure ?: return null
-        val numbers = literal.arguments.filterIsInstance<GroundTerm.Number>().filter { it.value.isFinite() }.ifEmpty { return null }
+    private fun note(percept: String, namespace: String?, timeNs: Long) {
+        val literal = GroundTerm.ofOrNull(percept) as? GroundTerm.Structure ?: return
+        val numbers = literal.arguments.filterIsInstance<GroundTerm.Number>().filter { it.value.isFinite() }.ifEmpty { return }
         val words = literal.arguments.filter { it !is GroundTerm.Number }
-        val functor = literal.predicate.functor
-        val topic = (listOfNotNull(agent, "percept", namespace, functor) + words.map { nameOf("$it") }).joinToString("/", "/")
-        val course = courses[topic] ?: newCourse(topic, numbers.size) ?: return null
+        val names = listOfNotNull(agent, "percept", namespace, literal.predicate.functor) + words.map { "$it".replace(NO_NAME, "_") }
+        val course = courseOf(names.joinToString("/", "/"), numbers.size) ?: return
         val json = namesOf(numbers.size).zip(numbers).joinToString(",", "{", "}") { (name, number) -> "\"$name\":$number" }
-        if (json == course.last) return null
-        course.last = json
-        return Encoded(course.channel, timeNs, json.encodeToByteArray())
+        if (json == course.text) return
+        course.text = json
+        held[course] = Encoded(course.channel, timeNs, json.encodeToByteArray())
     }
 
-    private fun newCourse(topic: String, numbers: Int): Course? {
-        if (courses.size < MAX_CHANNELS) {
-            val fields = namesOf(numbers).joinToString(",") { "\"$it\":{\"type\":\"number\"}" }
-            val schema = "{\"type\":\"object\",\"properties\":{$fields}}"
-            return Course(channel(topic, "argo.Numbers$numbers", schema)).also { courses[topic] = it }
+    private fun courseOf(topic: String, numbers: Int): Course? = courses[topic] ?: when {
+        courses.size < MAX_CHANNELS -> Course(channel(topic, "argo.Numbers$numbers", schemaOf(numbers))).also { courses[topic] = it }
+        hasWarned -> null
+        else -> {
+            hasWarned = true
+            warn("more than $MAX_CHANNELS percepts of agent $agent have numbers; the others have no topic of their own")
+            null
         }
-        if (!hasWarned) warn("more than $MAX_CHANNELS percepts of agent $agent have numbers; the others have no topic of their own")
-        hasWarned = true
-        return null
+    }
+
+    private fun schemaOf(numbers: Int): String {
+        val fields = namesOf(numbers).joinToString(",") { "\"$it\":{\"type\":\"number\"}" }
+        return """{"type":"object","description":"a percept's numbers when they change, ten times a second at most","properties":{$fields}}"""
     }
 
     private fun namesOf(numbers: Int) = if (numbers == 1) listOf("value") else (1..numbers).map { "value$it" }
 
-    private fun nameOf(text: String) = text.replace(NO_NAME, "_")
-
     private companion object {
         const val MAX_CHANNELS = 1_000
+        val LEAST_NS = TimeUnit.MILLISECONDS.toNanos(100)
         val NO_NAME = Regex("\\W")
     }
 }

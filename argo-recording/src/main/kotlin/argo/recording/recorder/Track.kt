@@ -57,7 +57,7 @@ internal class Track(
     private fun channel(name: String, schema: String, serializer: KSerializer<*>) =
         sink.channel("/$agent/$name", schema, jsonSchema(serializer.descriptor))
 
-    fun cycle(note: CycleNote) = store(cycles, note.ns, note.bytes, beside = { numbers.of(note.snapshots, offsetNs) }) {
+    fun cycle(note: CycleNote) = store(cycles, note.ns, note.bytes, beside = { numbers.of(note.snapshots, offsetNs, note.ns + offsetNs) }) {
         val cycle = note.cycle()
         val refusal = refusalOfTerms(cycle.input) ?: cycle.refusal
         refusal?.let(::warnOf)
