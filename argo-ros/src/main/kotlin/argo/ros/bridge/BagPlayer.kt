@@ -6,6 +6,7 @@ import javino.LineClock
 import kotlinx.serialization.json.JsonObject
 import java.io.IOException
 import java.util.concurrent.Executor
+import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
@@ -35,11 +36,13 @@ internal class BagPlayer(
     /** Begins to play if the bag has [topic]. */
     fun subscribed(topic: String) {
         if (bag.typeOf(topic).isEmpty() || hasBegun.getAndSet(true)) return
-        startNanos = clock.nanos()
-        worker.execute {
-            bag.problems.forEach { tell("of the bag: $it") }
-            play()
-        }
+        startNanos = clock.nanos() + LEAD_NANOS
+        clock.schedule(LEAD_NANOS) { worker.execute(::begin) }
+    }
+
+    private fun begin() {
+        bag.problems.forEach { tell("of the bag: $it") }
+        play()
     }
 
     /** Publishes the messages that are due, and comes back when the next one is. */
@@ -69,5 +72,10 @@ internal class BagPlayer(
     override fun close() {
         isClosed = true
         bag.close()
+    }
+
+    private companion object {
+        /** The time from the first subscription to the first message, for the other subscriptions. */
+        val LEAD_NANOS = TimeUnit.MILLISECONDS.toNanos(10)
     }
 }
