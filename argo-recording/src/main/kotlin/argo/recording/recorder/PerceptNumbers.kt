@@ -61,13 +61,14 @@ internal class PerceptNumbers(
 
     private fun schemaOf(numbers: Int): String {
         val fields = namesOf(numbers).joinToString(",") { "\"$it\":{\"type\":\"number\"}" }
-        return """{"type":"object","description":"a percept's numbers when they change, ten times a second at most","properties":{$fields}}"""
+        return """{"type":"object","description":"$MEANING","properties":{$fields}}"""
     }
 
     private fun namesOf(numbers: Int) = if (numbers == 1) listOf("value") else (1..numbers).map { "value$it" }
 
     private companion object {
         const val MAX_CHANNELS = 1_000
+        const val MEANING = "numbers of a percept, when they change, ten times a second at most"
         val LEAST_NS = TimeUnit.MILLISECONDS.toNanos(100)
         val NO_NAME = Regex("\\W")
     }
