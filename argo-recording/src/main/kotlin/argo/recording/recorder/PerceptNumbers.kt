@@ -25,24 +25,40 @@ internal class PerceptNumbers(
     }
 
     private val courses = HashMap<String, Course>()
+    private val indexed = HashSet<String>() // topics of several percepts in one message, which differ by their first numbers
     private val held = LinkedHashMap<Course, Encoded>() // changes that came soon after others
     private var hasWarned = false
 
-    /** Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, as known at [nowNs]. */
+    /**
+     * Returns messages of the changed numbers in [snapshots], whose times are [offsetNs] later, and of earlier changes, as known at [nowNs].
+     */
     fun of(snapshots: List<PerceivedSnapshot>, offsetNs: Long, nowNs: Long): List<Encoded> {
-        for (snapshot in snapshots) snapshot.texts.forEach { note(it, snapshot.namespace, snapshot.receivedNs + offsetNs) }
+        for (snapshot in snapshots) note(snapshot.texts.mapNotNull { numbersIn(it, snapshot.namespace) }, snapshot.receivedNs + offsetNs)
         val due = held.filterKeys { course -> course.storedNs?.let { nowNs - it >= LEAST_NS } != false }
         held -= due.keys
         due.forEach { (course, message) -> course.storedNs = message.timeNs }
         return due.values.toList()
     }
 
-    private fun note(percept: String, namespace: String?, timeNs: Long) {
-        val literal = GroundTerm.ofOrNull(percept) as? GroundTerm.Structure ?: return
-        val numbers = literal.arguments.filterIsInstance<GroundTerm.Number>().filter { it.value.isFinite() }.ifEmpty { return }
+    private fun numbersIn(percept: String, namespace: String?): Pair<String, List<GroundTerm.Number>>? {
+        val literal = GroundTerm.ofOrNull(percept) as? GroundTerm.Structure ?: return null
+        val numbers = literal.arguments.filterIsInstance<GroundTerm.Number>().filter { it.value.isFinite() }.ifEmpty { return null }
         val words = literal.arguments.filter { it !is GroundTerm.Number }
-        val names = listOfNotNull(agent, "percept", namespace, literal.predicate.functor) + words.map { "$it".replace(NO_NAME, "_") }
-        val course = courseOf(names.joinToString("/", "/"), numbers.size) ?: return
+        return topicOf(listOfNotNull(agent, "percept", namespace, literal.predicate.functor) + words) to numbers
+    }
+
+    private fun topicOf(names: List<Any>) = names.joinToString("/", "/") { "$it".replace(NO_NAME, "_") }
+
+    private fun note(percepts: List<Pair<String, List<GroundTerm.Number>>>, timeNs: Long) {
+        indexed += percepts.groupingBy { it.first }.eachCount().filterValues { it > 1 }.keys
+        for ((topic, numbers) in percepts) {
+            if (topic in indexed) note(topic + topicOf(numbers.dropLast(1)).removeSuffix("/"), numbers.takeLast(1), timeNs)
+            else note(topic, numbers, timeNs)
+        }
+    }
+
+    private fun note(topic: String, numbers: List<GroundTerm.Number>, timeNs: Long) {
+        val course = courseOf(topic, numbers.size) ?: return
         val json = namesOf(numbers.size).zip(numbers).joinToString(",", "{", "}") { (name, number) -> "\"$name\":$number" }
         if (json == course.text) return
         course.text = json

@@ -38,6 +38,12 @@ class PerceptNumbersSpec : FunSpec({
             listOf("""/bob/percept/left/pos/_a_b_ 5 {"value1":1,"value2":2000}""")
     }
 
+    test("numbers by which percepts of one message differ are names") {
+        messages("servo(1,90)", "servo(2,45)", atMs = 5) shouldBe
+            listOf("""/bob/percept/servo/1 5 {"value":90}""", """/bob/percept/servo/2 5 {"value":45}""")
+        messages("servo(2,50)", atMs = 200) shouldBe listOf("""/bob/percept/servo/2 200 {"value":50}""")
+    }
+
     test("of a thousand topics and more it is told once that the others have none") {
         repeat(1_010) { messages("made($it,up$it)", atMs = 5) }
         messages("made(1,up1009)", atMs = 5) shouldBe emptyList()
