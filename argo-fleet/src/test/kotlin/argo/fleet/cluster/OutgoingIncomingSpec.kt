@@ -27,6 +27,12 @@ class OutgoingIncomingSpec : FunSpec({
         }
     }
 
+    test("a refusal reads as it was written, and any other words have an error too") {
+        Refused.of(Refused("no_agent", "there is no agent\nb").line).run { listOf(error, message) } shouldBe listOf("no_agent", "there is no agent\nb")
+        Refused.of("Who are you?").run { listOf(error, message) } shouldBe listOf("refused", "Who are you?")
+        Refused.of(IllegalStateException("broken")).run { listOf(error, message) } shouldBe listOf("refused", "broken")
+    }
+
     test("bytes that are no frame are refused, whatever they are") {
         checkAll(Arb.byteArray(Arb.int(0..40), Arb.byte())) { bytes ->
             runCatching { Frame.of(bytes) }.exceptionOrNull()?.let { (it is IllegalArgumentException) shouldBe true }
