@@ -9,6 +9,7 @@ import argo.filters.PerceptionFilter
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.SeveralComputers
 import argo.perception.filterNames
 import argo.perception.filterOf
 import argo.platform.Platform
@@ -36,6 +37,9 @@ internal class ObservedArch(
     override val circumstance: Circumstance get() = arch.ts.c
     override val reasoning: TransitionSystem get() = arch.ts
     override val printed: Logger get() = arch.ts.logger
+
+    private val infrastructure = architectures(arch.ts).filterIsInstance<SeveralComputers>().firstOrNull()
+    override val computers get() = infrastructure?.computers.orEmpty()
 
     override fun nanos() = platform.clock.nanos()
 

@@ -40,7 +40,9 @@ internal class FleetCommand : ToolCommand() {
         try {
             val described = mas.read("$project")
             val settings = described.settings(here, bind)
-            val fleet = Fleet(JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG))
+            val fleet = Fleet(
+                JGroupsCluster.open(settings), described.planned, described.hosts.keys, Logger.getLogger(FleetMas.LOG), described.views,
+            )
             Runtime.getRuntime().addShutdownHook(Thread(fleet::close, "argo-fleet-leaving"))
             mas.run(fleet, described.agents, described.hosts.size)
         } catch (refused: FleetProjectException) {

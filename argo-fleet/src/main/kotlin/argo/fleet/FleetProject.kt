@@ -61,6 +61,11 @@ internal class FleetProject(project: MAS2JProject) {
     /** The agents of the project, each with the computers that it may run on. */
     val planned: Map<String, List<String>> get() = agents.associate { it.name to it.computers }
 
+    /** The agents with a live view, each with its port. */
+    val views: Map<String, Int> get() = agents.mapNotNull { agent ->
+        agent.parameters.options?.get(VIEW)?.let { portOf("$it".trim('"')) }?.let { agent.name to it }
+    }.toMap()
+
     /**
      * Returns the settings of the computer [here].
      *
@@ -165,6 +170,7 @@ internal class FleetProject(project: MAS2JProject) {
 
     companion object {
         const val INFRASTRUCTURE = "Fleet"
+        private const val VIEW = "argo_view"
         private val KNOWN = listOf("name", "hosts", "port", "tls", "insecure")
 
         /** The form of a computer whose name is no word of AgentSpeak. */

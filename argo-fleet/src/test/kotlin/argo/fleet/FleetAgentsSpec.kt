@@ -7,6 +7,8 @@ import argo.fleet.node.Offer
 import argo.fleet.node.RosterNews
 import argo.fleet.node.Say
 import argo.fleet.node.Stop
+import argo.observing.AgentThere
+import argo.observing.ObservedComputer
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
@@ -329,6 +331,19 @@ class FleetAgentsSpec : FunSpec({
         computer("") {
             cluster.receives("scout1", RosterNews(came = setOf("a")))
             shouldLog("an agent called a runs here and on scout1")
+        }
+    }
+
+    test("a live view shows the computers, and which agents are where, with the ports of their views") {
+        val a = "a agentArchClass argo.Arch at \"base\"; b [argo_view=8081] agentArchClass argo.Arch at \"scout1\";"
+        OneComputer(a, "a" to "").use { base ->
+            base.cluster.view("scout1" to "1")
+            base.cluster.receives("scout1", whole("c", "b"))
+            base.observed("a") shouldBe listOf(
+                ObservedComputer("base", isHere = true, isOn = true, listOf(AgentThere("a", null))),
+                ObservedComputer("scout1", isHere = false, isOn = true, listOf(AgentThere("b", 8081), AgentThere("c", null))),
+                ObservedComputer("scout2", isHere = false, isOn = false, emptyList()),
+            )
         }
     }
 

@@ -10,6 +10,9 @@ import argo.fleet.node.Place
 import argo.fleet.node.Reign
 import argo.fleet.node.Say
 import argo.fleet.node.unreachable
+import argo.observing.AgentThere
+import argo.observing.ObservedComputer
+import argo.observing.SeveralComputers
 import argo.recording.agent.AwaitedOutside
 import argo.recording.agent.MessageContent
 import jason.JasonException
@@ -33,7 +36,7 @@ internal class FleetAgArch(
     private val fleet: Fleet,
     private val reign: Reign? = null,
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
-) : LocalAgArch() {
+) : LocalAgArch(), SeveralComputers {
     private val questions = Questions()
     private val sleepLock = ReentrantLock()
     private val woken = sleepLock.newCondition()
@@ -125,6 +128,13 @@ internal class FleetAgArch(
         questions.failLost(now)
         isTold = false
         if (percepts != null) wake()
+    }
+
+    override val computers: List<ObservedComputer> get() = fleet.directory.run {
+        computers.map { computer ->
+            val agents = agents.filterValues { it == computer }.keys.sorted().map { AgentThere(it, fleet.views[it]) }
+            ObservedComputer(computer, computer == here, isMet(computer), agents)
+        }
     }
 
     override fun perceive(): MutableCollection<Literal>? {

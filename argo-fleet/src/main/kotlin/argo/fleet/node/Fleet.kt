@@ -35,12 +35,14 @@ internal interface LocalAgents {
  * Safe for use by several threads, never blocks.
  *
  * @param planned the agents of the project, each with the computers that it may run on
+ * @property views the ports of live views of agents of the project
  */
 internal class Fleet(
     private val cluster: Cluster,
     planned: Map<String, List<String>>,
     hosts: Set<String>,
     private val log: Logger,
+    val views: Map<String, Int> = emptyMap(),
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
