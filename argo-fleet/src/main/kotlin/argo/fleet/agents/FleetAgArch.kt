@@ -37,6 +37,8 @@ internal class FleetAgArch(
     private val reign: Reign? = null,
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
 ) : LocalAgArch(), SeveralComputers {
+    /** The term of the reign in which an agent that outlives its computer runs here; 0: it is no such agent. */
+    val term: Long = reign?.term ?: 0
     private val questions = Questions()
     private val sleepLock = ReentrantLock()
     private val woken = sleepLock.newCondition()
@@ -80,7 +82,7 @@ internal class FleetAgArch(
             throw AwaitedOutside.exceptionOf("not_sendable", "$message cannot go to another computer: ${refused.message}")
         }
         if (message.isAsk && message.msgId.startsWith(Message.msgIdSyncAskPrefix)) questions.ask(message.msgId, message.receiver, computer)
-        val said = Say(message.msgId, message.inReplyTo, message.ilForce, message.sender, message.receiver, content, reign?.term ?: 0)
+        val said = Say(message.msgId, message.inReplyTo, message.ilForce, message.sender, message.receiver, content, term)
         Deliveries.add(Delivery(message.msgId, message.receiver, logger, fleet.send(computer, said)))
     }
 

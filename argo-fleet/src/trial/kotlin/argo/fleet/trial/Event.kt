@@ -14,8 +14,8 @@ enum class Kind {
     /** Another view: the names of its computers. */
     VIEWED,
 
-    /** An agent that outlives its computer begins, or ends, to run here: its name. */
-    BEGAN, ENDED,
+    /** An agent that outlives its computer has acted here: its name, and the term of the reign in which it has. Each reign's is greater. */
+    ACTED,
 
     /** Everything that was sent has ended, and nothing follows; or somebody else noted that the program was killed. */
     FINISHED, CRASHED,
