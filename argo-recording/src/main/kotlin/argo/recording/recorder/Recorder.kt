@@ -85,6 +85,12 @@ internal class Recorder(
     @Volatile
     private var inCycle: Thread? = null
 
+    @Volatile
+    private var unstored: Thread? = null // the thread of a cycle that the track has not got yet
+
+    @Volatile
+    private var isStopped = false
+
     private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
         val keyFrames = KeyFrames(ts, course)
@@ -109,6 +115,7 @@ internal class Recorder(
         agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
+        unstored = inCycle
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
@@ -137,6 +144,7 @@ internal class Recorder(
 
     private fun end(agent: Running) {
         isRefused = true
+        unstored = null
         agent.ts.c.removeEventListener(agent.events)
         track.close()
     }
@@ -368,7 +376,10 @@ internal class Recorder(
     }
 
     override fun cycleFinished() {
-        current()?.let { finishCycle(it, isEnding = !it.ts.agArch.isRunning) }
+        val agent = current() ?: return
+        finishCycle(agent, isEnding = !agent.ts.agArch.isRunning)
+        unstored = null
+        if (isStopped) leave()
     }
 
     private fun finishCycle(agent: Running, isEnding: Boolean) {
@@ -459,8 +470,15 @@ internal class Recorder(
         return true
     }
 
+    /** Leaves the recording, with the present cycle if the agent is stopped in the middle of one: its thread leaves then, after it. */
     override fun close() {
-        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // an error ended the cycle and the agent's thread
+        isStopped = true
+        if (unstored?.isAlive == true) return
+        if (inCycle != null) running?.let(::endOpenCycle) // an error ended the cycle and the agent's thread
+        leave()
+    }
+
+    private fun leave() {
         running?.course?.close()
         track.close()
     }
