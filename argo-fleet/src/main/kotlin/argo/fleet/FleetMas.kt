@@ -3,7 +3,6 @@ package argo.fleet
 import argo.fleet.agents.DirectoryFacilitator
 import argo.fleet.agents.FleetAgArch
 import argo.fleet.agents.FleetServices
-import argo.fleet.agents.restore
 import argo.fleet.cluster.Refused
 import argo.fleet.node.Directory
 import argo.fleet.node.Fleet
@@ -50,7 +49,7 @@ internal class FleetMas :
         try {
             init(arrayOf(file, "--no-net"))
         } catch (unreadable: TokenMgrError) {
-            throw FleetProjectException("${unreadable.message}; a host name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
+            throw FleetProjectException("${unreadable.message}; a name with a hyphen stands in quotes, as host(\"rasp-pi\",\"10.8.0.1\")")
         }
         useJasonsFormat()
         val read = FleetProject(project)
@@ -109,13 +108,8 @@ internal class FleetMas :
     /** On a thread of its own: to read a program takes longer than the leases may wait. */
     override fun start(agent: String, reign: Reign, mind: MindNews?) {
         thread(name = "argo-fleet-start-$agent") {
-            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, leases::keep) }
+            val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, mind, leases::keep) }
                 ?: return@thread leases.cannotStart(agent, reign)
-            try {
-                if (mind != null) restore(created.ts, mind.program, log)
-            } catch (unreadable: IllegalArgumentException) {
-                log.severe("$agent begins anew, since what it believed cannot be read: ${unreadable.message}")
-            }
             if (reign.isValid()) services.startAgent(agent) else stop(created)
         }
     }

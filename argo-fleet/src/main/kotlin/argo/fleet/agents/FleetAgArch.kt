@@ -30,11 +30,13 @@ import kotlin.concurrent.withLock
  * The infrastructure of an agent in a [Fleet]: the last of its architectures. Its messages go to agents of other computers, too.
  *
  * @param reign the time during which an agent that outlives its computer runs here; null: the agent is not one of these
+ * @param begun the mind with which such an agent begins; null: it begins as its program says
  * @param keep takes the mind of such an agent; fails if a computer that may run it has not got it
  */
 internal class FleetAgArch(
     private val fleet: Fleet,
     private val reign: Reign? = null,
+    private val begun: MindNews? = null,
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
 ) : LocalAgArch(), SeveralComputers {
     /** The term of the reign in which an agent that outlives its computer runs here; 0: it is no such agent. */
@@ -55,12 +57,19 @@ internal class FleetAgArch(
     @Volatile
     private var percepts: FleetPercepts? = null
 
-    /** Jason calls this when the agent's program has been read, before other architectures are made. */
+    /** Jason calls this when the agent's program has been read, before other architectures are made, of which one may record the agent. */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return
         FleetActions.install(ts.ag, questions)
         percepts = FleetPercepts.of(ts.settings.getUserParameter(FleetPercepts.OPTION), logger::severe)
+        begun?.let(::goOnWith)
+    }
+
+    private fun goOnWith(mind: MindNews) = try {
+        restore(ts, mind.program, logger)
+    } catch (unreadable: IllegalArgumentException) {
+        logger.severe("$agName begins anew, since what it believed cannot be read: ${unreadable.message}")
     }
 
     override fun sendMsg(message: Message) {
