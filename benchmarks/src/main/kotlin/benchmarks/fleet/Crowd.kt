@@ -12,7 +12,7 @@ private const val PATIENCE_S = 300
 private const val IDLE_S = 30
 
 /** Between the starts of two processes: two processors start about two in a second. */
-private const val PACE_MS = 500L
+internal const val PACE_MS = 500L
 
 /** Fifty computers with a thousand agents: how long until all know all, and what they cost when nothing happens. */
 internal fun crowd(): Boolean {
@@ -39,8 +39,8 @@ internal fun crowd(): Boolean {
 }
 
 /**
- * Makes an archive of the classes that a computer of a fleet loads. Returns the options of Java machines that use it, with little memory each
- * and compiled quickly, as for many programs on one computer.
+ * Makes an archive of the classes that a computer of a fleet loads. Returns the options of Java machines that use it, with little memory
+ * each and compiled quickly, as for many programs on one computer.
  */
 private fun sharing(project: Project): List<String> {
     val small = listOf("-Xmx64m", "-Xss512k", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")
