@@ -31,7 +31,8 @@ internal class PlacedAgent(val name: String, val parameters: AgentParameters, va
  *     infrastructure: Fleet(name(garden), hosts([base("10.8.0.1"), scout1("10.8.0.11:4712")]), port(4711), tls("certificates"))
  *
  * `hosts` names the computers, with the addresses at which they listen; without an address the name is a host name. A name that is no word
- * of AgentSpeak stands in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one network find each other. In place of `tls`, `insecure` allows connections that everybody can read and forge.
+ * of AgentSpeak stands in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one network find each other.
+ * In place of `tls`, `insecure` allows connections that everybody can read and forge.
  *
  * @property hosts the computers with their addresses; empty: they find each other
  * @property agents the agents of all computers

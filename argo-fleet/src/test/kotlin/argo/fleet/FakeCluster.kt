@@ -17,6 +17,7 @@ internal class FakeCluster(override val here: String) : Cluster {
 
     private lateinit var listener: ClusterListener
     private val sent = LinkedBlockingQueue<Sent>()
+
     /** What to do with messages of which the test awaits none; by default they arrive. */
     var answer: (Sent) -> Unit = { it.end.complete(null) }
 

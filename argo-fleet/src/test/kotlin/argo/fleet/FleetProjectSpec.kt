@@ -28,7 +28,8 @@ class FleetProjectSpec : FunSpec({
     }
 
     test("a name that is no word of AgentSpeak stands in quotes") {
-        val fleet = fleet("Fleet(hosts([host(\"rasp-pi\",\"127.0.0.1:4800\"),\"localhost\",host(\"127.0.0.1:4801\")]))", "a at \"rasp-pi\";")
+        val hosts = "host(\"rasp-pi\",\"127.0.0.1:4800\"),\"localhost\",host(\"127.0.0.1:4801\")"
+        val fleet = fleet("Fleet(hosts([$hosts]))", "a at \"rasp-pi\";")
         fleet.hosts.mapValues { (_, address) -> address.port } shouldBe mapOf("rasp-pi" to 4800, "localhost" to 4711, "host" to 4801)
         fleet.settings("rasp-pi", null).here shouldBe "rasp-pi"
     }

@@ -83,7 +83,8 @@ class LeasesSpec : FunSpec({
             val minds = CopyOnWriteArrayList<MindNews>()
             base.cluster.answer = { one ->
                 (one.message as? MindNews)?.let(minds::add)
-                if (one.message is MindNews && minds.size < 3) one.end.completeExceptionally(Overloaded("too much waits")) else one.end.complete(null)
+                if (one.message is MindNews && minds.size < 3) one.end.completeExceptionally(Overloaded("too much waits"))
+                else one.end.complete(null)
                 (one.message as? Claim)?.let { base.cluster.receives(one.to, Grant("m", it.number, it.term, true)) }
             }
             base.cluster.view("scout1" to "1", "scout2" to "1")

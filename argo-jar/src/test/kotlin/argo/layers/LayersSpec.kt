@@ -170,7 +170,9 @@ class LayersSpec : FunSpec({
         }
         test("know of the rest how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
-                .dependOnClassesThat(productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp")).check(product)
+                .dependOnClassesThat(
+                    productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.fleet.cluster").should()

@@ -114,7 +114,8 @@ class PageSpec : FunSpec({
                 run<Any?>(
                     """
                     state.computers = [
-                      { name: 'base', here: true, on: true, agents: [{ name: 'bob', viewPort: 8080 }, { name: 'eve', viewPort: null }], more: 3 },
+                      { name: 'base', here: true, on: true, more: 3,
+                        agents: [{ name: 'bob', viewPort: 8080 }, { name: 'eve', viewPort: null }] },
                       { name: 'scout1', here: false, on: false, agents: [], more: 0 },
                     ];
                     document.getElementById('freeze').click();

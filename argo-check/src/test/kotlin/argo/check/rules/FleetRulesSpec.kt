@@ -17,7 +17,8 @@ class FleetRulesSpec : FunSpec({
             .filter { it.rule == "fleet" }
 
     test("computers that the fleet has are no finding, also if their names are no words, or nobody names them") {
-        found("infrastructure: Fleet($hosts, insecure)", "a at \"base, rasp-pi\"; b [argo_fleet=\"agents\"] at \"scout-1\";").shouldBeEmpty()
+        val agents = "a at \"base, rasp-pi\"; b [argo_fleet=\"agents\"] at \"scout-1\";"
+        found("infrastructure: Fleet($hosts, insecure)", agents).shouldBeEmpty()
         found("infrastructure: Fleet", "a at \"base\";").shouldBeEmpty()
         found("infrastructure: Jade", "a at \"base\"; b;").shouldBeEmpty()
     }
@@ -42,7 +43,8 @@ class FleetRulesSpec : FunSpec({
 
     test("an agent with boards that outlives its computer is warned of") {
         val fleet = "infrastructure: Fleet($hosts)"
-        found(fleet, "a agentArchClass argo.Arch at \"base, rasp-pi\";", "!g. +!g <- argo.port(ttyACM0).").map { it.level to it.what } shouldBe
+        val moving = found(fleet, "a agentArchClass argo.Arch at \"base, rasp-pi\";", "!g. +!g <- argo.port(ttyACM0).")
+        moving.map { it.level to it.what } shouldBe
             listOf(Level.WARNING to "agent a uses boards, and runs on another computer when its own goes")
         found(fleet, "a agentArchClass argo.Arch at \"base\";", "!g. +!g <- argo.port(ttyACM0).").shouldBeEmpty()
     }

@@ -20,7 +20,9 @@ internal class Delivery(val id: String?, private val receiver: String, private v
 
     /** Tells the log if the message does not arrive: nobody waits for it. */
     fun tellFailure() {
-        end.whenComplete { _, failed -> if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}") }
+        end.whenComplete { _, failed ->
+            if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
+        }
     }
 }
 

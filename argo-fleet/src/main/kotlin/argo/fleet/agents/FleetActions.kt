@@ -11,7 +11,7 @@ import jason.stdlib.send
 
 /** Jason's internal actions that send to other computers, which wait here until the message has arrived, or fail. */
 internal object FleetActions {
-    /** Has the program of [agent], which has these [questions], use them. Jason looks an action up for each agent, by the name of its class. */
+    /** Has the program of [agent], with its [questions], use them. Jason looks an action up for each agent, by the name of its class. */
     fun install(agent: Agent, questions: Questions) {
         agent.setIA(send::class.java.name, FleetSend(questions))
         agent.setIA(broadcast::class.java.name, FleetBroadcast(questions))

@@ -3,6 +3,7 @@ package argo.fleet.agents
 import argo.fleet.node.Directory
 import jason.asSyntax.ASSyntax
 import jason.asSyntax.Literal
+import jason.asSyntax.Term
 
 /**
  * The percepts about a fleet that an agent asks for by the option `argo_fleet="computers,agents"`: `computer(scout1,on)` and
@@ -33,8 +34,9 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
         }
     }
 
-    private fun literal(functor: String, vararg names: String): Literal =
-        ASSyntax.createLiteral(functor, *names.map { if (ATOM.matches(it)) ASSyntax.createAtom(it) else ASSyntax.createString(it) }.toTypedArray())
+    private fun literal(functor: String, vararg names: String): Literal = ASSyntax.createLiteral(functor, *names.map(::term).toTypedArray())
+
+    private fun term(name: String): Term = if (ATOM.matches(name)) ASSyntax.createAtom(name) else ASSyntax.createString(name)
 
     companion object {
         const val OPTION = "argo_fleet"

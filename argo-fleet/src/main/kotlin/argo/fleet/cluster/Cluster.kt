@@ -86,6 +86,9 @@ class Refused(val error: String, message: String) : Exception(message) {
         fun of(failure: Exception) = failure as? Refused ?: Refused(OTHER, failure.message ?: "$failure")
 
         /** Reads the form of [line]. */
-        fun of(line: String): Refused = LINE.matchEntire(line)?.destructured?.let { (error, reason) -> Refused(error, reason) } ?: Refused(OTHER, line)
+        fun of(line: String): Refused {
+            val (error, reason) = LINE.matchEntire(line)?.destructured ?: return Refused(OTHER, line)
+            return Refused(error, reason)
+        }
     }
 }

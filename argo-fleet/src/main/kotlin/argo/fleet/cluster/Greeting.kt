@@ -9,8 +9,8 @@ import java.util.HexFormat
  * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So
  * computers of other fleets, other versions and other lists of hosts, and strangers, are refused before JGroups reads a byte of theirs.
  *
- * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if the
- * addresses did, two computers could have one name
+ * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if
+ * the addresses did, two computers could have one name
  */
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
@@ -33,8 +33,8 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
         private val FORM = Regex("$WORD (\\d{1,9})(?: ([A-Za-z0-9_.-]+) ([A-Za-z0-9_.-]+) (any|[0-9a-f]+))?(?: .*)?")
 
         fun of(settings: ClusterSettings): Greeting {
-            val hosts = settings.hosts.toSortedMap().map { (name, at) -> "$name=${at.hostString}:${at.port}" }.joinToString(" ").toByteArray()
-            val digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(hosts)).take(16)
+            val hosts = settings.hosts.toSortedMap().map { (name, at) -> "$name=${at.hostString}:${at.port}" }.joinToString(" ")
+            val digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(hosts.toByteArray())).take(16)
             return Greeting(settings.fleet, settings.here, if (settings.hosts.isEmpty()) "any" else digest)
         }
 

@@ -1,6 +1,9 @@
 package argo.fleet.cluster
 
-/** The computers in touch, its members, and frames among them, which may be lost or come twice. Another start of a program is another member. */
+/**
+ * The computers in touch, its members, and frames among them, which may be lost or come twice. Another start of a program is another
+ * member.
+ */
 internal interface Group : AutoCloseable {
     val here: Computer
 

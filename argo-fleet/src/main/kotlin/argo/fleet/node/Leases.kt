@@ -141,7 +141,7 @@ internal class Leases(
         fun tick() {
             val running = reign
             if (running != null && !running.isValid()) {
-                log.severe("$agent stops here: most computers of the fleet have not confirmed in time that it may run, and another one may run it now")
+                log.severe("$agent stops here: most computers of the fleet have not confirmed in time that it may run; another may")
                 reign = null
                 lease.giveUp()
                 agents.stop(agent)

@@ -28,8 +28,9 @@ class OutgoingIncomingSpec : FunSpec({
     }
 
     test("a refusal reads as it was written, and any other words have an error too") {
-        Refused.of(Refused("no_agent", "there is no agent\nb").line).run { listOf(error, message) } shouldBe listOf("no_agent", "there is no agent\nb")
-        Refused.of("Who are you?").run { listOf(error, message) } shouldBe listOf("refused", "Who are you?")
+        fun read(line: String) = Refused.of(line).run { listOf(error, message) }
+        read(Refused("no_agent", "there is no agent\nb").line) shouldBe listOf("no_agent", "there is no agent\nb")
+        read("Who are you?") shouldBe listOf("refused", "Who are you?")
         Refused.of(IllegalStateException("broken")).run { listOf(error, message) } shouldBe listOf("refused", "broken")
     }
 

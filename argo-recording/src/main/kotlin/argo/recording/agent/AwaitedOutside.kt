@@ -10,12 +10,12 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.atomic.AtomicBoolean
 
 /**
- * One of Jason's internal actions as an infrastructure carries it out, by a direct subclass with a constructor without arguments in Jason's.
+ * One of Jason's internal actions as an infrastructure carries it out: a direct subclass of Jason's, which needs no arguments to be made.
  * A recording has its calls under Jason's name. Its intention may wait for others, by [AwaitedOutside].
  */
 interface OfInfrastructure
 
-/** The waits of intentions for something outside of their agent, such as another computer's answer, for internal actions [OfInfrastructure]. */
+/** The waits of intentions for what is outside of their agent, as another computer's answer, for internal actions [OfInfrastructure]. */
 object AwaitedOutside {
     /** The error of a message to an agent that does not exist. Jason has a name of its own for it, which plans may match, too. */
     const val NO_AGENT = "no_agent"
@@ -25,8 +25,8 @@ object AwaitedOutside {
      * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action has suspended
      * it already, as a question does, only a failure ends that.
      *
-     * @return ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the first call counts. A
-     * recording of the agent has the end
+     * @return ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the first call counts.
+     * A recording of the agent has the end
      */
     fun begin(ts: TransitionSystem): (JasonException?) -> Unit {
         val question = ts.c.pendingIntentions.entries.find { it.value === ts.c.selectedIntention }?.key

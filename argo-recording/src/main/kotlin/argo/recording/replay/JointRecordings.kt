@@ -86,9 +86,9 @@ data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int)
         val NONE = ClockDifference(0, 0, 0)
 
         /**
-         * Returns how far the clock of one program is ahead of that of another, by messages from the other one, which were [there] so many ns
-         * after their sending by the clocks of both, and by messages [back]; null: there is none. A message takes time; so one way shows the
-         * most that the clock is ahead, and the other way the least.
+         * Returns how far the clock of one program is ahead of that of another, by messages from the other one, which were [there] so many
+         * ns after their sending by the clocks of both, and by messages [back]; null: there is none. A message takes time; so one way shows
+         * the most that the clock is ahead, and the other way the least.
          */
         internal fun of(there: List<Long>, back: List<Long>): ClockDifference? {
             val (most, least) = there.minOrNull() to back.minOrNull()?.unaryMinus()

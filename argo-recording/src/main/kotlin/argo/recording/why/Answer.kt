@@ -29,8 +29,8 @@ data class Answer(
  * @property file the recording
  * @property agent the sender
  * @property seconds when it was sent, since the first cycle of that recording
- * @property delayMs the time until the receiver took it, in ms, by the clocks of both recordings as they were found to differ; null: that is
- *   not known
+ * @property delayMs the time until the receiver took it, in ms, by the clocks of both recordings as they were found to differ; null: that
+ *   is not known
  * @property clock how the clock of that recording differs from the first one's, in words; null: both are of one program
  * @property cause the step that sent it; null: it was not found, for the reason [trouble]
  */

@@ -24,8 +24,8 @@ import java.nio.file.Path
         "Tells why an agent in a recording (FILE.mcap) sent a command, back to the frames of the boards, or why it did not.",
         "QUESTION is a command or its functor: stop@12.3s is the one nearest to that second, 0.5 s off at most, stop#3 the third one, stop the last one;",
         "#17 is the command that the live view and the timeline call number 17.",
-        "Of several recordings, as those of a fleet's computers, the first one, or that of --of, is asked about; messages are followed into",
-        "the others.",
+        "Of several recordings, as those of a fleet's computers, the first one, or that of --of, is asked about;",
+        "messages are followed into the others.",
     ],
 )
 internal class WhyCommand : JasonCommand() {
@@ -67,7 +67,8 @@ internal class WhyCommand : JasonCommand() {
 
     private fun tell(recordings: Map<String, Recording>, asked: Question): Int {
         val (name, recording) = recordings.entries.find { of == null || of in it.value.agents } ?: throw ToolException(
-            "${recordings.keys.joinToString()} has no agent $of; those that it has: ${recordings.values.flatMap { it.agents.keys }.joinToString()}",
+            "${recordings.keys.joinToString()} has no agent $of; those that it has: " +
+                recordings.values.flatMap { it.agents.keys }.joinToString(),
         )
         JointWhy(mapOf(name to recording) + recordings).use { if (isNot) printNot(it.first, recording, asked) else print(it, asked) }
         recordings.forEach { (name, one) -> one.problems.forEach { err.println("$name: ${printable(it)}") } }

@@ -59,7 +59,8 @@ internal class ViewCommand : ToolCommand() {
             else "$file: compared with ${files.first()}, its clock is $it"
         }
         clocks.forEach(out::println)
-        Timeline.ofAll(recordings, ahead.map { it?.ns ?: 0 }) to files.zip(recordings).flatMap { (file, it) -> it.problems.map { "$file: $it" } }
+        val problems = files.zip(recordings).flatMap { (file, recording) -> recording.problems.map { "$file: $it" } }
+        Timeline.ofAll(recordings, ahead.map { it?.ns ?: 0 }) to problems
     } catch (unreadable: IllegalArgumentException) {
         throw ToolException("${files.joinToString()}: a message cannot be read: ${unreadable.message?.lineSequence()?.first()}")
     }

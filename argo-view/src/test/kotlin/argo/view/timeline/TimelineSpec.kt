@@ -48,7 +48,8 @@ class TimelineSpec : FunSpec({
             agentOf("base", "+wall(D).") { options("argo_record" to "$base") }
             agentOf("scout", "!look. +!look <- .wait(500); .send(base, tell, wall(3)).") { options("argo_record" to "$scout") }
         }.use { it["base"].shouldBelieve("wall(3)[source(scout)]") }
-        fun joint(aheadNs: Long) = Recording(base).use { one -> Recording(scout).use { Timeline.ofAll(listOf(one, it), listOf(0, aheadNs)) } }
+        fun joint(aheadNs: Long) =
+            Recording(base).use { one -> Recording(scout).use { Timeline.ofAll(listOf(one, it), listOf(0, aheadNs)) } }
         joint(0).run {
             agents shouldBe listOf("base", "scout")
             val message = items.single { it.text == "tell of scout: wall(3)" }
