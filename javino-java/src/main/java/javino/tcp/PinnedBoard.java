@@ -48,9 +48,9 @@ final class PinnedBoard extends X509ExtendedTrustManager {
                     + day(found.getNotAfter()) + ", and this computer's clock says " + day(now)
                     + ". Put a new one on the board, and delete " + file + ", or put the new one there");
         } catch (CertificateNotYetValidException e) {
-            throw new CertificateException(
-                    "the board's certificate (" + TlsFolder.fingerprint(found) + ") is valid from " + day(found.getNotBefore())
-                            + " on, and this computer's clock says " + day(now) + ". Set the clock that is wrong");
+            throw new CertificateException("the board's certificate (" + TlsFolder.fingerprint(found)
+                    + ") is valid from " + day(found.getNotBefore()) + " on, and this computer's clock says " + day(now)
+                    + ". Set the clock that is wrong");
         }
         shown = found;
     }
