@@ -209,7 +209,7 @@ internal class ExperimentCommand : ToolCommand() {
 internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
     private val given = GivenUp()
 
-    /** Makes the missing runs of [trials]; null: it was interrupted. */
+    /** Makes the missing runs of [trials]; null: the user interrupted them. */
     fun run(trials: List<Trial>): List<Finished>? {
         val progress = Progress.onStandardOutput()
         listOf("INT", "TERM").forEach { Signal.handle(Signal(it)) { given.giveUp() } }

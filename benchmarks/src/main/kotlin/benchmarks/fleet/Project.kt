@@ -11,7 +11,7 @@ import kotlin.io.path.writeText
  * A project of agents in a folder of its own, and the processes that run it.
  *
  * @param mas2j the text of `bench.mas2j`
- * @param agents its agents, without `.asl`
+ * @param agents the names of the agents' files, without `.asl`
  */
 internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     private val folder = createTempDirectory("argo-bench-fleet")
@@ -31,7 +31,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
 
     private var classPath = System.getProperty("java.class.path")
 
-    /** Packs the folders of the class path, so that all of it is jars: only classes in jars can be in an archive that processes share. */
+    /** Packs the folders of the class path into jars, since an archive that processes share holds only classes of jars. */
     fun packClasses() {
         val jar = ToolProvider.findFirst("jar").orElseThrow()
         classPath = classPath.split(File.pathSeparator).mapIndexed { place, it ->
@@ -40,7 +40,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
         }.joinToString(File.pathSeparator)
     }
 
-    /** Starts `program`, a main class and its arguments, in a Java machine with [options]. */
+    /** Starts [program], a main class and its arguments, in a Java machine with [options]. */
     fun start(program: List<String>, options: List<String> = emptyList()): Process {
         val java = listOf(File(System.getProperty("java.home"), "bin/java").path) + options
         return ProcessBuilder(java + listOf("-cp", classPath) + program).directory(folder.toFile())
@@ -51,7 +51,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     fun startComputer(name: String, options: List<String> = emptyList(), mas2j: String = MAS2J): Process =
         start(listOf("argo.fleet.MainKt", mas2j, "--at", name), options)
 
-    /** The lines of a file that agents write, as numbers; none before there is one. */
+    /** Returns the lines of a file that agents write, as numbers; empty: there is no such file yet. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
         .map { line -> line.split(' ').map(String::toLong) }
 
@@ -73,14 +73,14 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
         private const val OUT = "out.txt"
         private const val MAS2J = "bench.mas2j"
 
-        /** Below those that the system gives to outgoing connections, which would take them meanwhile. */
+        /** Below the ports that the system gives to outgoing connections: such a port may be taken before the fleet uses it. */
         private const val FIRST_PORT = 21_000
 
         fun freePorts(count: Int): List<Int> = generateSequence(FIRST_PORT) { it + 1 }.filter(::isFree).take(count).toList()
 
         private fun isFree(port: Int) = runCatching { ServerSocket(port).close() }.isSuccess
 
-        /** The infrastructure of [names] on this computer. */
+        /** Returns the infrastructure of a fleet of [names], all on this computer. */
         fun fleetOf(names: List<String>): String =
             "Fleet(name(bench), hosts([${names.zip(freePorts(names.size)).joinToString { (name, port) -> "$name(\"127.0.0.1:$port\")" }}]))"
     }

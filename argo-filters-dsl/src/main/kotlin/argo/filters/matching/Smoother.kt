@@ -6,24 +6,24 @@ import argo.filters.GroundTermReader
 import java.util.BitSet
 
 /**
- * Has percepts stand for those that meet the smoothing rules of [matcher]; remembers the [Readings] of each sensor. Allocates nothing for a
- * sensor that it knows, unless a rule annotates. Not safe for use by several threads at once.
+ * Applies the smoothing rules of [matcher], and remembers the [Readings] of each sensor. Allocates nothing for a known sensor, unless a
+ * rule annotates. Not safe for use by several threads at once.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** The [standing] percept would stand for another one, since [rule] smooths it and for this [reason]. */
+    /** By [rule], for this [reason], the percept [standing] would stand for another one. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Readings<P>>()
 
-    private var isDoubted = false // whether the percept that was taken last is not credible
+    private var isDoubted = false // true if the percept that was taken last is not credible
 
     /**
-     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. The [old] ones that were in the
-     * picture [before] are not taken again.
+     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. Percepts among [old] that were in
+     * the picture [before] are not taken again.
      */
     fun picture(received: List<P>, nowMs: Long, before: Picture<P>, old: Set<P>): Picture<P> {
         val earlier = if (old.isEmpty()) emptyMap() else before.placesOf(old)
@@ -37,7 +37,7 @@ internal class Smoother<P : Any>(
         return Picture(received, standing, doubted)
     }
 
-    /** Takes a [percept] that has come at [nowMs], and returns the one that stands for it. */
+    /** Takes a [percept] that has come at [nowMs], and returns the percept that stands for it. */
     fun stands(percept: P, nowMs: Long): P = read(percept, percept.also { isDoubted = false }) { rule, known, number, unit ->
         val readings = known ?: readingsFor(rule).also(memory::put)
         readings.take(percept, number, unit, nowMs).also { isDoubted = readings.doubt != null }
@@ -51,7 +51,7 @@ internal class Smoother<P : Any>(
 
     private fun readingsFor(rule: CompiledRule) = Readings(checkNotNull(rule.smoothing), annotated)
 
-    /** Returns what [found] makes of the rule that smooths [percept], its sensor's readings and its number; [none] if no rule does. */
+    /** Returns the result of [found] for the rule that smooths [percept], its sensor's readings and its number; without a rule, [none]. */
     private inline fun <T> read(
         percept: P, none: T, found: (rule: CompiledRule, known: Readings<P>?, number: Double, unit: Double) -> T,
     ): T {

@@ -57,7 +57,7 @@ internal class FleetAgArch(
     @Volatile
     private var percepts: FleetPercepts? = null
 
-    /** Jason calls this when the agent's program has been read, before other architectures are made, of which one may record the agent. */
+    /** Jason calls this after it has read the program, and before it makes other architectures, of which one may record the agent. */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return
@@ -95,7 +95,7 @@ internal class FleetAgArch(
         Deliveries.add(Delivery(message.msgId, message.receiver, logger, fleet.send(computer, said)))
     }
 
-    /** Sends [message] to all other agents; if that fails for some of them, the others get it all the same. */
+    /** Sends [message] to all other agents. If sending fails for some agents, the others still get [message]. */
     override fun broadcast(message: Message) {
         val failures = (fleet.directory.names - agName).mapNotNull { receiver ->
             try {
@@ -109,7 +109,7 @@ internal class FleetAgArch(
         failures.firstOrNull()?.let { throw it }
     }
 
-    /** Takes [message] of an agent of another computer. Any thread. @throws Refused if its content cannot be read */
+    /** Takes [message], which an agent of another computer has sent. Any thread. @throws Refused if its content cannot be read */
     fun take(message: Say) {
         val content = try {
             MessageContent.read(message.content, ts.ag)
@@ -118,7 +118,7 @@ internal class FleetAgArch(
         } catch (_: StackOverflowError) {
             refuse(message, "it is nested too deep")
         }
-        if (content is Literal && !content.isGround) content.makeVarsAnnon() // names of variables are those of the sender
+        if (content is Literal && !content.isGround) content.makeVarsAnnon() // the variables' names belong to the sender
         receiveMsg(
             Message(message.force, message.from, message.to, content, message.id).apply { inReplyTo = message.inReplyTo },
         )
@@ -134,7 +134,7 @@ internal class FleetAgArch(
         super.receiveMsg(message)
     }
 
-    /** Fails intentions that wait for an answer of a computer that is off now, and wakes an agent that perceives the fleet. Any thread. */
+    /** Fails intentions that wait for an answer from a computer that is off now. Wakes an agent that perceives the fleet. Any thread. */
     fun directoryChanged(now: Directory) {
         questions.failLost(now)
         isTold = false
@@ -177,7 +177,7 @@ internal class FleetAgArch(
         keep(MindNews(agName, reign.term, ++minds, mind.program())).whenComplete { _, lost -> if (lost != null) isTold = false }
     }
 
-    /** Sleeps until it is woken, a second at most. Unlike Jason's own, a call of [wake] before it is not lost. */
+    /** Sleeps until [wake] is called, a second at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too. */
     override fun sleep() {
         if (ts.settings.isSync) return
         sleepLock.withLock {
@@ -199,7 +199,7 @@ internal class FleetAgArch(
     private fun held() = errorOf(Unreachable("$agName does not run here now: most computers of the fleet are out of touch"))
 
     private companion object {
-        /** How often the mind of an agent that outlives its computer is kept. A sleeping agent has a cycle each second. */
+        /** The time between two copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
         const val SLEEP_STEP_MS = 100L

@@ -5,6 +5,7 @@ import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.hand.Order
 import argo.insides.Insides
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
@@ -37,6 +38,7 @@ import argo.recording.agent.callFailure
 import argo.recording.agent.complete
 import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
+import argo.recording.agent.given
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
 import argo.recording.agent.triggerText
@@ -80,7 +82,7 @@ internal class Recorder(
     @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
-    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // commands under way that a call in a cycle has sent
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of commands under way that a call in a cycle has sent
 
     @Volatile
     private var inCycle: Thread? = null
@@ -135,7 +137,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. How that cycle would have gone on is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. Nobody knows how that cycle would have gone on. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -149,7 +151,7 @@ internal class Recorder(
         track.close()
     }
 
-    /** Notes that the recording of the agent ends with this cycle, if added code cannot be watched. */
+    /** If added code cannot be watched, notes that the recording of the agent ends with this cycle. */
     private fun noteUnknownCode(agent: Running) = try {
         agent.code.watchAdded()
     } catch (unknown: UnknownCodeException) {
@@ -159,9 +161,7 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /**
-     * Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are no reason, since a replay has them all.
-     */
+    /** Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are allowed, since a replay has them all. */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
@@ -226,6 +226,14 @@ internal class Recorder(
             it.code.included()
         }
         return live()
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
+        val agent = current() ?: return live().forEach(carryOut)
+        val orders = live()
+        if (orders.isEmpty()) return
+        agent.now.orders += orders.map(::given)
+        Keeper.within(this) { orders.forEach(carryOut) }
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -329,7 +337,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. Even in a replay, Jason's own classes leave their work themselves, except the end of a project's action. */
+    /** Takes [work]. Jason's own classes leave their work in a replay, too; only the end of a project's action is missing there. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
