@@ -69,8 +69,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]. Above 2, the result may be
- * any number above 2.
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]. A result above 2 is not
+ * exact.
  */
 fun editDistance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length

@@ -185,7 +185,7 @@ internal class Fleet(
                 val others = view.computers.values.filter { it.name != here }
                 val begun = others.filter { sessions.put(it.name, it.session) != it.session }
                 val come = others.filter { it in begun || it.name !in directory.inTouch }
-                // a computer that goes on may not have missed this one: what it has told stays true, and it tells all changes
+                // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
                 come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
@@ -206,7 +206,7 @@ internal class Fleet(
 /** The reason why a stage failed, without the wrapper that stages may add. */
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
-/** Returns the failure of a message to [agent], which no computer in touch runs. */
+/** Returns the failure of a message to [agent], since no computer in touch runs [agent]. */
 internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unreachable {
     val off = place.computers - now.inTouch
     val unmet = place.computers.filter { it in now.inTouch && !now.isMet(it) }

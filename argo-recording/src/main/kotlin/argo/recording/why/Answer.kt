@@ -51,7 +51,7 @@ data class SentCause(
  * @property percept the percept that the agent perceives in the replay
  * @property replaced the recorded percept in whose place [percept] stands; null: [percept] is additional
  * @property from the beginning of the first cycle in which the agent perceives [percept], in seconds
- * @property until the beginning of the last cycle in which the agent perceives [percept], that of the command, in seconds
+ * @property until the beginning of the command's cycle, the last one in which the agent perceives [percept], in seconds
  * @property isSent whether the agent still sends the command
  * @property commands the agent's commands from [from] to [until]
  * @property recorded the recorded commands from [from] to [until]
