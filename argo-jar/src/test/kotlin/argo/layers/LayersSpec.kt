@@ -168,9 +168,11 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.fleet.node").should()
                 .dependOnClassesThat(productBut("argo.fleet.node", "argo.fleet.cluster").or(packages("jason.."))).check(product)
         }
-        test("know of the rest how messages are written, and what a tool is") {
+        test("know of the rest how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
-                .dependOnClassesThat(productBut("argo.fleet..", "argo.recording.agent", "argo.tools.command", "javino.tcp")).check(product)
+                .dependOnClassesThat(
+                    productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.fleet.cluster").should()
