@@ -52,6 +52,8 @@ class LayersSpec : FunSpec({
                 "argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links",
                 "argo.observing",
             ),
+        "argo.hand" to
+            listOf("argo.boards", "argo.perception", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
     )
 
     val lines = arrayOf("javino", "javino.link", "javino.wire")

@@ -51,9 +51,9 @@ internal object JasonCode {
         Nature.SENDING to "broadcast send",
         Nature.BOUNDARY to """
             at perceive wait
-            act age can change_filter explain filter limit percepts port ports record skew
+            act age can change_filter explain filter limit percepts port ports record reload skew
             argo.act argo.age argo.can argo.change_filter argo.explain argo.filter argo.limit argo.percepts argo.port argo.ports
-            argo.record argo.skew
+            argo.record argo.reload argo.skew
         """, // from the second line on: other names of ARGO's own actions
         Nature.INPUT to "all_names date df_search list_files nano_time random shuffle time version",
         Nature.EFFECT to "clone create_agent df_deregister df_register df_subscribe kill_agent save_agent stopMAS",

@@ -2,6 +2,7 @@ package argo.recording.agent
 
 import argo.boundary.InternalCall
 import argo.insides.Insides
+import argo.insides.KeptInclude
 import argo.platform.Plans
 import jason.asSemantics.Agent
 import jason.asSemantics.ArithFunction

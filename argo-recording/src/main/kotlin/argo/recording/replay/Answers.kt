@@ -29,6 +29,9 @@ internal interface Answers {
     /** True if the agent has repeated each step of the recording so far. */
     val isAsRecorded: Boolean get() = true
 
+    /** True if the agent has the recorded program, so that it follows recorded reloads. */
+    val isOfRecordedProgram: Boolean get() = true
+
     /** The recorded call that waits for an outcome, in words; empty: it is not known. */
     val suspending: String get() = ""
 

@@ -49,6 +49,8 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
     override var isAsRecorded = true
         private set
 
+    override val isOfRecordedProgram get() = !isCarryingOut
+
     override val isHeldAwake get() = left.isNotEmpty()
 
     /** The time of the first end that is due outside of recorded cycles, in ns; null: there is none. */

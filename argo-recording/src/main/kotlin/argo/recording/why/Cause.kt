@@ -90,6 +90,16 @@ data class MessageCause(
     val id: String = "",
 ) : Cause
 
+/**
+ * An order of a person to the agent.
+ *
+ * @property kind `believe`, `forget`, `begin`, `drop` or `reload`
+ * @property text the belief or goal, as the person wrote it; empty: the order has none
+ */
+@Serializable
+@SerialName("order")
+data class OrderCause(val kind: String, val text: String, val seconds: Double) : Cause
+
 /** A goal or a belief that the agent had at its beginning. */
 @Serializable
 @SerialName("beginning")

@@ -2,10 +2,12 @@ package argo.recording.why
 
 import argo.boundary.Boundary
 import argo.boundary.Perception
+import argo.observing.Order
 import argo.recording.Cycle
 import argo.recording.KeyFrame
 import argo.recording.Place
 import argo.recording.agent.fileName
+import argo.recording.agent.given
 import argo.recording.agent.literalOf
 import argo.recording.agent.placeIn
 import argo.recording.replay.RecordedAnswers
@@ -101,6 +103,20 @@ internal class Trace(
         selected = ts.c.selectedIntention
         step = null
         cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns), it.id) }
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = inputs.orders(live) { order ->
+        carryOut(order)
+        val cause = given(order).run { OrderCause(kind, text, clock.seconds(cycle.ns)) }
+        notice { cause }
+        if (order is Order.Believe) believed(order)?.let { note(it, cause) }
+    }
+
+    /** Returns the belief that a person set; null: the agent has refused the order. */
+    private fun believed(order: Order.Believe): Literal? = try {
+        literalOf(order.literal.trim().removePrefix("-+").removePrefix("+")).capply(Unifier()) as Literal
+    } catch (_: IllegalArgumentException) {
+        null
     }
 
     override fun perceive(live: () -> Perception): Perception = inputs.perceive(live).also { perception ->
@@ -246,10 +262,13 @@ internal class Trace(
 
     private fun note(means: IntendedMeans, body: PlanBody, step: StepCause) {
         if (body.bodyType !in NOTING) return
-        val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
-        val key = normal(keyOf(literal))
+        note(body.bodyTerm.capply(means.unif) as? Literal ?: return, step)
+    }
+
+    private fun note(belief: Literal, cause: Cause) {
+        val key = normal(keyOf(belief))
         notes.remove(key) // so that the newest note comes last
-        notes[key] = step
+        notes[key] = cause
     }
 
     private fun originOf(belief: Literal): Cause = when {

@@ -10,6 +10,7 @@ import argo.recording.why.Had
 import argo.recording.why.MessageCause
 import argo.recording.why.Missed
 import argo.recording.why.NotAnswer
+import argo.recording.why.OrderCause
 import argo.recording.why.PerceptCause
 import argo.recording.why.PlanCause
 import argo.recording.why.ReflexCause
@@ -83,6 +84,14 @@ internal class WhyText {
             is MessageCause -> line(
                 depth, "because agent ${cause.sender} had sent ${cause.performative} ${cause.content}, taken at ${at(cause.seconds)}",
             )
+            is OrderCause -> {
+                val what = when (cause.kind) {
+                    "believe" -> "a person set ${cause.text}"
+                    "begin" -> "a person began ${cause.text}"
+                    else -> "a person ordered: ${cause.kind} ${cause.text}".trim()
+                }
+                line(depth, "because $what at ${at(cause.seconds)}")
+            }
             is BeginningCause -> {
                 val place = cause.line?.let { " (${cause.file}:$it)" }.orEmpty()
                 line(depth, "because the program begins with ${cause.text}$place; no percept began it")

@@ -3,6 +3,7 @@ package argo.view.timeline
 import argo.recording.Call
 import argo.recording.CommandEnd
 import argo.recording.Cycle
+import argo.recording.GivenOrder
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.Sent
@@ -36,6 +37,7 @@ internal class AgentItems(
     val taken = ArrayList<Pair<Int, Mail>>()
 
     fun add(cycle: Cycle) {
+        cycle.input.orders.forEach { ordered(cycle, it) }
         perceive(cycle)
         cycle.input.mail.forEach { mail ->
             val text = "${mail.performative} of ${mail.sender ?: "nobody"}: ${mail.content}"
@@ -51,6 +53,17 @@ internal class AgentItems(
         if (step != null) cycle.course.mail.forEach { sent[it.id] = step }
         cycle.input.calls.forEach { called(cycle, it, step) }
         cycle.course.printed.forEach { add(cycle.ns, Lane.PRINTED, it, causes = listOfNotNull(step)) }
+    }
+
+    private fun ordered(cycle: Cycle, order: GivenOrder) {
+        val files = order.files.map { it.address.substringAfterLast('/') }
+        val text = "${order.kind} ${order.text}${files.joinToString()}"
+        val id = add(cycle.ns, Lane.EVENTS, text, listOf("an order of a person", "cycle ${cycle.number}"))
+        val subject = order.text.trimStart('-', '+', '!')
+        when (order.kind) {
+            "begin" -> beliefSteps[GOAL_SIGN + functor(subject)] = id
+            "believe", "forget" -> beliefSteps[functor(subject)] = id
+        }
     }
 
     private fun perceive(cycle: Cycle) {
@@ -87,7 +100,8 @@ internal class AgentItems(
         val source = SOURCE.find(trigger)?.groupValues?.get(1)
         return when {
             source == "percept" -> perceptsOf[bare(literal)].takeIf { trigger.startsWith('+') } ?: lastPercepts
-            source == null || source == "self" -> beliefSteps[functor(literal)]
+            source == null || source == "self" ->
+                beliefSteps[if (literal.startsWith(GOAL_SIGN)) GOAL_SIGN + functor(literal.drop(1)) else functor(literal)]
             else -> lastMail[source]
         }
     }
@@ -136,6 +150,7 @@ internal class AgentItems(
     private companion object {
         const val NANOS = 1e9
         const val MOST_SHOWN = 4
+        const val GOAL_SIGN = "!"
         val GOAL = Regex("^[+-][!?]")
         val SOURCE = Regex("source\\(([^()]*)\\)")
 
