@@ -39,37 +39,35 @@ class PerceptMatcher internal constructor(
     /** As the other function; [isStandIn]: the percept stands for another one, so only critical rules that are smoothed count. */
     internal fun drops(percept: CharSequence, start: Int, end: Int, isStandIn: Boolean, latches: Latches?): Boolean =
         scan(percept, start, end, false) { functor, functorEnd, tail, head ->
-            isMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null } == drops &&
-                (criticalIndex == null || !isMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
+            val met = firstMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null }
+            (met != null) == drops && (criticalIndex == null ||
+                firstMet(criticalIndex, percept, functor, functorEnd, end, tail, head, latches) {
                     !isStandIn || it.critical?.smoothed == true
-                })
+                } == null)
         }
 
     /** Returns true if the [percept] meets a critical rule that is not smoothed. */
     internal fun isCritical(percept: String, latches: Latches?): Boolean =
         criticalIndex != null && scan(percept, 0, percept.length, false) { functor, functorEnd, tail, head ->
-            isMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) { it.critical?.smoothed == false }
+            firstMet(criticalIndex, percept, functor, functorEnd, percept.length, tail, head, latches) {
+                it.critical?.smoothed == false
+            } != null
         }
 
-    /** Returns true if the percept meets a rule of [index] that [counts]. */
-    private inline fun isMet(
+    /** Returns the first rule of [index] that [counts] and that the percept meets; null: it meets none. */
+    private inline fun firstMet(
         index: RuleIndex, text: CharSequence, functor: Int, functorEnd: Int, end: Int, tail: Long, head: HeadScanner?, latches: Latches?,
         counts: (CompiledRule) -> Boolean,
-    ): Boolean {
+    ): CompiledRule? {
         for (rule in index.find(text, functor, functorEnd)) {
-            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return true
-        }
-        return false
-    }
-
-    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
-    internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? {
-        val index = smoothingIndex ?: return null
-        for (rule in index.find(text, functor, functorEnd)) {
-            if (rule.isFor(tail, head) && rule.areMet(text, functorEnd, text.length, tail, null)) return rule
+            if (counts(rule) && rule.isFor(tail, head) && rule.areMet(text, functorEnd, end, tail, latches)) return rule
         }
         return null
     }
+
+    /** Returns the first smoothing rule that the percept in [text] meets; null: it meets none. */
+    internal fun smoothingRule(text: String, functor: Int, functorEnd: Int, tail: Long, head: HeadScanner?): CompiledRule? =
+        smoothingIndex?.let { firstMet(it, text, functor, functorEnd, text.length, tail, head, null) { true } }
 
     /** Notes in [latches] which conditions with two limits hold from now on, after [received] has come and [standing] stands for it. */
     internal fun note(received: String, standing: String, latches: Latches) {
