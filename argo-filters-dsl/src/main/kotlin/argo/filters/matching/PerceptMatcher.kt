@@ -28,6 +28,14 @@ class PerceptMatcher internal constructor(
         .any { rule -> rule.conditions.any { it is Condition.Argument && it.until != null } }
 
     /**
+     * True if no smoothing rule has a condition on an argument that is smoothed: then the number of a percept has no part in the choice of
+     * its rule.
+     */
+    internal val smoothsByName: Boolean = filter.smoothing.none { smoothing ->
+        smoothing.rule.conditions.any { condition -> condition is Condition.Argument && filter.smoothing.any { it.argument == condition.index } }
+    }
+
+    /**
      * Returns true if the filter drops the percept in [percept] from [start] to [end], in the text of the line: `dist(f,123)`.
      *
      * Text that is no percept is kept, so that its reader can report it. Never throws for positions inside the text. Allocates nothing for
