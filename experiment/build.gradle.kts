@@ -5,10 +5,10 @@ application {
     applicationDefaultJvmArgs = listOf("--enable-native-access=ALL-UNNAMED") // jSerialComm loads a native library
 }
 
-// Reports name this version and commit.
+// The reports contain this version and commit.
 tasks.jar { manifest { attributes("Implementation-Version" to "$version, of an unknown commit") } }
 
-// As ./argo runs it: a spectator presses Enter, and paths begin in the folder in which Gradle was called.
+// As with ./argo, a spectator can press Enter, and relative paths begin in the folder in which Gradle was called.
 tasks.named<JavaExec>("run") {
     standardInput = System.`in`
     workingDir = rootDir

@@ -6,6 +6,8 @@ import argo.boundary.Boundary
 import argo.boundary.Live
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.hand.Hand
+import argo.hand.Order
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.Observers
@@ -53,7 +55,11 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     private val perceiveLive = { perceiveBoards() }
     private val criticalLive = { perception.takeNewlyCritical() }
     private val mailLive = { super.checkMail() }
-    private val sleepLive = { super.canSleep() && !perception.hasNews() && !environment.isWaiting() && waker.maySleep() }
+    private val sleepLive = {
+        super.canSleep() && !perception.hasNews() && !environment.isWaiting() && hand.isEmpty() && waker.maySleep()
+    }
+    private val ordersLive = { hand.takeAll() }
+    private val carryOut = { order: Order -> hand.carryOut(order, ts) }
 
     /** The agent's boards. Available from [init] on. */
     internal lateinit var boards: AgentBoards
@@ -61,6 +67,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal val perception by lazy { AgentPerception(boards) }
     internal val commands by lazy { CommandRouter(boards) }
     internal val awaited = AwaitedWork()
+
+    /** Takes the orders of a person to the agent. Available from [init] on. */
+    internal lateinit var hand: Hand
+        private set
 
     internal lateinit var policy: SensingPolicy
         private set
@@ -89,6 +99,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         policy = options.policy
         val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
+        hand = Hand(log, waker::wake)
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live
@@ -110,6 +121,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     override fun reasoningCycleStarting() {
         waker.cycleStarts()
         boundary.cycleStarting(ts)
+        boundary.orders(ordersLive, carryOut)
         super.reasoningCycleStarting()
     }
 

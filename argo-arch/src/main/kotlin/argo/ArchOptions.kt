@@ -4,13 +4,17 @@ import argo.observing.ObserverOptions
 import argo.perception.PerceptLimit
 import argo.sensing.SensingPolicy
 import jason.runtime.Settings
+import java.util.concurrent.ConcurrentHashMap
 import java.util.logging.Logger
 
 /**
  * The options of an agent's architecture in the `.mas2j`: `agents: robot [argo_sensing=every, argo_view=8080] agentArchClass argo.Arch;`.
- * Reports unknown options and values to [log] and ignores them.
+ * A property of the program, `-Dargo_watch=true`, is an option of each agent whose [settings] do not have it; it is added to them. Reports
+ * unknown options and values to [log] and ignores them.
  */
 internal class ArchOptions(private val settings: Settings, private val log: Logger) {
+    private val ofProgram: Set<String> = addProperties()
+
     val policy: SensingPolicy = sensingPolicy()
 
     val maxPercepts: Int = maxPercepts()
@@ -20,14 +24,20 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
 
     init {
         val known = listOf("$SENSING=${SensingPolicy.words}", "${PerceptLimit.OPTION}=N") + observers.usages
-        observers.unread.forEach {
+        observers.unread.filter { it !in ofProgram || TOLD.add(it) }.forEach {
             val missing = MODULES[it]?.let { module -> "; the module $module, which argo.jar holds, is not on the class path" }
             log.warning("$it is not an option of argo.Arch, which has ${known.joinToString()}" + missing.orEmpty())
         }
     }
 
+    private fun addProperties(): Set<String> {
+        val names = System.getProperties().stringPropertyNames().filter { it.startsWith(PREFIX) && it !in settings.userParameters }
+        names.forEach { settings.addOption(it, System.getProperty(it)) }
+        return names.toSet()
+    }
+
     private fun observerOptions(): Map<String, String> =
-        settings.userParameters.keys.filter { it.startsWith("argo_") && it !in OWN }.associateWith(settings::getUserParameter)
+        settings.userParameters.keys.filter { it.startsWith(PREFIX) && it !in OWN }.associateWith(settings::getUserParameter)
 
     private fun sensingPolicy(): SensingPolicy {
         val word = settings.getUserParameter(SENSING) ?: return SensingPolicy.FRESH
@@ -50,8 +60,12 @@ internal class ArchOptions(private val settings: Settings, private val log: Logg
     }
 
     private companion object {
+        const val PREFIX = "argo_"
         const val SENSING = "argo_sensing"
         val OWN = setOf(SENSING, PerceptLimit.OPTION, Infrastructure.FLEET_OPTION)
+
+        /** The unknown properties of the program that the log of an agent has reported. */
+        val TOLD: MutableSet<String> = ConcurrentHashMap.newKeySet()
 
         /** The modules of this project that add an option, by option; a warning names a missing module. */
         val MODULES = mapOf("argo_view" to "argo-view", "argo_record" to "argo-recording", "argo_ros" to "argo-ros")

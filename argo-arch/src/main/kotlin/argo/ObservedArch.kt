@@ -6,6 +6,8 @@ import argo.acting.requireCommand
 import argo.calls.ArgumentException
 import argo.calls.wrongArgument
 import argo.filters.PerceptionFilter
+import argo.hand.Order
+import argo.hand.Outcome
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
@@ -76,6 +78,8 @@ internal class ObservedArch(
             }
         }
     }
+
+    override fun order(order: Order, done: (Outcome) -> Unit) = arch.hand.give(order, done)
 
     override fun wake() = waker.wake { true }
     override fun wakeUntil(seen: () -> Boolean) = waker.wake(seen)

@@ -11,7 +11,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 import kotlin.io.path.writeText
 
-/** A Jason in this process with agents from texts. There can be one at a time. */
+/** A Jason in this process with agents from texts. There can be only one Jason at a time. */
 class Agents : AutoCloseable {
     private val directory: Path = createTempDirectory("argo-bench")
     private val mas = RunLocalMAS()
@@ -67,7 +67,7 @@ internal fun <T> withBoards(boards: Map<String, SimulatedBoard>, measure: () -> 
 internal fun sensing(port: String, baud: Int, intervalMs: Int, plans: String = "") =
     "!start.\n+!start <- argo.port(\"$port\", [baud($baud)]); argo.limit($intervalMs); argo.percepts(open).\n$plans"
 
-/** Waits until [condition] holds, at most [seconds] s. Returns true if it does. */
+/** Waits until [condition] holds, at most [seconds] s. Returns true if [condition] holds. */
 internal fun awaitAtMost(seconds: Int, condition: () -> Boolean): Boolean {
     val end = System.nanoTime() + seconds * 1_000_000_000L
     while (!condition()) {

@@ -23,8 +23,8 @@ internal val SMOOTHING: Map<String, RuleList.() -> Unit> = mapOf(
 
 /**
  * Simulates a range finder, read 20 times a second, with outliers in 5 % of its percepts, and an agent whose critical rule stops it below
- * 40 cm. Prints the share of the false stops that smoothing leaves while the robot stands at 45 cm, and the percepts by which it delays the
- * stop of a robot that drives at a wall, and of one before which something appears, with a sensor that is exact.
+ * 40 cm. Prints the share of false stops that smoothing leaves while the robot stands at 45 cm. With an exact sensor, prints by how many
+ * percepts smoothing delays the stop before a wall that comes nearer, and before one that appears.
  */
 internal fun noise() {
     println("stops with outliers in 5 % of the percepts, 45 cm before the sensor with noise of 1 cm, limit 40 cm, simulated:")
@@ -40,7 +40,7 @@ internal fun noise() {
     }
 }
 
-/** Returns the number of times that a robot that stands stops in [percepts] percepts. */
+/** Returns the number of false stops of a standing robot in [percepts] percepts. */
 internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: Int = 1_000_000): Int {
     val random = Random(42)
     val stops = Stops(careful(smoothing))
@@ -49,13 +49,13 @@ internal fun falseStops(smoothing: RuleList.() -> Unit, stray: Stray, percepts: 
     }
 }
 
-/** The distances that the sensor of a robot shows that drives at a wall, from several places. */
+/** The distances that the sensor shows while the robot drives at a wall, for several starts. */
 internal val DRIVING: List<List<Int>> = (60..69).map { begin -> List(40) { (begin - it * 2.5).toInt() } }
 
-/** The distances that it shows if a wall appears before the robot. */
+/** The distances that the sensor shows if a wall appears before the robot. */
 internal val APPEARING: List<List<Int>> = listOf(List(40) { if (it < 8) 60 else 20 })
 
-/** Returns by how many percepts smoothing delays the stop of a robot, at most, whose sensor shows one of these [courses]. */
+/** Returns by how many percepts, at most, smoothing delays the stop of a robot whose sensor shows one of [courses]. */
 internal fun delay(smoothing: RuleList.() -> Unit, courses: List<List<Int>>): Int = courses.maxOf { course ->
     fun begin(rules: RuleList.() -> Unit) = Stops(careful(rules)).let { stops -> course.indexOfFirst(stops::begin) }
     begin(smoothing) - begin {}

@@ -16,8 +16,8 @@ internal const val REPLAY = "replay-recordings"
 
 /**
  * Measures the cost of a recording. The agent perceives twelve changing percepts 50 times a second, and answers each time with a command.
- * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The second
- * is needed since a recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle
+ * Drives with and without a recording take turns. Prints the processor time of the agent's thread for a cycle and for a message. The latter
+ * counts, since a recorded agent has other cycles. Prints the processor time of the thread that writes the recording, for which no cycle
  * waits. Prints the size of the recordings, and the speed of their replay. Returns true if all figures are within their bounds.
  */
 internal fun recorded(): Boolean {
@@ -81,8 +81,8 @@ private fun writingNs(): Long {
 }
 
 /**
- * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for the measured [seconds]. Records it to [file]; null:
- * without a recording.
+ * Runs an agent that asks its board each [intervalMs], for [LOADING_S] and then for the measured [seconds]. Records the agent to [file];
+ * null: without a recording.
  */
 private fun drive(file: Path?, seconds: Int = DRIVE_S, intervalMs: Int = INTERVAL_MS): Drive {
     val times = ArrayList<Long>()
@@ -161,7 +161,7 @@ private fun program(intervalMs: Int) = sensing(
 )
 
 private const val BOARD = "bench-record"
-private const val WRITER = "argo-recording-" // followed by the name of its file
+private const val WRITER = "argo-recording-" // the file's name follows
 private const val INTERVAL_MS = 20
 private const val WARM_UP_MS = 1
 private const val DRIVES = 3

@@ -11,8 +11,8 @@ import javino.sim.SimulatedBoard
 /**
  * A board that answers requests at once, in the version of the request, and acknowledges actions.
  *
- * @param speaks the version of the protocol that it reads, or both
- * @param percepts returns its answer to the nth request, n counted from 1
+ * @param speaks the version of the protocol that the board reads, or both versions
+ * @param percepts returns the board's answer to the nth request, n counted from 1
  * @param answered called by the board's thread with n, the [System.nanoTime] at which the last byte of the answer leaves the line, and the
  *   bytes of request and answer
  * @param acted called by the board's thread with each action that does not repeat the previous one

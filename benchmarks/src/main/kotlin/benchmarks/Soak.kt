@@ -7,8 +7,8 @@ import java.util.BitSet
  * Checks many agents on as many boards in memory. The agents sense at 50 Hz and act on each answer. Neither heap nor threads may grow, and
  * each action must be carried out once.
  *
- * @param seconds the length of the run, at least 3. Heap and threads may grow until all agents act and the first minute, or a shorter first
- *   third, is over.
+ * @param seconds the length of the run, at least 3. Heap and threads may grow until all agents act, and during the first minute or, in a
+ *   short run, the first third.
  */
 class Soak(private val agents: Int, private val seconds: Int) {
     /** The figures of a run. Heap is in bytes after a collection. */

@@ -18,7 +18,7 @@ import kotlin.io.path.writeText
  * @property seed the seed of the order of the runs and of the noise of the sensors
  * @property slowdown the factor by which the agents reason more slowly than this computer
  * @property computer the calibration behind [slowdown], in words
- * @property port the port of a real robot; null for simulated ones
+ * @property port the port of a real robot; null for simulated robots
  */
 @Serializable
 internal data class Settings(val plan: Plan, val seed: Long, val slowdown: Double, val computer: String, val port: String? = null)
@@ -48,9 +48,9 @@ internal class Archive(val directory: Path) : AutoCloseable {
     }
 
     /**
-     * Begins an experiment with the settings [asked], or continues the one in this directory.
+     * Begins an experiment with the settings [asked], or continues the experiment in this directory.
      *
-     * @throws ContinuationException if the present one has other settings, or another program is making it
+     * @throws ContinuationException if the present experiment has other settings, or another program is making it
      * @throws IOException if the directory cannot be written to
      */
     fun open(asked: Settings) {

@@ -51,7 +51,7 @@ internal object Calibration {
 
     private const val PRIMES = 1229
 
-    /** Returns the factor for slowing the reasoning on a computer with [eventsPerSecond]; 1 on one that is not faster. */
+    /** Returns the factor for slowing the reasoning on a computer with [eventsPerSecond]; 1 if it is not faster than the reference. */
     fun slowdown(eventsPerSecond: Double): Double =
         String.format(Locale.ROOT, "%.1f", (eventsPerSecond / REFERENCE_EVENTS_PER_S).coerceAtLeast(1.0)).toDouble()
 

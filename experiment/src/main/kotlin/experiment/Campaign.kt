@@ -18,7 +18,7 @@ internal class Campaign(
 ) {
     /**
      * The progress: [done] of [all] runs are over, [collisions] of them at the wall. The others will take about [left] ms; 0: all have
-     * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects more of that.
+     * begun. Runs were repeated [repeated] times because this machine was late; the estimate expects further repetitions.
      */
     internal data class Status(val done: Int, val all: Int, val collisions: Int, val left: Long, val repeated: Int = 0) {
         /** The facts for a line of progress. Minutes are whole, since [left] is no more exact. */
@@ -40,7 +40,7 @@ internal class Campaign(
     val repetitions: Int get() = repeated.get()
 
     /**
-     * Makes the missing runs of [trials]. Returns all finished ones. Ends early if the experiment is given up.
+     * Makes the missing runs of [trials]. Returns all finished runs. Ends early if the experiment is given up.
      *
      * @throws java.io.IOException if a record cannot be written; the experiment is then given up
      */
@@ -73,7 +73,7 @@ internal class Campaign(
         /** The longest time of a run, in ms, from the start to the wall, unless the run fails. */
         private const val LONGEST_MS = 21_000L
 
-        /** Estimates the time of [trial], in ms: a little further than to the limit, or to the wall if a collision is expected. */
+        /** Estimates the time of [trial], in ms: until a little beyond the limit, or until the wall if a collision is expected. */
         fun expectedMs(trial: Trial): Long {
             val hits = trial.condition == Condition.PUBLISHED && trial.view == View.NONE
             return 1_000L + (200 - if (hits) 0 else trial.limit) * 100L

@@ -182,7 +182,7 @@ internal class ExperimentCommand : ToolCommand() {
 internal class Experiment(private val archive: Archive, private val settings: Settings, private val jobs: Int) {
     private val given = GivenUp()
 
-    /** Makes the missing runs of [trials]; null: it was interrupted. */
+    /** Makes the missing runs of [trials]; null: the user interrupted them. */
     fun run(trials: List<Trial>): List<Finished>? {
         val finished = attended(archive.directory, given) { show, punctuality ->
             Campaign(archive, settings, laboratory(punctuality), jobs, given) { show(it.words) }.run(trials)

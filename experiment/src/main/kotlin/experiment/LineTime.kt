@@ -13,7 +13,7 @@ import samples.collision.Sensors
 import kotlin.random.Random
 import kotlin.time.Duration.Companion.seconds
 
-/** Returns the answer timeout: a second, or three times the longest answer, which is the first of a session in version 2. */
+/** Returns the answer timeout: at least a second, and three times the longest answer. In version 2 a session's first answer is longest. */
 internal fun answerLimitMs(trial: Trial): Int =
     maxOf(1000L, 3 * exchangeBytes(trial.copy(view = View.NONE), 0) * byteNanos(trial) / 1_000_000).toInt()
 

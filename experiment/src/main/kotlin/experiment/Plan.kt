@@ -46,5 +46,5 @@ internal enum class Plan(
 
 internal fun randomised(trials: List<Trial>, seed: Long): List<Trial> = trials.shuffled(Random(seed))
 
-/** Returns the seed of the sensors' noise in [trial]. A repeated run has the same seed, any other run another one. */
+/** Returns the seed of the sensors' noise in [trial]. A repeated run keeps its seed. Different runs have different seeds. */
 internal fun noiseSeed(trial: Trial, seed: Long): Long = 31 * seed + trial.id.hashCode()

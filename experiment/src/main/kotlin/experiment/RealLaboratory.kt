@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit
 import kotlin.concurrent.thread
 
 /**
- * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of the lines aborts the experiment. For one
+ * Asks a user to put a real robot back. The user answers with a line of [keyboard]. The end of [keyboard] aborts the experiment. For one
  * thread.
  */
 internal class Attendant(private val keyboard: BufferedReader, private val given: GivenUp, private val tell: (String) -> Unit) {
@@ -36,9 +36,9 @@ internal class Attendant(private val keyboard: BufferedReader, private val given
 }
 
 /**
- * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times begin as in a
- * [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the agent
- * does not send `stop`, the laboratory sends it. [ready] has the robot put at the start for a run; returns false if the experiment is
+ * A real robot on [port], one run at a time. The robot's front sensor is the only source of its position. Both times of a result begin as
+ * in a [Sighting] and end when the agent's `stop` has left. The robot has collided when the agent believes [WALL_CM] cm or less. If the
+ * agent does not send `stop`, the laboratory sends it. [ready] has the robot put at the start for a run; returns false if the experiment is
  * aborted.
  */
 internal class RealLaboratory(

@@ -45,8 +45,8 @@ internal sealed interface Entry {
          */
         val sinceLimitMs: Double = 0.0,
         /**
-         * The time to the same end from the first believed reading at or below the limit, in ms. Negative: the board had stopped the robot
-         * before. Null: the agent believed no such reading.
+         * The time from the first believed reading at or below the limit to the stop or the wall, in ms. Negative: the board had stopped
+         * the robot before. Null: the agent believed no such reading.
          */
         val sincePerceivingMs: Double? = null,
         /** The number of commands that took effect; 0 for a real robot. */

@@ -88,7 +88,7 @@ internal data class Trial(
     val baud: Int = LineSettings.DEFAULT_BAUD,
     val sensors: Int = Sensors.PER_SET,
 ) {
-    /** The name of the run's record and board. No two runs of an experiment share it. */
+    /** The name of the run's record and board. No two runs of an experiment share a name. */
     val id: String get() = "${condition.letter}-${view.word}-$limit-$interval-$replication" + if (isScaled) "-$sensors-$baud" else ""
 
     /** True if the run is beyond the published design. */

@@ -16,7 +16,7 @@ import kotlin.random.Random
 
 /** Makes a run and writes its record, without the result. */
 internal fun interface Laboratory {
-    /** Makes the run [trial], until [given] is up. Returns its result; null if it was given up. Several threads call this. */
+    /** Makes the run [trial] unless [given] ends it. Returns the result; null: the run was given up. Several threads call this. */
     fun run(trial: Trial, record: RecordWriter, given: GivenUp): Entry.Result?
 }
 
@@ -93,8 +93,8 @@ internal class SimulatedLaboratory(
 }
 
 /**
- * Measures a robot on [course]; null while the robot drives or stands at the start. The robot's agent was to stop it at [limit] cm and
- * perceived the wall at [perceived]; null: the agent has not.
+ * Measures a robot on [course]; null while the robot drives or stands at the start. The agent was to stop the robot at [limit] cm, and
+ * perceived the wall at [perceived]; null: it has not perceived the wall.
  */
 internal fun measured(course: Course, limit: Int, perceived: Long?, now: Long): Entry.Result? {
     val (outcome, end) = when (course.stateAt(now)) {
@@ -127,7 +127,7 @@ internal class RecordedSketch(
         }
     }
 
-    override fun sensors() = robot.percepts() // several percepts a frame, which no computer receives here
+    override fun sensors() = robot.percepts() // all percepts of a frame at once, since no computer receives them here
 
     override fun act(command: String) = robot.act(command).also {
         commands.incrementAndGet()

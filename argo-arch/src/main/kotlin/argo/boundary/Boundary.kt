@@ -1,5 +1,6 @@
 package argo.boundary
 
+import argo.hand.Order
 import argo.observing.CommandFailure
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
@@ -16,6 +17,12 @@ import jason.asSyntax.Term
 interface Boundary {
     /** Begins a reasoning cycle of the agent of [ts]. Completes what ended outside of the agent's thread, such as [suspended] calls. */
     fun cycleStarting(ts: TransitionSystem)
+
+    /**
+     * Has [carryOut] carry out the orders to the agent in this cycle, in their order. [live] returns the orders that have come. Called just
+     * after [cycleStarting].
+     */
+    fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit)
 
     /** Returns the agent's perception in this cycle; [live] returns the perception of its boards and its environment. */
     fun perceive(live: () -> Perception): Perception
@@ -82,6 +89,7 @@ class InternalCall(val name: String, val args: Array<Term>, val un: Unifier, val
 /** Hands all inputs on at once. */
 internal object Live : Boundary {
     override fun cycleStarting(ts: TransitionSystem) = Unit
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = live().forEach(carryOut)
     override fun perceive(live: () -> Perception) = live()
     override fun newlyCritical(live: () -> List<Literal>) = live()
     override fun boardOf(percept: Literal, live: () -> String?) = live()

@@ -2,6 +2,8 @@ package argo.observing
 
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
+import argo.hand.Order
+import argo.hand.Outcome
 import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
@@ -87,6 +89,9 @@ interface ObservedAgent {
 
     /** Like the other [act], with the [options] of `argo.act`. */
     fun act(command: String, options: SendOptions, done: (CommandFailure?) -> Unit)
+
+    /** Has the agent carry [order] out at the beginning of its next cycle. Then its thread calls [done] once, with the outcome. */
+    fun order(order: Order, done: (Outcome) -> Unit)
 
     /** Makes the agent run a reasoning cycle soon. */
     fun wake()

@@ -10,6 +10,7 @@ import argo.check.rules.BeliefRules
 import argo.check.rules.Facts
 import argo.check.rules.FilterRules
 import argo.check.rules.GoalRules
+import argo.check.rules.InputRules
 import argo.check.rules.InternalActionRules
 import argo.check.rules.PerceptFileRules
 import argo.check.rules.PlanOrderRules
@@ -45,7 +46,7 @@ class ProjectCheck(private val project: Project) {
     private companion object {
         val RULES: List<Rule> = listOf(
             SyntaxRules, GoalRules, BeliefRules, VariableRules, InternalActionRules, ActionRules, PlanOrderRules, ArgumentOrderRules,
-            VariableKindRules, ArgoCallRules, FilterRules, RobotRules, SingleNameRules,
+            VariableKindRules, InputRules, ArgoCallRules, FilterRules, RobotRules, SingleNameRules,
         )
     }
 }

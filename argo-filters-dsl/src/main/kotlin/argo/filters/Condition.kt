@@ -6,8 +6,8 @@ sealed interface Condition {
     /**
      * A condition on the argument at [index], counted from 0. A percept without that argument does not meet it.
      *
-     * @property until the second limit of an ordering: once the number of a sensor has met [test], the condition holds while it meets the
-     * same comparison with this limit; null: while it meets [test]. A sensor is named by all that its percepts have beside this argument
+     * @property until a second limit. Once a sensor's number has met [test], the condition holds as long as the numbers meet the same
+     * comparison with this limit. Null: it holds only while they meet [test]. Percepts that differ only in this argument are of one sensor
      * @throws IllegalArgumentException if [index] is negative, or [until] is not a finite number beyond the limit of an ordering
      */
     data class Argument(val index: Int, val test: TermTest, val until: Double? = null) : Condition {
@@ -16,7 +16,7 @@ sealed interface Condition {
             until?.let { requireBeyond(test, it) }
         }
 
-        /** The comparison that must be met for the condition to go on to hold; null: [test]. */
+        /** The comparison with the second limit, which the condition needs to go on holding; null: [test]. */
         internal fun untilTest(): TermTest.Compare? =
             until?.let { TermTest.Compare((test as TermTest.Compare).operator, GroundTerm.Number(it)) }
 
@@ -25,7 +25,7 @@ sealed interface Condition {
 
     /**
      * A condition on the annotations called [name]: the first argument of one such annotation must meet all [tests]. Without tests, the
-     * percept only needs such an annotation. A percept that has none does not meet the condition.
+     * percept only needs an annotation [name]. A percept that has none does not meet the condition.
      */
     data class Annotation(val name: Predicate, val tests: List<TermTest> = emptyList()) : Condition {
         constructor(name: String, vararg tests: TermTest) : this(Predicate.of(name), tests.toList())
@@ -35,7 +35,7 @@ sealed interface Condition {
     }
 }
 
-/** Requires that [until] is a limit that a number reaches only after it has left that of [test]. */
+/** Requires that a number reaches the limit [until] only after it has passed the limit of [test]. */
 private fun requireBeyond(test: TermTest, until: Double) {
     require(until.isFinite()) { "the second limit $until is no finite number" }
     require(test is TermTest.Compare && test.operator.ordering) {

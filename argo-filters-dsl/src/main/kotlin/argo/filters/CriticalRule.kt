@@ -6,10 +6,10 @@ package argo.filters
  * a percept meets the rule.
  *
  * @property rule the rule that the percepts meet; it has no rate
- * @property reflex the command that is sent for such a percept before the agent reasons; null: none. A reflex has 1 to [MAX_REFLEX_LENGTH]
- *   characters up to U+00FF. It has no control characters, no blanks at its ends, and no `fffe` before two hexadecimal digits. A reflex is
- *   not the request `getPercepts`, with or without arguments.
- * @property smoothed whether the percept that a [SmoothingRule] has stand is to meet the rule; false: the percept as it came, without delay
+ * @property reflex the command that is sent for an urgent percept before the agent reasons; null: none. A reflex has 1 to
+ *   [MAX_REFLEX_LENGTH] characters up to U+00FF. A reflex has no control characters, no blanks at its ends, and no `fffe` before two
+ *   hexadecimal digits. A reflex is not the request `getPercepts`, with or without arguments.
+ * @property smoothed true: the rule tests the percept that a [SmoothingRule] selects; false: the percept as it came, without delay
  * @throws IllegalArgumentException if [rule] has a rate, or [reflex] cannot be sent
  */
 data class CriticalRule(val rule: Rule, val reflex: String? = null, val smoothed: Boolean = false) {

@@ -92,8 +92,8 @@ sealed class RuleList(private val mode: Mode) {
     }
 
     /**
-     * Adds a smoothing rule: for percepts of [predicate] that meet all [conditions], one of the last percepts of the same sensor stands. It
-     * drops nothing.
+     * Adds a smoothing rule: for each percept of [predicate] that meets all [conditions], it selects one of the sensor's last percepts to
+     * stand in. A smoothing rule drops nothing.
      *
      * ```kotlin
      * smooth("dist") { argument(1).outliers(3); argument(1) median 5 }

@@ -11,7 +11,7 @@ import java.util.Objects
  * @property mode the fate of the percepts that meet a rule
  * @property onSwitch the fate of the beliefs that this filter hides when an agent changes to it
  * @param critical the rules for urgent percepts; they decide before all other rules
- * @param smoothing the rules on percepts of sensors that err; the first one that a percept meets smooths it
+ * @param smoothing the rules for percepts of noisy sensors; the first rule that a percept meets smooths that percept
  */
 class PerceptionFilter(
     val name: String,
@@ -32,7 +32,7 @@ class PerceptionFilter(
 
     /** The fate of the beliefs that a filter hides when an agent changes to it. */
     enum class OnSwitch {
-        /** Jason's belief update deletes them. */
+        /** Jason's belief update deletes the hidden beliefs. */
         FORGET,
 
         /** The hidden beliefs stay as they were at the change. */
@@ -44,7 +44,7 @@ class PerceptionFilter(
     /** The rules for urgent percepts, in their order. */
     val critical: List<CriticalRule> = java.util.List.copyOf(critical)
 
-    /** The rules on percepts of sensors that err, in their order. */
+    /** The rules for percepts of noisy sensors, in their order. */
     val smoothing: List<SmoothingRule> = java.util.List.copyOf(smoothing)
 
     constructor(name: String, vararg rules: Rule) : this(name, rules.asList())

@@ -106,7 +106,7 @@ class CriticalConditions internal constructor() : RuleConditions() {
     private var reflex: String? = null
     private var smoothed = false
 
-    /** The percept that a smoothing rule has stand must meet the rule, in place of the percept as it came; see [CriticalRule.smoothed]. */
+    /** The rule tests the percept that a smoothing rule selects, not the percept as it came; see [CriticalRule.smoothed]. */
     fun smoothed() {
         smoothed = true
     }
@@ -127,8 +127,8 @@ class CriticalConditions internal constructor() : RuleConditions() {
 
 /**
  * A term of undeclared type: an argument or an annotation's value. Text is in Jason's syntax: `argument(0) eq "front"` compares with an
- * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: of an argument a [Limit], which may get a
- * second one.
+ * atom, `argument(0) eq "\"front\""` with a string. [L] is the result of a comparison by order: for an argument, a [Limit], which may get a
+ * second limit.
  */
 @FilterDsl
 sealed class AnyTerm<out L> {
@@ -236,17 +236,17 @@ class AnnotationTests internal constructor() : AnyTerm<Unit>() {
     override fun order(test: TermTest.Compare) = must(test)
 }
 
-/** The limit of a condition on an argument, which may get a second one. */
+/** The limit of a condition on an argument. The condition may get a second limit. */
 class Limit internal constructor(private val rule: RuleConditions, private val condition: Condition.Argument) {
     init {
         rule.add(condition)
     }
 
     /**
-     * Once a sensor's number has met the condition, it goes on to hold until the number has reached [limit]: `argument(1) lt 40 until 45`;
+     * Once a sensor's number has met the condition, the condition holds until the number has reached [limit]: `argument(1) lt 40 until 45`;
      * see [Condition.Argument.until].
      *
-     * @throws IllegalArgumentException if [limit] is not beyond the first one
+     * @throws IllegalArgumentException if [limit] is not beyond the first limit
      */
     infix fun until(limit: Number): Unit = rule.replace(condition, condition.copy(until = limit.toDouble()))
 }

@@ -1,7 +1,7 @@
 package argo.filters
 
 /**
- * The conditions of a smoothing rule under construction, and what it smooths: one argument.
+ * The conditions of a smoothing rule under construction, and the one argument that it smooths.
  *
  * ```kotlin
  * smooth("dist") { argument(0) eq "front"; argument(1).outliers(3); argument(1) median 5 }
@@ -15,7 +15,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     private var annotates = false
 
     /**
-     * Of the last [count] credible percepts the one in the middle stands: `argument(1) median 5`; see [SmoothingRule.median].
+     * Selects the middle one of the last [count] credible percepts: `argument(1) median 5`; see [SmoothingRule.median].
      *
      * @throws IllegalArgumentException if the rule has another median, or smooths another argument
      */
@@ -25,7 +25,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * No percept is credible whose number has changed by more than [perSecond] in a second: `argument(1) maxRate 200`; see
+     * A percept is not credible if its number has changed by more than [perSecond] in a second: `argument(1) maxRate 200`; see
      * [SmoothingRule.maxRate].
      *
      * @throws IllegalArgumentException if the rule has another greatest rate, or smooths another argument
@@ -36,8 +36,8 @@ class SmoothingConditions internal constructor() : RuleConditions() {
     }
 
     /**
-     * No percept is credible that is further than some [deviations] from the median of the last [among]: `argument(1).outliers(3)`; see
-     * [Outliers].
+     * A percept is not credible if it is more than [deviations] deviations from the median of the last [among]: `argument(1).outliers(3)`;
+     * see [Outliers].
      *
      * @throws IllegalArgumentException if the rule has other outliers, or smooths another argument
      */
@@ -46,7 +46,7 @@ class SmoothingConditions internal constructor() : RuleConditions() {
         this@SmoothingConditions.outliers(index, deviations, among)
     }
 
-    /** The percepts that stand have the annotation `smoothed`, so that an agent believes `dist(f,30)[smoothed]`. */
+    /** Selected percepts get the annotation `smoothed`, so that an agent believes `dist(f,30)[smoothed]`. */
     fun annotate() {
         annotates = true
     }

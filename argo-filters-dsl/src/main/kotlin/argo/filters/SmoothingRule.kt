@@ -1,24 +1,23 @@
 package argo.filters
 
 /**
- * A rule on percepts of sensors that err: for each percept that meets it, one of the last percepts of the same sensor stands, the newest
- * that is credible or the one in the middle. It drops nothing. The filter's other rules decide over the percept that stands; so do critical
- * rules that [say so][CriticalRule.smoothed].
+ * A rule for percepts of noisy sensors. For each percept that meets it, the rule selects one of the last percepts of the same sensor to
+ * stand in: the newest credible one, or the middle one. A smoothing rule drops nothing. The filter's other rules then decide over the
+ * selected percept, and so do critical rules if they [say so][CriticalRule.smoothed].
  *
- * A sensor is named by all that its percepts have beside [argument]: `dist(f,30)` and `dist(f,31)` are of one sensor if argument 1 is
- * smoothed, `dist(b,30)` is of another. A percept without a number there stands for itself. Percepts pass [maxRate] first, then [outliers],
- * then [median].
+ * Percepts that differ only in [argument] are of one sensor: `dist(f,30)` and `dist(f,31)` if argument 1 is smoothed, but not `dist(b,30)`.
+ * A percept without a number in [argument] stands for itself. Percepts pass [maxRate] first, then [outliers], then [median].
  *
- * Only an [argo.filters.matching.FilterSession], which has the time and the percepts before, smooths.
+ * Only an [argo.filters.matching.FilterSession] smooths, since it knows the time and the earlier percepts.
  *
  * @property rule the rule that the percepts meet; it has no rate, and no condition with a [second limit][Condition.Argument.until]
  * @property argument the position of the number that is smoothed, counted from 0
- * @property maxRate the most by which the number can change in a second; null: any. A percept is not credible if it differs by more from
- * the last credible one. The third in a row that can follow the one before it is credible again
- * @property outliers the percepts that are not credible since they are far from most others; null: none are
- * @property median the odd number of last credible percepts of which the one in the middle stands; null: the newest stands. Until there are
- * as many, it is that of those that there are, of two in the middle the newer one
- * @property annotates whether the percepts that stand have the annotation `smoothed`, as in `dist(f,30)[smoothed]`
+ * @property maxRate the most by which the number can change in a second; null: any. A percept that differs more from the last credible one
+ * is not credible. After three such percepts in a row that can follow each other, the third is credible again
+ * @property outliers describes percepts that are not credible since they are far from most others; null: there are none
+ * @property median the odd number of last credible percepts of which the middle one is selected; null: the newest is selected. While there
+ * are fewer percepts, the middle one of these is selected, of two the newer
+ * @property annotates whether selected percepts get the annotation `smoothed`, as in `dist(f,30)[smoothed]`
  * @throws IllegalArgumentException if nothing is to be smoothed, or a number has no meaning
  */
 data class SmoothingRule(
@@ -55,7 +54,7 @@ data class SmoothingRule(
     }
 
     companion object {
-        /** The most percepts of a sensor of which a median is taken. */
+        /** The largest number of percepts for a median. */
         const val MAX_WINDOW: Int = 99
 
         internal fun isWindow(size: Int) = size in 3..MAX_WINDOW && size % 2 == 1
@@ -67,12 +66,12 @@ data class SmoothingRule(
 }
 
 /**
- * The percepts whose number is further than some deviations from the median of the last numbers of their sensor, themselves included. A
- * deviation is 1.4826 times the median of the distances to that median, which is the standard deviation of normal noise; it is at least one
- * unit of the last digit that the percept shows. Of the first two percepts of a sensor neither is an outlier.
+ * Percepts with a number further than [deviations] deviations from the median of their sensor's last numbers, their own included. A
+ * deviation is 1.4826 times the median of the distances to that median, which is the standard deviation of normal noise. A deviation is at
+ * least one unit of the percept's last digit. Of the first two percepts of a sensor neither is an outlier.
  *
  * @property deviations the greatest distance from the median, in deviations
- * @property among the odd number of last percepts whose median it is
+ * @property among the odd number of last percepts for the median
  * @throws IllegalArgumentException if [deviations] is not a finite number from 1, or [among] is no odd number from 3 to
  * [SmoothingRule.MAX_WINDOW]
  */
@@ -87,7 +86,7 @@ data class Outliers(val deviations: Double, val among: Int = AMONG) {
     override fun toString(): String = "outliers of ${GroundTerm.Number(deviations)} deviations among the last $among"
 
     companion object {
-        /** The number of percepts whose median is taken if none is said. */
+        /** The default number of percepts for the median. */
         const val AMONG: Int = 5
     }
 }

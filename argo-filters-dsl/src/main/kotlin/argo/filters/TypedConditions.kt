@@ -12,32 +12,32 @@ class TypedCriticalRule internal constructor(type: PerceptType, internal val cri
 /** A smoothing rule on a declared percept type under construction. */
 class TypedSmoothingRule internal constructor(type: PerceptType, internal val smoothing: SmoothingConditions) : TypedRule(type, smoothing)
 
-/** The percept that a smoothing rule has stand must meet the rule: `smoothed()`; see [CriticalRule.smoothed]. */
+/** The rule tests the percept that a smoothing rule selects: `smoothed()`; see [CriticalRule.smoothed]. */
 context(rule: TypedCriticalRule)
 fun PerceptType.smoothed(): Unit = rule.critical.smoothed()
 
-/** Of the last [count] credible percepts the one in the middle stands: `cm median 5`; see [SmoothingRule.median]. */
+/** Selects the middle one of the last [count] credible percepts: `cm median 5`; see [SmoothingRule.median]. */
 context(rule: TypedSmoothingRule)
 infix fun NumberArgument.median(count: Int) {
     specify()
     rule.smoothing.median(index, count)
 }
 
-/** No percept is credible whose number has changed faster: `cm maxRate 200`, by a second; see [SmoothingRule.maxRate]. */
+/** A percept is not credible if its number has changed faster: `cm maxRate 200`, per second; see [SmoothingRule.maxRate]. */
 context(rule: TypedSmoothingRule)
 infix fun NumberArgument.maxRate(perSecond: Number) {
     specify()
     rule.smoothing.maxRate(index, perSecond)
 }
 
-/** No percept is credible that is further from the median of the last [among]: `cm.outliers(3)`; see [Outliers]. */
+/** A percept is not credible if it is further from the median of the last [among]: `cm.outliers(3)`; see [Outliers]. */
 context(rule: TypedSmoothingRule)
 fun NumberArgument.outliers(deviations: Number, among: Int = Outliers.AMONG) {
     specify()
     rule.smoothing.outliers(index, deviations, among)
 }
 
-/** The percepts that stand have the annotation `smoothed`: `annotate()`. */
+/** Selected percepts get the annotation `smoothed`: `annotate()`. */
 context(rule: TypedSmoothingRule)
 fun PerceptType.annotate(): Unit = rule.smoothing.annotate()
 

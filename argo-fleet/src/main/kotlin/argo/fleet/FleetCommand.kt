@@ -30,7 +30,7 @@ internal class FleetCommand : ToolCommand() {
     private var bind: String? = null
 
     @Option(names = [CLASS_PATH], paramLabel = "PATH", description = ["the project's classes and jars, and Jason's, as for java -cp"])
-    @Suppress("unused") // Main reads it, before Jason is there
+    @Suppress("unused") // `main` reads this option, before Jason is there
     private var classPath: String? = null
 
     override fun call(): Int {

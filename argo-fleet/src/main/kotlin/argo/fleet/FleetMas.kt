@@ -28,7 +28,7 @@ import java.util.logging.LogManager
 import java.util.logging.Logger
 import kotlin.concurrent.thread
 
-/** The agents of one computer of a fleet, run by Jason's infrastructure of one computer. */
+/** Runs the agents of one computer of a fleet, on Jason's infrastructure for a single computer. */
 internal class FleetMas :
     RunLocalMAS(),
     LocalAgents,
@@ -46,21 +46,21 @@ internal class FleetMas :
         init(arrayOf(file, "--no-net"))
         useJasonsFormat()
         val read = FleetProject(project)
-        project.infrastructure = ClassParameters(LOCAL) // its options are those of Jason's infrastructure of one computer
+        project.infrastructure = ClassParameters(LOCAL) // Jason expects options of its own infrastructure here
         return read
     }
 
-    /** Without a file of the project's, the log goes to the console; Jason would open a window. */
+    /** Unless the project has a file for its log, the log goes to the console. Jason would open a window. */
     override fun getDefaultLogProperties(): InputStream = DEFAULT_LOG.byteInputStream()
 
-    /** Java looks for the formatter that the log's settings name on the class path of the program, where Jason need not be. */
+    /** The log's settings name a formatter of Jason's, which Java seeks on the program's class path. Jason may be elsewhere. */
     private fun useJasonsFormat() {
         val wanted = LogManager.getLogManager().getProperty("java.util.logging.ConsoleHandler.formatter")
         if (wanted != MASConsoleLogFormatter::class.java.name) return
         Logger.getLogger("").handlers.filterIsInstance<ConsoleHandler>().forEach { it.formatter = MASConsoleLogFormatter() }
     }
 
-    /** Creates the agents of this computer among [agents], and joins [fleet] with them; then they begin. */
+    /** Creates those of [agents] that belong to this computer, joins [fleet], and then has these agents begin. */
     fun run(fleet: Fleet, agents: List<PlacedAgent>, hosts: Int) {
         this.fleet = fleet
         placed = agents
@@ -78,7 +78,7 @@ internal class FleetMas :
         create(agent) { FleetAgArch(fleet) }?.let(createdAgents::add)
     }
 
-    /** Creates [agent] and returns its infrastructure; null: that failed, and the log says why. */
+    /** Creates [agent] and returns its infrastructure; null: creating failed, and the log says why. */
     private fun create(agent: PlacedAgent, architecture: () -> FleetAgArch): FleetAgArch? {
         val wanted = agent.parameters
         val odd = wanted.options?.keys.orEmpty().intersect(OPTIONS_OF_POOLS)
@@ -97,7 +97,7 @@ internal class FleetMas :
         }
     }
 
-    /** On a thread of its own: to read a program takes longer than the leases may wait. */
+    /** Uses a thread of its own, since the leases must not wait while a program is read. */
     override fun start(agent: String, reign: Reign, mind: MindNews?) {
         thread(name = "argo-fleet-start-$agent") {
             val created = create(placed.first { it.name == agent }) { FleetAgArch(fleet, reign, leases::keep) } ?: return@thread

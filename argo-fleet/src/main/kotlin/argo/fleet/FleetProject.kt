@@ -12,16 +12,16 @@ import jason.mas2j.MAS2JProject
 import java.net.InetSocketAddress
 import java.nio.file.Path
 
-/** A project cannot run as a fleet; [message] says why, for a person. */
+/** A project cannot run as a fleet; [message] tells the user why. */
 internal class FleetProjectException(override val message: String) : Exception(message)
 
 /**
  * An agent of the project.
  *
- * @property computers those that it may run on, the first one preferred
+ * @property computers the computers that the agent may run on; it prefers the first
  */
 internal class PlacedAgent(val name: String, val parameters: AgentParameters, val computers: List<String>) {
-    /** Whether it outlives its computer. */
+    /** Whether the agent outlives its computer. */
     val isMovable: Boolean get() = computers.size > 1
 }
 
@@ -64,8 +64,8 @@ internal class FleetProject(project: MAS2JProject) {
     /**
      * Returns the settings of the computer [here].
      *
-     * @param bind the address at which it listens, of a fleet without `hosts`; null: the loopback interface
-     * @throws FleetProjectException if there is no such computer, or others could reach it without TLS and the project does not allow that
+     * @param bind in a fleet without `hosts`, the address at which [here] listens; null: the loopback interface
+     * @throws FleetProjectException if there is no such computer, or if others could reach it without TLS and the project lacks `insecure`
      */
     fun settings(here: String, bind: String?): ClusterSettings {
         val known = hosts.keys.ifEmpty { agents.flatMap { it.computers }.toSet() }

@@ -11,8 +11,8 @@ import kotlin.system.exitProcess
 /**
  * Runs the agents of one computer of a fleet: `java -jar argo-fleet.jar robots.mas2j --at scout1`.
  *
- * Jason, which is not in the jar, is one of the jars in its folder, or on `--class-path`; then everything is loaded anew with Jason, in
- * this program.
+ * Jason is not in this jar, but in another jar of its folder, or on `--class-path`. The program loads its own classes again, together with
+ * Jason.
  */
 fun main(arguments: Array<String>) {
     if (hasJason(FleetCommand::class.java.classLoader)) exitProcess(run(arguments))
@@ -44,7 +44,7 @@ private fun hasJason(loader: ClassLoader): Boolean = try {
     false
 }
 
-/** Returns the places of classes: those of this program, the jars beside this one, and those of the option. */
+/** Returns the class path of this program, the jars beside this program's jar, and the places that the option names. */
 private fun places(arguments: Array<String>): List<URL> {
     val own = System.getProperty("java.class.path").split(File.pathSeparator)
     val beside = File(FleetCommand::class.java.protectionDomain.codeSource.location.toURI()).parentFile

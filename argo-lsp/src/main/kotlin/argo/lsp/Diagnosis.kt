@@ -33,7 +33,7 @@ internal class Diagnosis(
      */
     private var rounds = WARM_UP_ROUNDS
 
-    /** The published findings with their text, by its URI. Only the worker uses them. */
+    /** The published findings with their text, by its URI. Only the worker uses this map. */
     private val published = HashMap<String, Pair<Text, List<Diagnostic>>>()
 
     /** Call this after a text or a file on the disk was opened or changed. The search begins when no more changes come. */
@@ -43,7 +43,7 @@ internal class Diagnosis(
         due = worker.schedule(::run, PAUSE_MS, TimeUnit.MILLISECONDS)
     }
 
-    /** Call this after the text of [uri] was closed. The editor then stops showing its findings. */
+    /** Call this after the text of [uri] was closed. The editor then stops showing the findings in that text. */
     fun closed(uri: String) {
         worker.execute { if (texts[uri] == null && published.remove(uri) != null) publish(PublishDiagnosticsParams(uri, emptyList())) }
         changed()
@@ -52,11 +52,11 @@ internal class Diagnosis(
     private fun run() = try {
         texts.all().forEach(::diagnose)
         worker.execute(::warmUp)
-    } catch (failure: Throwable) { // an executor would hide it
+    } catch (failure: Throwable) { // an executor would hide the failure
         fail(failure)
     }
 
-    /** Makes one round and queues the next. So a key or a request waits for one round at most. */
+    /** Makes one warm-up round and queues the next. So a key or a request waits for one round at most. */
     private fun warmUp() {
         if (rounds == 0 || !isIdle()) return
         rounds--
@@ -78,7 +78,7 @@ internal class Diagnosis(
     }
 
     private companion object {
-        /** A longer pause between two keys ends a word. After a shorter one the next key would make the result useless. */
+        /** A longer pause between two keys ends a word. After a shorter pause the next key would make the result useless. */
         const val PAUSE_MS = 20L
         const val WARM_UP_ROUNDS = 60
     }

@@ -18,7 +18,7 @@ internal class Findings(private val projects: Projects) {
         return project.check.findingsIn(project.sourceOf(text).agent).map(::diagnostic)
     }
 
-    /** Returns what is found in a project file or a filter, [text]. */
+    /** Returns the findings in [text], a project file or a filter. */
     fun inFile(text: Text): List<Diagnostic> =
         projects.of(text).check.findingsInFiles().filter { it.place.file == fileOf(text.uri) }.map(::diagnostic)
 

@@ -19,8 +19,8 @@ import argo.tools.replay.classPathWithJason
 import org.eclipse.lsp4j.Diagnostic
 
 /**
- * Finds the language of a text by the ending of its file's name. Apart from [of], only the server's worker thread uses it. [tell] shows a
- * line to the user.
+ * Finds the language of a text by the ending of its file's name. Any thread may call [of], and only the server's worker thread the rest.
+ * [tell] shows a line to the user.
  */
 internal class Languages(texts: OpenTexts, tell: (String) -> Unit) {
     private val projects = Projects(texts, tell)

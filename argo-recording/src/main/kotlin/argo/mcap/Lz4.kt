@@ -49,7 +49,7 @@ internal class Lz4 {
         return block.sequence(data, literals, end, 0, 0)
     }
 
-    /** Writes the bytes of [data] from [from] up to [until]. Writes the match at [offset] behind them, if there is one. */
+    /** Writes the bytes of [data] from [from] up to [until] and, unless [offset] is 0, a match at that offset behind those bytes. */
     private fun RecordBytes.sequence(data: ByteArray, from: Int, until: Int, offset: Int, more: Int): RecordBytes {
         val literals = until - from
         u8((minOf(literals, NIBBLE) shl NIBBLE_BITS) or minOf(more, NIBBLE))
@@ -85,7 +85,7 @@ internal class Lz4 {
         private const val HASH_FACTOR = -1640531535
         private const val MAX_OFFSET = 0xFFFF
         private const val MIN_MATCH = 4
-        private const val LAST_MATCH = 12 // the format forbids a match to begin this close to the end, in bytes
+        private const val LAST_MATCH = 12 // a match must begin at least this many bytes before the end
         private const val LAST_LITERALS = 5
         private const val NIBBLE = 15
         private const val NIBBLE_BITS = 4

@@ -26,7 +26,7 @@ class McapReader(path: Path) : Closeable {
     /** The channels, in the order of their first appearance. */
     val channels: List<McapChannel> get() = contents.channels.values.toList()
 
-    /** The files inside, in their order. An attachment reads its data on demand, while this reader is open. */
+    /** The attached files, in the order of the file. An attachment reads its data on demand, while this reader is open. */
     val attachments: List<McapAttachment> get() = contents.attachments
 
     /** The entries that [McapWriter.metadata] wrote, in their order. */
@@ -41,7 +41,7 @@ class McapReader(path: Path) : Closeable {
     /** The range from the earliest to the latest log time; null: there is no message. */
     val times: LongRange? get() = contents.times
 
-    /** The unreadable parts of the file: one sentence for each of the first hundred, and one if there are more. */
+    /** One sentence for each unreadable part of the file; the 101st is about all others. */
     val problems: List<String> get() = contents.problems
 
     /** True if the writer closed the file, and all of it can be read. */
@@ -51,7 +51,7 @@ class McapReader(path: Path) : Closeable {
      * Returns the messages in the order in which they were written.
      *
      * @param from the first log time in ns
-     * @param until the end of the log times in ns, itself excluded
+     * @param until the end of the log times in ns; a message with just this time is not returned
      * @param topics the channels' topics; null: all
      * @return a sequence that reads the file during the iteration, and throws [McapException] if the file has changed
      */

@@ -218,7 +218,7 @@ internal class McapScan(private val input: McapInput) {
     private fun checksumOf(bytes: ByteBuffer) = CRC32().apply { update(bytes.duplicate()) }.value
 
     private companion object {
-        /** More bytes than the name and the type of an attachment need. */
+        /** A number of bytes that the name and the type of an attachment never exceed. */
         const val MAX_ATTACHMENT_HEAD_BYTES = 64L * 1024
     }
 }

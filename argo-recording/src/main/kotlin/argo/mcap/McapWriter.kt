@@ -7,7 +7,7 @@ import java.util.zip.CRC32
  * Writes a file of MCAP version 0 (https://mcap.dev/spec): messages in chunks compressed by LZ4, each with a checksum and an index, and a
  * summary at the end. A reader can read a cut-off file up to its last whole chunk.
  *
- * For one thread. Each function throws the [java.io.IOException] of the sink. After that only the whole parts before are usable.
+ * For one thread. Each function throws the [java.io.IOException] of the sink. Then only parts that were whole before are usable.
  *
  * @param sink receives the file from its first byte on; [close] closes it
  * @param library the name of the program that writes the file
@@ -27,7 +27,7 @@ class McapWriter(
 
     private var written = 0L
 
-    /** The length of the file up to the last whole chunk, attachment or other record. Bytes of a failed function lie behind it. */
+    /** The length of the file up to the last whole chunk, attachment or other record. Bytes of a failed function lie behind this length. */
     var wholeBytes = 0L
         private set
 
@@ -78,7 +78,7 @@ class McapWriter(
         if (chunk.size >= chunkBytes) flush()
     }
 
-    /** Adds a file. Ends the chunk and writes the file behind it at once. */
+    /** Adds a file. Ends the chunk, and writes the file behind the chunk at once. */
     fun attachment(name: String, mediaType: String, data: ByteArray, timeNs: Long = 0) {
         flush()
         write(record.clear().attachment(name, mediaType, data, timeNs))
@@ -86,7 +86,7 @@ class McapWriter(
         wholeBytes = written
     }
 
-    /** Adds names and values under [name]. Ends the chunk and writes them behind it at once. */
+    /** Adds names and values under [name]. Ends the chunk, and writes the names and values behind the chunk at once. */
     fun metadata(name: String, values: Map<String, String>) {
         flush()
         write(record.clear().record(Op.METADATA) { text(name).map(values) })

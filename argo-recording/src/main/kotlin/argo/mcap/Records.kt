@@ -51,7 +51,7 @@ class McapMessage(val channel: McapChannel, val sequence: Long, val logTimeNs: L
  * @property timeNs the time of recording, on the clock of the messages
  */
 class McapAttachment internal constructor(val name: String, val mediaType: String, val timeNs: Long, read: () -> ByteArray) {
-    /** The file's bytes; do not change them. The first call reads them, and needs an open reader. */
+    /** The file's bytes; do not change them. The first call reads the bytes, and needs an open reader. */
     val data: ByteArray by lazy(LazyThreadSafetyMode.NONE, read)
 
     /** [data] as text in UTF-8. */

@@ -64,6 +64,8 @@ data class Input(
     val isChangedOutside: Boolean = false,
     @Holds("by their places in the field events: the places in the queue of those behind which the agent had added other events since")
     val eventPlaces: Map<Int, Int> = emptyMap(),
+    @Holds("the orders of a person that it was given, carried out or refused at the beginning of the cycle")
+    val orders: List<GivenOrder> = emptyList(),
 )
 
 /** Returns the texts of the terms that a replay reads. */
@@ -106,6 +108,15 @@ data class Mail(
     val inReplyTo: String? = null,
     @Holds("why it could not be sent; missing: it was sent")
     val failure: String? = null,
+)
+
+/** An order of a person. */
+@Serializable
+data class GivenOrder(
+    @Holds("its kind: believe, forget, begin or drop")
+    val kind: String,
+    @Holds("the belief or goal, as the person wrote it")
+    val text: String,
 )
 
 /** The end of an operation that an agent began outside of its thread. */
@@ -240,7 +251,7 @@ data class PerceivedSnapshot(
     val heldBack: Set<String> get() = heldBack(texts, kept).toSet()
 }
 
-/** Returns those of [texts] that a filter held back, which let [kept] through; null: all. */
+/** Returns the [texts] that a filter held back. [kept] are the texts that the filter let through; null: all. */
 internal fun heldBack(texts: List<String>, kept: List<String>?): List<String> =
     kept?.let { texts - it.mapTo(HashSet(), ::withoutSmoothed) }.orEmpty()
 

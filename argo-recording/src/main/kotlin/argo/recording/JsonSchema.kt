@@ -13,7 +13,7 @@ import kotlinx.serialization.json.put
 import kotlinx.serialization.json.putJsonArray
 import kotlinx.serialization.json.putJsonObject
 
-/** Describes a field of a recording by [text]. The schema in the file contains this text, for readers with another program. */
+/** Describes a field of a recording by [text]. The schema in the file contains this text, for people who use another program. */
 @OptIn(ExperimentalSerializationApi::class)
 @SerialInfo
 @MustBeDocumented

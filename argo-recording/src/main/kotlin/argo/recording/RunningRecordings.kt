@@ -15,7 +15,7 @@ interface RunningRecording {
      * Calls [use] with a file that contains the recording so far. During the call the file may grow; after it the file may be deleted. The
      * function waits for the disk, so the agent's thread must not call it.
      *
-     * @throws java.io.IOException if there is no such file, or it cannot be written
+     * @throws java.io.IOException if there is no file with the recording, or it cannot be written
      */
     fun <T> read(use: (Path) -> T): T
 }

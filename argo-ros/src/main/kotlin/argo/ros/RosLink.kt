@@ -52,8 +52,8 @@ import kotlin.concurrent.withLock
  * A robot behind a bridge of the rosbridge protocol. The link reads the newest message of each topic, except topics whose percepts the
  * agent's filter drops completely.
  *
- * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns them into percepts. So no message waits
- * for a thread or for another message.
+ * A thread of the HTTP client receives messages and keeps the newest ones. The sensing thread turns messages into percepts. So no message
+ * waits for a thread or for another message.
  */
 internal class RosLink private constructor(
     override val port: String,
@@ -138,7 +138,7 @@ internal class RosLink private constructor(
         }
     }
 
-    /** Takes the newest [feedback] of a goal, or forgets it with the goal. */
+    /** Takes the newest [feedback] of a goal; null: the goal has ended, and its feedback is forgotten. */
     private fun progress(rule: PerceptRule, feedback: JsonObject?) = lock.withLock {
         val now = clock.nanos()
         if (feedback == null) topics.forget(rule.topic) else if (wish?.isSensed == true) topics.add(rule.topic, feedback, now, now)

@@ -23,7 +23,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     /**
      * Returns [events] with one more fault, which hits a command of [run], the run with these events. The fault hits the command's board
      * shortly before the command was issued, while the command was on the line, or at its outcome. Null: no command was sent, or the
-     * exploration plays none of these faults.
+     * exploration plays no fault that hits commands.
      *
      * A command is on its way so briefly that faults drawn only from a seed seldom hit it.
      */
@@ -59,7 +59,7 @@ internal class EventSource(private val exploration: Exploration, private val age
 
     private fun lasts(random: Random): Duration = LENGTHS[random.nextInt(LENGTHS.size)].let { random.nextInt(it / 2, it + 1) }.milliseconds
 
-    /** Returns makers of events at a given time, one for each kind of fault, and two for sensors. */
+    /** Returns functions that make an event at a given time: one for each kind of fault, and two for sensors. */
     private fun makers(random: Random): List<(Duration) -> WorldEvent> {
         fun port() = ports[random.nextInt(ports.size)]
         val makers = ArrayList<(Duration) -> WorldEvent>()
@@ -108,7 +108,7 @@ internal class EventSource(private val exploration: Exploration, private val age
     private companion object {
         val FIRST_AT = 200.milliseconds
 
-        /** The largest lengths of faults, in ms, from a loose contact to a missing board. One is drawn for each fault. */
+        /** The largest lengths of faults, in ms, from a loose contact to a missing board. For each fault one of the lengths is drawn. */
         val LENGTHS = listOf(40, 200, 800, 2000, 5000)
 
         /** A fault that hits a command begins at most this long before the command's issue or after its end, in ms. */

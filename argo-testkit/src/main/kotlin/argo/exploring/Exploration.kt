@@ -27,10 +27,10 @@ class Exploration internal constructor() {
     internal var played: Set<Fault> = Fault.entries.toSet()
         private set
 
-    /** The time in which events happen. This time begins 200 ms after the run. */
+    /** The time in which events happen. Events begin 200 ms after the run. */
     var eventful: Duration = 10.seconds
 
-    /** The time for which a run goes on after its last event. Some rules need it to see that nothing happens. */
+    /** The time for which a run goes on after its last event. Some rules need this time to see that nothing happens. */
     var settling: Duration = 8.seconds
 
     /** The most events in a run. */
@@ -42,10 +42,10 @@ class Exploration internal constructor() {
     /** The most runs. */
     var runs: Int = 1_000
 
-    /** The time limit for all runs, in real time. A failing run is shortened after it. */
+    /** The time limit for all runs, in real time. The shortening of a failing run may take more time. */
     var time: Duration = 60.seconds
 
-    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` has such a board. */
+    /** Describes the board on [port], in the agents' notation. Each agent on `argo.Arch` has a board of its own like this. */
     fun board(port: String, describe: ExploredBoard.() -> Unit = {}) {
         boards.getOrPut(port) { ExploredBoard() }.describe()
     }
@@ -63,7 +63,7 @@ class Exploration internal constructor() {
         kept = rules
     }
 
-    /** Sets the faults to play, in place of all. Without faults, only sensors change and messages come. */
+    /** Sets the faults to play; otherwise all are played. With no fault, only sensors change and messages come. */
     fun faults(vararg faults: Fault) {
         played = faults.toSet()
     }

@@ -37,7 +37,7 @@ fun staysAlive(): Rule = ReadyRule("staysAlive", "stays alive") { run, agent ->
         ?.let { Breach(it.at, if (it is NeverRests) it.what else "$agent is stopped") }
 }
 
-/** The rules that fit any agent. [explore] checks them by default. */
+/** The rules that fit any agent. [explore] checks these rules by default. */
 fun usualRules(): List<Rule> = listOf(
     staysAlive(), handlesFailures(), losesNoCommand(), neverWaitsForever(), staysSmall(), neverFloods(), neverOscillates(),
     perceivesAgain(),

@@ -19,9 +19,8 @@ fun neverActsOnStalePercepts(maxAge: Duration = 1.seconds, except: List<String> 
 
 /**
  * An agent without percepts stops its motion. An agent is blind from [blindAfter] after its newest message until the next message. A blind
- * agent sends none of [moving]. An agent that is blind for longer than [within] sends [safe], if its last command before, of [moving] and
- * [safe], was one of [moving]. The agent has [within] for sending [safe], from the time of getting blind or, if the port was off, from the
- * port's return.
+ * agent sends none of [moving]. If an agent is blind for longer than [within], and its last command of [moving] and [safe] was one of
+ * [moving], it sends [safe]. The time [within] begins when the agent gets blind or, if the port was off, when the port returns.
  *
  * @param safe the command that stops the motion; `speed` stands for `speed(0)` too
  */
@@ -34,7 +33,8 @@ fun stopsWhenBlind(safe: String, moving: List<String>, blindAfter: Duration = 1.
 
 /**
  * If [percept] begins to hold in the agent's percepts, and holds for [within], the agent sends one of [commands] within that time. The time
- * begins with the last byte of the first such message. An agent whose last command is one of [commands] need not send another.
+ * begins with the last byte of the message that made [percept] hold. An agent whose last command is one of [commands] need not send
+ * another.
  *
  * @param percept a belief or a condition as in a plan's context: `dist(front,X) & X < 20`
  * @throws IllegalArgumentException if [percept] is neither a belief nor a condition
@@ -78,7 +78,7 @@ fun neverSends(commands: List<String>, percept: String, after: Duration = 1.seco
     }
 }
 
-/** An agent that has perceived something perceives something within [within] of the end of the last event. */
+/** An agent that has perceived something perceives something again within [within] of the end of the last event. */
 fun perceivesAgain(within: Duration = 5.seconds): Rule = ReadyRule("perceivesAgain", "perceives again", within) { run, agent ->
     val quiet = run.events.maxOfOrNull { it.ends } ?: Duration.ZERO
     val last = run.of(agent).filterIsInstance<Perceived>().lastOrNull()

@@ -30,7 +30,7 @@ private fun runsOf(outcome: Outcome) =
 fun wordsOf(events: List<WorldEvent>): String =
     if (events.isEmpty()) "  nothing" else events.joinToString("\n") { "  ${timeOf(it.at)}  ${it.words}" }
 
-/** Tells the events of the world and the agents in [run], one a line; of many, the last [MOST_LINES]. */
+/** Lists the events of the world and of the agents in [run], one a line, but only the last [MOST_LINES]. */
 internal fun storyOf(run: Run): String {
     val lines = run.trace.mapNotNull { entry -> lineOf(entry)?.let { "  ${timeOf(entry.at)}  $it" } }
     val left = if (lines.size > MOST_LINES) listOf("  … ${lines.size - MOST_LINES} more before these") else emptyList()

@@ -49,7 +49,7 @@ internal class ReadyRule(
     override fun breachIn(run: Run): Breach? = run.agents.mapNotNull { breachOf(run, it) }.minByOrNull { it.at }
 }
 
-/** Returns true if [command] is [pattern], or has it as its name: `drive` stands for `drive(3)`. */
+/** Returns true if [pattern] is [command] or its name: `drive` stands for `drive(3)`. */
 internal fun isCommand(command: String, pattern: String) = command == pattern || command.startsWith("$pattern(")
 
 internal fun List<String>.hasCommand(command: String) = any { isCommand(command, it) }

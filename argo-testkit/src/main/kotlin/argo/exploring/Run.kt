@@ -17,7 +17,7 @@ sealed interface AgentEntry : TraceEntry {
 /** [event] begins. */
 data class Happened(override val at: Duration, val event: WorldEvent) : TraceEntry
 
-/** A message of the board on [port] has come. The agent perceives it soon, or never if a newer one comes before. */
+/** A message of the board on [port] has come. The agent perceives this message soon, or never if a newer one comes first. */
 data class Received(override val at: Duration, override val agent: String, val port: String) : AgentEntry
 
 /**
@@ -35,7 +35,7 @@ data class Perceived(
  * The agent has called `argo.act`, or a reflex was sent.
  *
  * @property number counts the agent's commands
- * @property plan the plan that called it, with file and line; null: no plan did
+ * @property plan the plan that called `argo.act`, with file and line; null: no plan called
  */
 data class Issued(
     override val at: Duration,
@@ -46,7 +46,7 @@ data class Issued(
     val plan: String?,
 ) : AgentEntry
 
-/** Command [number] of the agent has left or, in version 2, the board has acted. If not, [error] is the atom in `error(…)`. */
+/** An agent's command has ended. [error] is the atom in `error(…)`; null: the command has left or, in version 2, the board has acted. */
 data class Ended(
     override val at: Duration,
     override val agent: String,

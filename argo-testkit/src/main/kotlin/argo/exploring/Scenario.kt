@@ -25,7 +25,7 @@ internal fun interface Program {
 }
 
 /**
- * Returns the agents in the file [source]: one of an `.asl`, all of a `.mas2j`. The file is found as by the test kit's `agent`.
+ * Returns the agents in the file [source]: the one of an `.asl`, or all of a `.mas2j`. The file is found as by the test kit's `agent`.
  *
  * @throws IllegalArgumentException if there is no such file, or it cannot be read
  */

@@ -28,7 +28,7 @@ ${descriptionOf(found).prependIndent("            ")}
 """.trimStart()
 }
 
-/** Writes the exploration in Kotlin. If its description contains code, writes the call of the function that describes it. */
+/** Writes the exploration in Kotlin. If its description contains code, writes a call of the describing function. */
 private fun descriptionOf(found: Found): String {
     val exploration = found.scenario.exploration
     val broken = exploration.kept.first { it.name == found.rule }

@@ -133,7 +133,7 @@ internal class TraceRecorder(private val mas: TestMas) {
         /** Beginnings of Jason's messages about a failure without a plan. */
         val UNHANDLED = listOf("No failure event was generated for ", "No fail event was generated for ")
 
-        /** The text behind the goal in such messages. */
+        /** The text that follows the goal in these messages. */
         const val SOURCE = "["
 
         /** The place of the time limit among the arguments of `.send`, from 0. */

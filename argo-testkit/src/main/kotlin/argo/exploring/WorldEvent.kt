@@ -5,7 +5,7 @@ import kotlin.time.Duration.Companion.milliseconds
 
 /**
  * An event in the outside world during a run. Immutable. A run depends only on the agents' programs, the description of the boards, and a
- * list of such events.
+ * list of these events.
  *
  * Times are whole milliseconds since the run began. If several events overlap on one board, the strongest takes effect.
  */

@@ -24,7 +24,7 @@ class AgentSetUp internal constructor(time: VirtualTime, name: String) {
 
     /**
      * The agent's Jason environment, for actions that are not internal and for percepts that are not a board's; null: none. An
-     * environment's actions take no time. Several agents of a test may share it. Threads of the environment run in real time.
+     * environment's actions take no time. Several agents of a test may share one environment. Threads of the environment run in real time.
      */
     var environment: Environment? = null
 

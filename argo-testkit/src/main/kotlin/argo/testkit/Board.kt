@@ -30,7 +30,7 @@ import kotlin.time.Duration.Companion.nanoseconds
  * and takes every other message as a command. The board speaks version 1 of the protocol unless [version2] is called.
  *
  * The board's line carries bytes at the agent's baud rate, in virtual time. Each function is a sentence whose subject is the board, and
- * takes effect at once. The agent reacts to it when time advances.
+ * takes effect at once. The agent reacts when time advances.
  */
 class Board internal constructor(private val time: VirtualTime) {
     private val fake = FakeBoard.unplugged("board", time)
@@ -132,7 +132,7 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * When its port is opened next, the board begins to send the bytes in [recording], at the recorded times. The board then takes any
-     * command. Its other settings have no effect, except those of its port.
+     * command. The board's other settings, except those of its port, have no effect.
      * @throws IllegalArgumentException if the board sends nothing in the recording
      */
     fun replays(recording: LineRecording): Board = apply {
@@ -143,16 +143,16 @@ class Board internal constructor(private val time: VirtualTime) {
     fun replays(file: Path): Board = replays(LineRecording.read(file))
 
     /**
-     * When its port is opened next, it leads to the line that [open] opens, such as that of a simulated sketch. [open] gets the port's name
-     * and settings, and the line's clock. Expectations of commands have no effect then, nor have the board's other settings, except those
-     * of its port.
+     * The board's port, when opened next, leads to the line that [open] opens, such as the line of a simulated sketch. [open] gets the
+     * port's name and settings, and the line's clock. Expectations of commands, and the board's other settings except those of its port,
+     * then have no effect.
      */
     fun leadsTo(open: (String, LineSettings, LineClock) -> Transport): Board = apply { elsewhere = open }
 
     /**
-     * The board's port is no line but the robot of the port's name, such as `ros://robot:9090`. A mapping turns the robot's topics into
-     * percepts. The mapping and ARGO's side are real, but there is no robot: the test [publishes] its messages, and each command is done at
-     * once. The board's other settings have no effect, except those of its port. Call this before the port is opened.
+     * The board's port leads to no line but to the robot that the port's name stands for, such as `ros://robot:9090`. A mapping turns the
+     * robot's topics into percepts. The mapping and ARGO's side are real, but there is no robot: the test [publishes] its messages, and
+     * each command is done at once. The board's settings, but not its port's, have no effect. Call this before the port is opened.
      */
     fun playsItsMapping(): Board = apply { isMapped = true }
 
@@ -179,14 +179,14 @@ class Board internal constructor(private val time: VirtualTime) {
 
     /**
      * The board tells agents of version 2 that it has only these [actions]. Examples are `ledOn`, `speed/1` with one argument, and `say`
-     * with a slash and a star behind it for any number. Without this call it describes no actions, and agents check no command before they
-     * send it.
+     * with a slash and a star behind it for any number. Without this call the board describes no actions, and agents send commands
+     * unchecked.
      */
     fun knows(vararg actions: String): Board = apply { fake.knows(*actions) }
 
     /**
      * The board describes its percepts to agents of version 2, by these [kinds]: `dist(front|left, cm 0..400)`. Live views show the
-     * description. An agent believes a percept whatever its description.
+     * description. An agent also believes percepts that do not fit the description.
      */
     fun describes(vararg kinds: String): Board = apply { fake.perceives(*kinds) }
 
@@ -203,7 +203,7 @@ class Board internal constructor(private val time: VirtualTime) {
      */
     fun refuses(command: String): Board = apply { refusable(fake.whenAsked(command)) }
 
-    /** The board refuses every command for which [kind] is true: see the other form. */
+    /** The board refuses every command for which [kind] is true: see the other [refuses]. */
     fun refuses(kind: (String) -> Boolean): Board = apply { refusable(fake.whenAsked(kind)) }
 
     /** From now on the board carries [command] out without delay, even if the board [refuses] the command or [takes] time for it so far. */
@@ -257,7 +257,7 @@ class Board internal constructor(private val time: VirtualTime) {
     /** The board's cable is plugged in again. */
     fun reconnects(): Board = apply { isConnected = true }
 
-    /** [owner], an agent or a program, holds the board's port. Opening it fails with `error(port_busy)` until [admits] is called. */
+    /** [owner], an agent or a program, holds the board's port. Opening the port fails with `error(port_busy)` until [admits] is called. */
     fun belongsTo(owner: String): Board = apply { refusal = { PortBusyException(it, owner) } }
 
     /** The agent has no permission to open the board's port. Opening fails with `error(port_permission)` until [admits] is called. */

@@ -4,13 +4,13 @@ import javino.Transport
 
 /**
  * The agent's end of [line], on which one in [oneIn] bytes arrives wrongly in each direction. [oneIn] may change; 0 means none. The wrong
- * bytes are counted out, not drawn, so each run is the same.
+ * bytes come at equal distances, so each run is the same.
  */
 internal class GarbledLine(private val line: Transport, private val oneIn: () -> Int) : Transport by line {
     private var received = 0
     private var sent = 0
 
-    // Delegation passes neither on, since the interface has bodies for both.
+    // `by line` does not pass on calls of functions that have a body in the interface.
     override fun mayVanish() = line.mayVanish()
 
     override fun doubt(): String = line.doubt()

@@ -87,8 +87,8 @@ class TestAgent internal constructor(
     fun after(duration: Duration): TestAgent = apply { mas.pass(duration) { false } }
 
     /**
-     * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived them. Fails if they
-     * have not reached the agent [within] that time, for example because perceiving is blocked.
+     * The sensors of the agent's first [board] show [percepts] from now on. Advances time until the agent has perceived these percepts.
+     * Fails if the percepts have not reached the agent [within] that time, for example because perceiving is blocked.
      * @throws IllegalArgumentException if an agent would leave out a percept, such as `dist(front`; see [perceivesRaw]
      */
     fun perceives(vararg percepts: String, within: Duration = PATIENCE): TestAgent =
@@ -126,7 +126,7 @@ class TestAgent internal constructor(
         expect(within, "sends $command") { platform.all().any { it.take(command) } }
 
     /**
-     * Expects [command] at one of the agent's boards between [since], a past value of [now], and [within] later. So a test checks how
+     * Expects [command] at one of the agent's boards from [since], a past value of [now], until [within] after it. So a test checks how
      * promptly the agent reacts to the test's step at [since]. Each arrived command fulfils one expectation.
      * @throws IllegalArgumentException if [since] is yet to come
      */

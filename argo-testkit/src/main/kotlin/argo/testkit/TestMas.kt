@@ -21,7 +21,7 @@ class TestMas internal constructor() : AutoCloseable {
     internal val log = AgentLog(time)
     private val agents = LinkedHashMap<String, TestAgent>() // the last agent of each name
     private val made = ArrayList<TestAgent>()
-    private val strangers = HashSet<Pair<String, String>>() // a sender, and a receiver that does not run here
+    private val strangers = HashSet<Pair<String, String>>() // pairs of a sender and a receiver that is no agent of this test
     private var closed = false
 
     /** Returns the time that a message between agents of the test takes. Called when the message is sent. */
@@ -122,7 +122,7 @@ class TestMas internal constructor() : AutoCloseable {
     /** Stops [agents] in [deadlineMs] ms of virtual time, and tells them so at once. */
     internal fun stop(agents: List<TestAgent>, deadlineMs: Int) {
         if (deadlineMs > 0) agents.forEach { it.ts.c.addExternalEv(shuttingDown(deadlineMs)) }
-        time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // never within a reasoning cycle
+        time.later(deadlineMs * NANOS_PER_MS) { agents.forEach(TestAgent::end) } // timers never run within a reasoning cycle
     }
 
     private fun shuttingDown(deadlineMs: Int) =

@@ -5,13 +5,13 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.Condition
 import java.util.concurrent.locks.Lock
 
-/** A reentrant, fair lock for the threads of [time]. Only one of these runs at a time. */
+/** A reentrant, fair lock for the threads of [time]. Only one thread of [time] runs at once. */
 internal class VirtualLock(private val time: VirtualTime) : Lock {
     private var owner: Any? = null
     private var holds = 0
     private val asking = ArrayDeque<Any>()
 
-    private fun me(): Any = time.running ?: time // otherwise the driver
+    private fun me(): Any = time.running ?: time // [time] stands for its driver
 
     private fun isFree() = holds == 0 || owner === me()
 

@@ -191,7 +191,7 @@ internal class VirtualTime : LineClock {
             awaitTurn()
             try {
                 body()
-            } catch (cause: Throwable) { // the driver throws it
+            } catch (cause: Throwable) { // the driver throws this cause
                 failure = cause
             } finally {
                 over = true

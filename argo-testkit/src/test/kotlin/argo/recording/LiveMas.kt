@@ -21,6 +21,7 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
     private val log = Logger.getLogger("")
     private val level = log.level
     private val handlers = log.handlers // Jason takes them away
+    private val agents = ArrayList<String>()
 
     init {
         val logging = directory.resolve("logging.properties").apply { writeText("handlers =\n.level = INFO\n") }
@@ -34,6 +35,7 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         val source = directory.resolve("$name.asl").apply { writeText(program) }
         val settings = Settings().apply { addOption("argo_record", "$file") }
         val services = RuntimeServicesFactory.get()
+        agents += name
         services.startAgent(services.createAgent(name, address(source), null, listOf("argo.Arch"), null, settings, null))
     }
 
@@ -51,16 +53,16 @@ internal class LiveMas(private val file: Path) : AutoCloseable {
         }
     }
 
-    /** Returns when agent [name] runs no longer. */
-    suspend fun awaitEnd(name: String) = eventually(LIMIT) { (mas.getAg(name)?.isRunning ?: false) shouldBe false }
-
     /** Returns when the thread of agent [name] has ended. */
     suspend fun awaitDeath(name: String) = eventually(LIMIT) { Thread.getAllStackTraces().keys.count { it.name == name } shouldBe 0 }
 
     override fun close() {
         mas.finish(0, false, 0) // on a thread of its own
         try {
-            runBlocking { eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() } }
+            runBlocking {
+                eventually(LIMIT) { mas.ags.keys.toSet() shouldBe emptySet() }
+                agents.forEach { awaitDeath(it) } // an agent that is stopped in the middle of a cycle leaves its recording after it
+            }
         } finally {
             log.level = level
             log.handlers.forEach(log::removeHandler)

@@ -138,7 +138,7 @@ class RealTimeReplaySpec : FunSpec({
         val file = recordingFile()
         LiveMas(file).use { mas ->
             mas.agent("robot", "!start. +!start <- +begun; !go. +!go : argo.recording.stopping <- .print(never).")
-            runBlocking { mas.awaitEnd("robot") }
+            runBlocking { mas.awaitDeath("robot") }
         }
         val last = Recording(file).use { it.cycles("robot").last() }
         last.isEnding shouldBe true

@@ -8,12 +8,11 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Term
 import jason.infra.local.LocalAgArch
 
-/** Ends the run of the agent as the end of its program does at any moment of a cycle, before the agent's resources are closed. */
+/** Stops the agent in the middle of a cycle, as the end of its program does at any moment: its recording is closed before the cycle ends. */
 @Suppress("ClassName")
 class stopping : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
-        val running = LocalAgArch::class.java.getDeclaredField("running").apply { isAccessible = true }
-        generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<LocalAgArch>().forEach { running.setBoolean(it, false) }
+        generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<LocalAgArch>().first().stopAg()
         return true
     }
 }

@@ -4,8 +4,9 @@ import argo.observing.ObservedAgent
 import java.net.URLEncoder
 
 /** The page of one agent: [routes] respond to its requests, and [states] are streamed to it. */
-internal class AgentPage(val agent: ObservedAgent, val routes: Routes, val states: Broadcast) {
-    constructor(agent: ObservedAgent) : this(agent, Routes(agent), Broadcast())
+internal class AgentPage(val agent: ObservedAgent) {
+    val routes = Routes(agent, HandRoutes(agent))
+    val states = Broadcast()
 
     /** The page's path on its server, such as `/bob/`. */
     val path: String = "/${URLEncoder.encode(agent.name, Charsets.UTF_8).replace("+", "%20")}/"

@@ -15,7 +15,7 @@ import kotlin.jvm.optionals.getOrNull
 @Serializable
 internal data class DescribedPercept(val text: String, val deviation: String?, val ranges: List<NumberRange?>) {
     companion object {
-        /** Describes [percept] by [kinds], of which there is at least one. */
+        /** Describes [percept] by [kinds], at least one. */
         fun of(percept: String, kinds: List<PerceptKind>): DescribedPercept {
             val term = PerceptTerm.of(percept)
             val kind = PerceptKind.of(term, kinds).getOrNull()
@@ -36,8 +36,8 @@ internal data class DescribedPercept(val text: String, val deviation: String?, v
  * The numbers that a board may send.
  *
  * @property unit their unit; empty: none is given
- * @property min the least; null: there is no limit
- * @property max the most; null: there is no limit
+ * @property min the least number; null: there is no limit
+ * @property max the greatest number; null: there is no limit
  */
 @Serializable
 internal data class NumberRange(val unit: String, val min: Double?, val max: Double?) {

@@ -4,6 +4,8 @@ import jason.asSemantics.Circumstance.IntentionPlace
 import jason.asSemantics.IntendedMeans
 import jason.asSemantics.Intention
 import jason.asSyntax.Literal
+import jason.asSyntax.Trigger
+import jason.asSyntax.Trigger.TEType
 import jason.stdlib.suspend
 import kotlinx.serialization.Serializable
 
@@ -14,6 +16,7 @@ import kotlinx.serialization.Serializable
  * @property waitsFor the step in which the intention waits; null: it does not wait
  * @property plans the latest first
  * @property more the number of plans left out of [plans]
+ * @property goal the goal that the intention began with, without annotations; null: it has no goal
  */
 @Serializable
 internal data class IntentionState(
@@ -22,6 +25,7 @@ internal data class IntentionState(
     val waitsFor: String?,
     val plans: List<PlanState>,
     val more: Int,
+    val goal: String?,
 )
 
 /**
@@ -48,17 +52,22 @@ internal fun intentionState(intention: Intention, key: String?): IntentionState 
         waitsFor = if (isWaiting) means.firstOrNull()?.let(::step) else null,
         plans = means.take(MAX_PLANS).map(::planState),
         more = maxOf(0, means.size - MAX_PLANS),
+        goal = means.lastOrNull { triggerOf(it).run { isAddition && type == TEType.achieve } }?.let { "${goal(it)}" },
     )
 }
+
+private fun triggerOf(means: IntendedMeans): Trigger = means.trigger ?: means.plan.trigger
+
+private fun goal(means: IntendedMeans): Literal =
+    (triggerOf(means).literal.capply(means.unif) as Literal).copy().apply { clearAnnots() }
 
 private fun step(means: IntendedMeans): String? = means.currentStep?.bodyTerm?.capply(means.unif)?.let { shown("$it") }
 
 private fun planState(means: IntendedMeans): PlanState {
     val plan = means.plan
-    val trigger = means.trigger ?: plan.trigger
-    val goal = (trigger.literal.capply(means.unif) as Literal).copy().apply { clearAnnots() }
+    val trigger = triggerOf(means)
     val source = (plan.trigger.literal.srcInfo ?: plan.srcInfo)?.takeIf { it.srcFile != null } // the plan's source may be that of its body
-    return PlanState(shown("${trigger.operator}${trigger.type}$goal"), source?.let { fileName(it.srcFile) }, source?.srcLine)
+    return PlanState(shown("${trigger.operator}${trigger.type}${goal(means)}"), source?.let { fileName(it.srcFile) }, source?.srcLine)
 }
 
 private fun fileName(path: String) = shown(path.substringAfterLast('/').substringAfterLast('\\'))

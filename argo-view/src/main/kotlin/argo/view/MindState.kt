@@ -22,6 +22,7 @@ internal class MindState(
         private const val MAX_OF_A_KIND = 150
         private const val MAX_LOOKED_AT = 5000
         private const val MAX_INTENTIONS = 30
+        private const val MAX_FORGETTABLE = 300
 
         /** Returns the mind of [agent]. For the agent's thread only. */
         fun of(agent: ObservedAgent): MindState = of(agent.beliefs, agent.circumstance)
@@ -46,7 +47,8 @@ internal class MindState(
         private fun belief(literal: Literal): Belief {
             val sources = literal.sources.map { "$it" }
             val bare = literal.copy().apply { delSources() }
-            return Belief(shown("$bare"), sources)
+            val whole = "$literal".takeUnless { literal.isRule || literal.hasSource(BeliefBase.APercept) || it.length > MAX_FORGETTABLE }
+            return Belief(shown("$bare"), sources, whole)
         }
     }
 }

@@ -40,7 +40,7 @@ internal class MindWatch(private val look: () -> MindState, private val log: Log
         }
     }
 
-    /** Returns true if the watch missed a look at the end of a cycle and is due: the agent may be asleep. */
+    /** Returns true if a look is due that was too early when the last cycle ended. The agent may be asleep since. */
     fun isBehind(): Boolean = isWatched && missed && !isTooEarly()
 
     private fun isTooEarly() = lookedNanos?.let { nanos() - it < INTERVAL_NANOS } == true

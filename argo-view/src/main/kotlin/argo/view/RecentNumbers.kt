@@ -2,7 +2,7 @@ package argo.view
 
 import java.util.concurrent.TimeUnit
 
-/** The numbers of one sensor in the last minute: the last ones of each half second. Not safe for use by several threads. */
+/** The numbers of one sensor in the last minute: for each half second the newest numbers. Not safe for use by several threads. */
 internal class RecentNumbers {
     private val points = ArrayDeque<Point>()
 
@@ -25,7 +25,7 @@ internal class RecentNumbers {
     private class Point(val step: Long, val numbers: List<Double>)
 
     companion object {
-        /** The number of values of each number: the half seconds of a minute. */
+        /** How many values of each number are kept: one for each half second of a minute. */
         const val STEPS = 120
         private val STEP_NANOS = TimeUnit.MILLISECONDS.toNanos(500)
     }

@@ -1,7 +1,7 @@
 package argo.view
 
 /**
- * Keeps foreign web pages in a browser away from an agent. Such a page can make its browser send requests here: under its own host name
+ * Keeps foreign web pages in a browser away from an agent. A foreign page can make its browser send requests here: under its own host name
  * that leads to this computer (DNS rebinding), or in its visitor's name (CSRF).
  */
 internal object RequestGate {

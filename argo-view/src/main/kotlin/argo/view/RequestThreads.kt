@@ -9,8 +9,8 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The threads that answer requests to a server of views, each one request at a time. A client that does not finish its request or read its
- * response blocks its thread until [interruptStalled]. Safe for use by several threads.
+ * The threads that answer requests to a server of views. Each thread answers one request at a time. A client that does not finish its
+ * request or read its response blocks its thread until [interruptStalled]. Safe for use by several threads.
  *
  * @param name the server's name, for the threads' names
  * @param nanos a clock in ns that never goes back
@@ -41,7 +41,7 @@ internal class RequestThreads(name: String, private val nanos: () -> Long) : Exe
         if (waitingSince.remove(Thread.currentThread()) == null) Thread.interrupted() // clears the interrupt of a wait that is over
     }
 
-    /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of that while requests are queued. This also closes their connections. */
+    /** Ends waits longer than [MAX_WAIT_NANOS], or a tenth of that if requests are queued, and closes their connections. */
     fun interruptStalled() = lock.withLock {
         val limit = if (pool.queue.isEmpty()) MAX_WAIT_NANOS else MAX_WAIT_NANOS / 10
         waitingSince.entries.removeIf { (thread, since) -> (nanos() - since > limit).also { if (it) thread.interrupt() } }

@@ -6,28 +6,22 @@ import argo.filters.Problem
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import kotlinx.serialization.Serializable
-import kotlinx.serialization.SerializationException
-import kotlinx.serialization.json.Json
 import java.net.URLDecoder
 import java.util.ServiceConfigurationError
-import java.util.concurrent.CompletableFuture
-import java.util.concurrent.CountDownLatch
-import java.util.concurrent.TimeUnit
-import java.util.concurrent.TimeoutException
 
 /**
  * Responds to the requests of [agent]'s page and its buttons, except for the stream of states. The thread of a request finds and reads
  * filters; the agent's thread changes the agent. Safe for use by several threads.
  */
-internal class Routes(private val agent: ObservedAgent) {
+internal class Routes(private val agent: ObservedAgent, hand: HandRoutes) {
     private val routes: Map<String, Route> = mapOf(
-        "/" to Route("GET") { Site.file("view.html", "text/html") },
-        "/filters" to Route("GET") { filters() },
-        "/explain" to Route("GET") { explain(parametersOf(it.query)["percept"]) },
-        "/filter" to Route("POST") { request -> request.read<FilterRequest> { changeFilter(it.name) } },
-        "/percepts" to Route("POST") { request -> request.read<PerceivingRequest> { perceive(it.open) } },
-        "/command" to Route("POST") { request -> request.read<CommandRequest> { act(it.command) } },
-    )
+        "/" to Route.get { Site.file("view.html", "text/html") },
+        "/filters" to Route.get { filters() },
+        "/explain" to Route.get { explain(parametersOf(it.query)["percept"]) },
+        "/filter" to Route.post<FilterRequest> { changeFilter(it.name) },
+        "/percepts" to Route.post<PerceivingRequest> { perceive(it.open) },
+        "/command" to Route.post<CommandRequest> { act(it.command) },
+    ) + hand.routes
 
     private val lanes: AgentLanes? by lazy { AgentLanesProvider.find()?.open(agent.name) }
 
@@ -37,19 +31,6 @@ internal class Routes(private val agent: ObservedAgent) {
         return if (request.method == route.method) route.respond(request) else HttpResponse.wrongMethod(route.method)
     }
 
-    private inline fun <reified T> Request.read(respond: (T) -> HttpResponse): HttpResponse {
-        if (type?.substringBefore(';')?.trim() != HttpResponse.JSON) {
-            return HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}") // an HTML form cannot send JSON
-        }
-        if (body.size > MAX_BYTES) return HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
-        val content = try {
-            Json.decodeFromString<T>(body.decodeToString())
-        } catch (wrong: SerializationException) {
-            return HttpResponse.message(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
-        }
-        return respond(content)
-    }
-
     private fun filters() = findingFilters("filters") {
         HttpResponse.json(Filters(agent.filterNames()))
     }
@@ -57,7 +38,7 @@ internal class Routes(private val agent: ObservedAgent) {
     private fun changeFilter(name: String?) = findingFilters("the filter $name") {
         val filter = name?.let(agent::filter)
         val message = filter?.let { "the agent perceives through the filter ${it.name}" } ?: "the agent perceives everything"
-        awaitDone(message) { agent.perceiveThrough(filter, it) }
+        Route.awaited { answer -> agent.perceiveThrough(filter) { answer(HttpResponse.message(200, message)) } }
     }
 
     private fun findingFilters(what: String, respond: () -> HttpResponse): HttpResponse = try {
@@ -85,30 +66,19 @@ internal class Routes(private val agent: ObservedAgent) {
 
     private fun perceive(open: Boolean): HttpResponse {
         val closed = "the agent perceives nothing new; it goes on acting on what it believes"
-        return awaitDone(if (open) "the agent perceives again" else closed) { agent.perceive(open, it) }
+        val message = if (open) "the agent perceives again" else closed
+        return Route.awaited { answer -> agent.perceive(open) { answer(HttpResponse.message(200, message)) } }
     }
 
     /** Has the agent send [command], and waits a while for the outcome. The page's list of commands shows the outcome in any case. */
     private fun act(command: String): HttpResponse {
-        val outcome = CompletableFuture<CommandFailure?>()
-        agent.act(command, outcome::complete)
-        return try {
-            val failure = outcome.get(MAX_WAIT_S, TimeUnit.SECONDS) ?: return HttpResponse.message(200, "$command: done")
-            HttpResponse.message(422, "$command: ${failure.error}: ${failure.cause}")
-        } catch (_: TimeoutException) {
-            HttpResponse.message(202, "$command: has not ended within $MAX_WAIT_S s; the list of commands shows its outcome")
-        }
+        val later = "$command: has not ended within ${Route.MAX_WAIT_S} s; the list of commands shows its outcome"
+        return Route.awaited(later) { answer -> agent.act(command) { answer(outcome(command, it)) } }
     }
 
-    /** Has the agent do something, and waits a while for its thread, which may be busy or not yet running. */
-    private fun awaitDone(message: String, ask: (done: () -> Unit) -> Unit): HttpResponse {
-        val done = CountDownLatch(1)
-        ask(done::countDown)
-        if (done.await(MAX_WAIT_S, TimeUnit.SECONDS)) return HttpResponse.message(200, message)
-        return HttpResponse.message(202, "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s")
-    }
-
-    private class Route(val method: String, val respond: (Request) -> HttpResponse)
+    private fun outcome(command: String, failure: CommandFailure?) =
+        if (failure == null) HttpResponse.message(200, "$command: done")
+        else HttpResponse.message(422, "$command: ${failure.error}: ${failure.cause}")
 
     @Serializable
     private class Filters(val filters: List<String>)
@@ -121,12 +91,6 @@ internal class Routes(private val agent: ObservedAgent) {
 
     @Serializable
     private class PerceivingRequest(val open: Boolean)
-
-    companion object {
-        /** The longest request body that is read, in bytes. */
-        const val MAX_BYTES = 10_000
-        private const val MAX_WAIT_S = 3L
-    }
 }
 
 /**

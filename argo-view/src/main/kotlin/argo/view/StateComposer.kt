@@ -49,7 +49,7 @@ internal class StateComposer(
         messages.forEach { rows.add(it, isAlone) }
     }
 
-    /** Returns the filter in words, with its parts that have no effect. Searches for such parts only once. */
+    /** Returns the filter in words, with its parts that have no effect. Searches for parts without effect only once. */
     private fun filterState(filter: PerceptionFilter): FilterState {
         if (shownFilter?.first !== filter) {
             val words = (listOf("$filter") + filter.warnings()).joinToString(". Warning: ")

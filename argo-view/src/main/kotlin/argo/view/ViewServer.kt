@@ -37,7 +37,7 @@ internal class ViewServer(name: String, port: Int, nanos: () -> Long = System::n
 
     private fun handle(exchange: HttpExchange) {
         val uri = exchange.requestURI
-        val body = exchange.requestBody.readNBytes(Routes.MAX_BYTES + 1)
+        val body = exchange.requestBody.readNBytes(Route.MAX_BYTES + 1)
         threads.stopWaiting()
         val found = site.find(uri.rawPath.orEmpty())
         val request = Request(exchange.requestMethod, found.path, uri.rawQuery, exchange.requestHeaders.getFirst("Content-Type"), body)

@@ -16,7 +16,7 @@ internal object ViewServers {
         servers.getOrPut(port) { ViewServer("$port", port) }.also { it.site.add(page) }
     }
 
-    /** Takes [page] off [server], joined for [port]. The server ends with its last page. */
+    /** Removes [page] from [server], which [page] has joined for [port]. The server ends with its last page. */
     fun leave(port: Int, server: ViewServer, page: AgentPage) {
         val isLast = lock.withLock {
             server.site.remove(page)

@@ -92,7 +92,7 @@ internal data class PortState(
  *
  * @property frameAgeMs the age of the newest message; null: no message has come
  * @property handedOverAgeMs the time since the agent last perceived a message; null: it has perceived none
- * @property delayMs the age of that message at its perception
+ * @property delayMs the age of the last perceived message at its perception
  * @property more the number of percepts left out of [percepts]
  * @property moreCourses the number of sensors with numbers but without a shown course
  */
@@ -142,9 +142,10 @@ internal data class BeliefsState(val ageMs: Long?, val total: Int, val beliefs: 
  * A belief, or a rule.
  *
  * @property sources `percept`, `self` or agents
+ * @property whole the belief with its sources, for a person who has the agent forget it; null: a percept, a rule, or too long
  */
 @Serializable
-internal data class Belief(val text: String, val sources: List<String>)
+internal data class Belief(val text: String, val sources: List<String>, val whole: String?)
 
 /** The agent's intentions; [total] also counts those that [intentions] leaves out. */
 @Serializable

@@ -16,7 +16,7 @@ const NEAR_COMMAND = 1;    // seconds shown on both sides of a command that the 
 const canvas = $('lanes');
 let recording = null;
 let from = 0, until = 1;   // the part in view, in seconds
-let parts = [];            // of the lanes, as the server sent them
+let parts = [];            // the parts of the lanes, as the server sent them
 let chosen = null;         // an item with its links
 let lit = new Set();       // the ids of the chosen item and its links
 let asked = 0;             // counts requests for parts: only the answer to the last one is shown

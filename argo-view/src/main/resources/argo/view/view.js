@@ -3,7 +3,7 @@
 
 const $ = id => document.getElementById(id);
 const TICK_MS = 200;
-let state = null;          // the newest one
+let state = null;          // the newest state
 let receivedAt = 0;        // when the newest state came
 let source = null;
 let connection = 'connecting';
@@ -11,7 +11,7 @@ let frozen = null;         // shown instead of the newest state while the page i
 let courses = {};          // numbers of sensors in the last minute, by the sensors' keys
 let filters = null;        // the names of all filters
 let waits = false;         // true while a pressed button has no answer yet
-const explained = new Map(); // by a percept's key: its text and filter when the page asked, and why it was kept or dropped
+const explained = new Map(); // by a percept's key: why it was kept or dropped, with its text and filter when the page asked
 
 // --- words ---
 
@@ -241,15 +241,41 @@ function showBeliefs(shown) {
   const sorted = all.sort((a, b) => inOrder(order(a), order(b)));
   text($('beliefs-count'), all.length < beliefs.length ? `${all.length} of ${total}` : total ? `${total}` : '');
   text($('beliefs-words'), total > beliefs.length ? `${total - beliefs.length} more are not shown, and not searched.` : '');
-  rows($('beliefs'), sorted.map((belief, i) => [String(i), belief]), ([key]) => key, () => row(), (line, [, belief]) => fill(
-    line, belief.text, sourcesOf(belief), belief.sources.includes('percept') ? 'good' : '',
-  ), shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
+  const keyed = sorted.map((belief, i) => [belief.whole ?? String(i), belief]); // a row that can be pressed stands for one belief
+  rows($('beliefs'), keyed, ([key]) => key, () => actingRow('forget'), (line, [, belief]) => {
+    fill(line, belief.text, sourcesOf(belief), belief.sources.includes('percept') ? 'good' : '');
+    showAct(line, belief.whole, `forget ${belief.text}`, 'The agent no longer believes this');
+  }, shown.beliefs.ageMs === null ? 'Not seen yet.' : beliefs.length ? 'No belief has these words.' : 'The agent believes nothing.');
+}
+
+/** Makes a row with a button that orders the agent to do [verb] with the text that the row stands for. */
+function actingRow(verb) {
+  const made = row();
+  const act = button('act', async () => {
+    const answer = made.closest('section').querySelector('.answer');
+    answer.className = 'soft answer';
+    text(answer, await order(verb, { text: act.dataset.text }) ?? '');
+  });
+  text(act, verb);
+  made.append(act);
+  return made;
+}
+
+/** Has the button of [line] stand for [words]; without words there is no button. */
+function showAct(line, words, name, title) {
+  const act = line.children[4];
+  act.hidden = !words;
+  if (!words) return;
+  act.dataset.text = words;
+  act.title = title;
+  act.setAttribute('aria-label', name);
+  disable(act);
 }
 
 /** Makes a row that leads to the command's causes. */
 function commandRow() {
   const made = row();
-  const why = element('a', 'why');
+  const why = element('a', 'act');
   why.title = 'Shows the causes of this command, if the agent is recorded';
   text(why, 'why');
   made.append(why);
@@ -275,13 +301,16 @@ const place = plan => plan.file ? `${plan.file}:${plan.line}` : 'no file';
 function showIntentions({ intentions: { total, intentions } }) {
   text($('intentions-count'), total ? `${total}` : '');
   text($('intentions-words'), total > intentions.length ? `${total - intentions.length} more are not shown.` : '');
-  rows($('intentions'), intentions, intention => String(intention.id), () => row(), (line, { state, waitsFor, plans, more }) => fill(
-    line, plans[0]?.trigger ?? '', state, INTENTIONS[state] || '', '',
-    joined(
-      waitsFor && `waits for ${waitsFor}`, plans[0] && place(plans[0]),
-      ...plans.slice(1).map(plan => `for ${plan.trigger} ${place(plan)}`), more && `${more} more plans`,
-    ),
-  ), 'The agent intends nothing.');
+  rows($('intentions'), intentions, ({ id }) => String(id), () => actingRow('drop'), (line, { state, waitsFor, plans, more, goal }) => {
+    fill(
+      line, plans[0]?.trigger ?? '', state, INTENTIONS[state] || '', '',
+      joined(
+        waitsFor && `waits for ${waitsFor}`, plans[0] && place(plans[0]),
+        ...plans.slice(1).map(plan => `for ${plan.trigger} ${place(plan)}`), more && `${more} more plans`,
+      ),
+    );
+    showAct(line, goal, `drop ${goal}`, `The agent drops each intention with the goal ${goal}`);
+  }, 'The agent intends nothing.');
 }
 
 function showPrinted({ printed }, since) {
@@ -315,7 +344,7 @@ function showHead(shown) {
   $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
     : 'The agent perceives its board again';
   disable($('percepts'));
-  disable($('send-button'));
+  document.querySelectorAll('form.send button').forEach(disable);
 }
 
 function disable(button) { button.disabled = waits || connection !== 'live' || Boolean(state?.ended); }
@@ -370,28 +399,34 @@ async function ask(path, body) {
   return answer;
 }
 
+/** Has the agent do something, and returns its answer; null: it refuses, and the page tells why. */
 async function order(path, body) {
   waits = true;
   showProblem('');
   show();
   try {
-    await ask(path, body);
+    return (await ask(path, body)).message;
   } catch (trouble) {
     showProblem(trouble.message);
+    return null;
   } finally {
     waits = false;
     show();
   }
 }
 
-/** Has the agent send the command in the field, and shows the outcome under the field. */
-async function send() {
-  const command = $('command').value.trim();
-  if (!command) return;
-  const answer = (words, name) => { $('sent').className = `soft ${name}`; text($('sent'), words); };
-  answer(`${command}: sent`, '');
+/** Has the agent do what the field of [form] says, and shows the answer under the field. */
+async function send(form) {
+  const [field] = form.elements;
+  const words = field.value.trim();
+  if (!words) return;
+  const answer = (said, name) => {
+    form.nextElementSibling.className = `soft answer ${name}`;
+    text(form.nextElementSibling, said);
+  };
+  answer(`${words}: sent`, '');
   try {
-    answer((await ask('command', { command })).message, '');
+    answer((await ask(form.dataset.path, { [field.name]: words })).message, '');
   } catch (trouble) {
     answer(trouble.message, 'failed');
   }
@@ -473,10 +508,10 @@ $('percepts').addEventListener('click', () => order('percepts', { open: !(frozen
 $('find').addEventListener('input', show);
 $('dismiss').addEventListener('click', () => showProblem(''));
 
-$('send').addEventListener('submit', event => {
+document.querySelectorAll('form.send').forEach(form => form.addEventListener('submit', event => {
   event.preventDefault();
-  if (!$('send-button').disabled) send();
-});
+  if (!form.elements[1].disabled) send(form);
+}));
 
 // A hidden page closes its connection: it then causes the agent no work, and leaves a browser's few connections to other pages.
 document.addEventListener('visibilitychange', () => {

@@ -75,6 +75,9 @@ internal class Page(private val driver: ChromeDriver) {
     /** Presses the button that says [words]. */
     fun press(words: String) = driver.findElement(By.xpath("//button[normalize-space()=\"$words\"]")).click()
 
+    /** Presses the first button that [selector] finds. */
+    fun pressOn(selector: String) = driver.findElement(By.cssSelector(selector)).click()
+
     /** Follows the link that says [words]. */
     fun follow(words: String) = driver.findElement(By.linkText(words)).click()
 

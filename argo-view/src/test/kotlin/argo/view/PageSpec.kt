@@ -3,6 +3,7 @@ package argo.view
 import io.kotest.core.NamedTag
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.core.test.EnabledOrReasonIf
+import io.kotest.matchers.collections.shouldContain
 import io.kotest.matchers.collections.shouldNotContain
 import io.kotest.matchers.comparables.shouldBeLessThanOrEqualTo
 import io.kotest.matchers.shouldBe
@@ -18,6 +19,7 @@ private const val AGENT = """
     !start.
     +!start <- argo.port("sim:robot", [baud(1000000)]); argo.limit(20); argo.change_filter(front); argo.percepts(open);
         argo.act(hello); !long.
+    +!rest <- .wait(600000).
     +!long <- argo.act("a command that is too long for a narrow page unless words could be broken_anywhere_in_the_middle_of_them").
 """
 
@@ -287,7 +289,27 @@ class PageSpec : FunSpec({
         }
     }
 
-    test("another page in the browser can send no command").config(tags = thorough, enabledOrReasonIf = browser) {
+    test("beliefs and goals are set by hand, and taken back").config(tags = thorough, enabledOrReasonIf = browser) {
+        shown("dist(f,38);") { mas, _ ->
+            enter("#belief", "-+likes(milk)")
+            press("Believe")
+            await { "likes(milk)" in texts("#beliefs .text") && "likes(tea)" !in texts("#beliefs .text") }
+            texts("#beliefs .act:not([hidden])").size shouldBe 1 // percepts have none
+            enter("#belief", "likes(")
+            type(Keys.ENTER)
+            await { texts(".answer.failed").any { "likes(" in it } }
+            pressOn("[aria-label='forget likes(milk)']")
+            await { "likes(milk)" !in texts("#beliefs .text") }
+            enter("#goal", "rest")
+            press("Begin")
+            await { texts("#intentions .text") == listOf("+!rest") }
+            picture("hand-light")
+            pressOn("#intentions .act")
+            await { texts("#intentions .empty").size == 1 }
+        }
+    }
+
+    test("another page in the browser can order nothing").config(tags = thorough, enabledOrReasonIf = browser) {
         FakeBoard.plugIn("robot").use { board ->
             board.lenient().whenAsked("getPercepts").answer("dist(f,38);")
             ViewedMas().use { mas ->
@@ -295,14 +317,17 @@ class PageSpec : FunSpec({
                 mas.agent("bob", AGENT)
                 board.awaitMessage("hello", 20_000)
                 val view = mas.viewOf("bob")
-                OtherSite("$ATTACK('${view.resolve("command")}')").use { other ->
+                OtherSite("$ATTACK('$view')").use { other ->
                     chromium.show(other.address) {
                         await { run("return document.title === 'all tried'") }
                     }
                 }
+                view.post("believe", """{"text":"last"}""").statusCode() shouldBe 200
                 view.post("command", """{"command":"last"}""").statusCode() shouldBe 200
                 board.received().last { it != "getPercepts" } shouldBe "last"
                 board.received() shouldNotContain "stop"
+                mas.beliefs("bob") shouldNotContain "stop"
+                mas.beliefs("bob") shouldContain "likes(tea)"
             }
         }
     }
@@ -346,30 +371,36 @@ class PageSpec : FunSpec({
 
 private infix fun List<String>.shouldContainText(part: String) = joinToString("\n") shouldContain part
 
-/** Sends the command `stop` to an address in every way that a page of another origin has, and then sets its title. */
+/** Presses the buttons of a page at an address in every way that a page of another origin has, and then sets its title. */
 private const val ATTACK = """
     (async address => {
-        const body = JSON.stringify({ command: 'stop' });
-        const form = document.body.appendChild(document.createElement('form'));
-        const frame = document.body.appendChild(document.createElement('iframe'));
-        Object.assign(frame, { name: 'frame' });
-        Object.assign(form, { action: address, method: 'POST', enctype: 'text/plain', target: 'frame' });
-        const field = form.appendChild(document.createElement('input'));
-        Object.assign(field, { name: '{"command":"stop","x":"', value: '"}' });
-        const loaded = new Promise(done => { // a browser may keep silent about a frame that was refused
-            frame.addEventListener('load', done);
-            setTimeout(done, 1000);
-        });
-        form.submit();
-        await Promise.allSettled([
-            loaded,
-            fetch(address, { method: 'POST', mode: 'no-cors', body }),
-            fetch(address, { method: 'POST', mode: 'no-cors', body, headers: { 'Content-Type': 'text/plain' } }),
-            fetch(address, { method: 'POST', body, headers: { 'Content-Type': 'application/json' } }),
-            fetch(address, { method: 'POST', body: new Blob([body], { type: 'application/json' }), credentials: 'include' }),
-        ]);
-        navigator.sendBeacon(address, new Blob([body], { type: 'application/json' }));
+        const orders = {
+            command: { command: 'stop' }, believe: { text: 'stop' }, begin: { text: 'long' }, forget: { text: 'likes(_)' },
+        };
+        await Promise.all(Object.entries(orders).map(([path, order]) => press(address + path, JSON.stringify(order))));
         document.title = 'all tried';
+
+        async function press(address, body) {
+            const form = document.body.appendChild(document.createElement('form'));
+            const frame = document.body.appendChild(document.createElement('iframe'));
+            Object.assign(frame, { name: address });
+            Object.assign(form, { action: address, method: 'POST', enctype: 'text/plain', target: address });
+            const field = form.appendChild(document.createElement('input'));
+            Object.assign(field, { name: body.replace(/}$/, ',"x":"').replace('{,', '{'), value: '"}' });
+            const loaded = new Promise(done => { // a browser may keep silent about a frame that was refused
+                frame.addEventListener('load', done);
+                setTimeout(done, 1000);
+            });
+            form.submit();
+            await Promise.allSettled([
+                loaded,
+                fetch(address, { method: 'POST', mode: 'no-cors', body }),
+                fetch(address, { method: 'POST', mode: 'no-cors', body, headers: { 'Content-Type': 'text/plain' } }),
+                fetch(address, { method: 'POST', body, headers: { 'Content-Type': 'application/json' } }),
+                fetch(address, { method: 'POST', body: new Blob([body], { type: 'application/json' }), credentials: 'include' }),
+            ]);
+            navigator.sendBeacon(address, new Blob([body], { type: 'application/json' }));
+        }
     })"""
 
 /** Finds words whose contrast with their background is less than WCAG 2.2 asks for at level AA, 4.5 : 1. */

@@ -1,6 +1,8 @@
 package argo.view
 
 import argo.filters.PerceptionFilter
+import argo.hand.Order
+import argo.hand.Outcome
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
@@ -90,6 +92,7 @@ internal object Nobody : ObservedAgent {
     override fun criticalRules() = emptyList<WatchedRule>()
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = done()
     override fun perceive(open: Boolean, done: () -> Unit) = done()
+    override fun order(order: Order, done: (Outcome) -> Unit) = done(Outcome(null))
     override fun wake() = Unit
     override fun wakeUntil(seen: () -> Boolean) = Unit
 }

@@ -89,7 +89,7 @@ class SystemPageSpec : FunSpec({
             await { run("return document.querySelectorAll('#sensors .course path').length === 4") }
             await { run("return document.querySelector('#sensors .course path').getAttribute('d').split('L').length > 3") }
             if (pictures != null) TimeUnit.SECONDS.sleep(50) // until the courses fill a minute
-            size(1280, 1120)
+            size(1280, 1240)
             show("view-light", "light")
             show("view-dark", "dark")
             size(390, 844)

@@ -300,6 +300,20 @@ class ViewSpec : FunSpec({
         }
     }
 
+    test("other pages, and who does not send JSON, cannot order the agent to do anything") {
+        watched { mas, _, address ->
+            listOf("believe", "forget", "begin", "drop").forEach { path ->
+                val order = """{"text":"likes(milk)"}"""
+                address.post(path, order, "Origin" to "http://robot.example").statusCode() shouldBe 403
+                address.post(path, order, "Sec-Fetch-Site" to "cross-site").statusCode() shouldBe 403
+                address.post(path, order, "Content-Type" to "text/plain").statusCode() shouldBe 415
+            }
+            address.post("believe", """{"text":"last"}""").statusCode() shouldBe 200
+            mas.beliefs("bob") shouldContain "last"
+            mas.beliefs("bob") shouldNotContain "likes(milk)"
+        }
+    }
+
     test("other pages, and who does not send JSON, cannot have a command sent") {
         watched { _, board, address ->
             val stop = """{"command":"stop"}"""

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicLong
 import java.util.logging.Logger
 
 /**
- * Counts an agent's messages and snapshots of its [boards]. When the agent has perceived all of them, notes the skew after each reasoning
+ * Counts an agent's messages and snapshots of its [boards]. When the agent has perceived all boards, notes the skew after each reasoning
  * cycle with a perception. Safe on any thread.
  */
 internal class BoardWatch(private val boards: Int) : AgentObserver {

@@ -10,7 +10,7 @@ private const val MAX_SHARE = 0.1
 private const val PATIENCE_S = 300
 private const val IDLE_S = 30
 
-/** Fifty computers with a thousand agents: how long until all know all, and what they cost when nothing happens. */
+/** Measures how long fifty computers need until each knows all thousand agents, and the cost of these computers when idle. */
 internal fun crowd(): Boolean {
     val names = List(COMPUTERS) { "computer${it + 1}" }
     val agents = names.joinToString(" ") { "watcher_$it watcher.asl at \"$it\"; member_${it}_ member.asl #${AGENTS - 1} at \"$it\";" }
@@ -43,5 +43,5 @@ private fun residentKb(process: Process): Long =
 
 private const val TICKS_A_SECOND = 100.0
 
-/** The field of `/proc/PID/stat` behind the program's name, from 0 on. */
+/** The field of `/proc/PID/stat` with the time in user mode, counted from 0 behind the program's name. */
 private const val UTIME = 11

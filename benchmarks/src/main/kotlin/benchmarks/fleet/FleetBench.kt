@@ -15,7 +15,7 @@ private const val MAX_KILLED_MS = 1000
 private const val MAX_UNPLUGGED_MS = 3000
 private val CROWDS = listOf(2, 10, 50)
 
-/** The rows; each prints its figures, and returns whether they keep the goal. */
+/** The rows. Each prints its figures, and returns whether they reach the goal. */
 private val ROWS: Map<String, () -> Boolean> = mapOf(
     "send" to ::pingPongs,
     "failures" to ::noticed,
@@ -26,12 +26,12 @@ private val ROWS: Map<String, () -> Boolean> = mapOf(
 )
 
 /**
- * What a fleet of several computers does, each in a process of its own on this one, and in a network namespace of its own where those can
- * be made: how long a message takes there and back, beside JADE; how soon a failure is noticed; what a million messages come to while
- * computers are killed and unplugged; and what membership costs.
+ * Measures a fleet of several computers, each a process on this one, in a network namespace of its own if possible. Measures the time of a
+ * message there and back, compared with JADE, the time until a failure is noticed, the fate of a million messages while computers are
+ * killed and unplugged, and the cost of membership.
  *
  * @param rows the names of the rows to measure; empty: all
- * @return whether all goals are kept
+ * @return whether all goals are reached
  */
 internal fun fleet(rows: List<String>): Boolean {
     val unknown = rows - ROWS.keys
@@ -42,7 +42,7 @@ internal fun fleet(rows: List<String>): Boolean {
 
 private fun names(count: Int) = List(count) { "computer${it + 1}" }
 
-/** Runs [trial] of [count] computers in namespaces; says so, and returns true, where those cannot be made. */
+/** Runs [trial] of [count] computers in namespaces. If these cannot be made, says so and returns true. */
 private fun inNamespaces(what: String, count: Int, trial: (Trial, Namespaces, List<String>) -> Boolean): Boolean {
     Namespaces.missing?.let {
         println("$what: left out, since $it")

@@ -10,15 +10,15 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.Term
 import java.io.File
 
-/** The file of what [counted] is told: the process, the time in nanoseconds, and the count. */
+/** The file in which [counted] notes the process, the time in nanoseconds, and the count. */
 internal const val COUNTS = "counts.txt"
 
-/** The file of what [known] is told: the process, and a digest of the names. */
+/** The file in which [known] notes the process, and a digest of the names. */
 internal const val NAMES = "names.txt"
 
 /** The times of an agent's messages there and back. */
 internal object Laps {
-    /** The first ones find Java cold. */
+    /** The number of first messages that do not count, since Java has not yet compiled the code. */
     private const val COLD = 3000
     private const val MEASURED = 10_000
 
@@ -51,7 +51,7 @@ class left : DefaultInternalAction() {
     }
 }
 
-/** The internal action `benchmarks.fleet.came`: the answer has come; after the last one the program ends. */
+/** The internal action `benchmarks.fleet.came`: the answer has come; after the last answer the program ends. */
 class came : DefaultInternalAction() {
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         Laps.end()

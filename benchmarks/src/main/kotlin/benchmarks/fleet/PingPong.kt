@@ -9,7 +9,7 @@ private const val PATIENCE_S = 120L
 private const val START_S = 60
 private val COMPUTERS = listOf("one", "two")
 
-/** Messages of agents there and back between two processes, on the fleet and on JADE. */
+/** Measures messages of agents there and back between two processes, on the fleet and on JADE. */
 internal fun pingPongs(): Boolean {
     val ports = Project.freePorts(2)
     val fleet = pingPong("the fleet", Project.fleetOf(COMPUTERS), "") { listOf("argo.fleet.MainKt", "bench.mas2j", "--at", it) }
@@ -24,7 +24,7 @@ private fun container(name: String, ports: List<Int>): List<String> {
         "-jade_imtp_leap_JICP_JICPServer_acceptlocalhostonly true --no-net true".split(' ')
 }
 
-/** @param ready what the first computer prints before the second one may start */
+/** @param ready the text that the first computer prints before the second one may start */
 private fun pingPong(what: String, infrastructure: String, ready: String, program: (String) -> List<String>): Distribution {
     val mas2j = "MAS bench { infrastructure: $infrastructure agents: ping at \"one\"; pong at \"two\"; }"
     return Project(mas2j, listOf("ping", "pong")).use { project ->

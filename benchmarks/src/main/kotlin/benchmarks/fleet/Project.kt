@@ -10,7 +10,7 @@ import kotlin.io.path.writeText
  * A project of agents in a folder of its own, and the processes that run it.
  *
  * @param mas2j the text of `bench.mas2j`
- * @param agents its agents, without `.asl`
+ * @param agents the names of the agents' files, without `.asl`
  */
 internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     private val folder = createTempDirectory("argo-bench-fleet")
@@ -28,7 +28,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     /** What all processes have printed. */
     fun printed(): String = file(OUT).toFile().readText()
 
-    /** Starts `program`, a main class and its arguments, in a Java machine with [options]. */
+    /** Starts [program], a main class and its arguments, in a Java machine with [options]. */
     fun start(program: List<String>, options: List<String> = emptyList()): Process {
         val java = listOf(File(System.getProperty("java.home"), "bin/java").path) + options
         return ProcessBuilder(java + listOf("-cp", System.getProperty("java.class.path")) + program).directory(folder.toFile())
@@ -39,7 +39,7 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     fun startComputer(name: String, options: List<String> = emptyList()): Process =
         start(listOf("argo.fleet.MainKt", "bench.mas2j", "--at", name), options)
 
-    /** The lines of a file that agents write, as numbers; none before there is one. */
+    /** Returns the lines of a file that agents write, as numbers; empty: there is no such file yet. */
     fun noted(name: String): List<List<Long>> = file(name).toFile().takeIf { it.exists() }?.readLines().orEmpty()
         .map { line -> line.split(' ').map(String::toLong) }
 
@@ -60,14 +60,14 @@ internal class Project(mas2j: String, agents: List<String>) : AutoCloseable {
     companion object {
         private const val OUT = "out.txt"
 
-        /** Below those that the system gives to outgoing connections, which would take them meanwhile. */
+        /** Below the ports that the system gives to outgoing connections: such a port may be taken before the fleet uses it. */
         private const val FIRST_PORT = 21_000
 
         fun freePorts(count: Int): List<Int> = generateSequence(FIRST_PORT) { it + 1 }.filter(::isFree).take(count).toList()
 
         private fun isFree(port: Int) = runCatching { ServerSocket(port).close() }.isSuccess
 
-        /** The infrastructure of [names] on this computer. */
+        /** Returns the infrastructure of a fleet of [names], all on this computer. */
         fun fleetOf(names: List<String>): String =
             "Fleet(name(bench), hosts([${names.zip(freePorts(names.size)).joinToString { (name, port) -> "$name(\"127.0.0.1:$port\")" }}]))"
     }

@@ -11,8 +11,8 @@ import kotlin.concurrent.withLock
 
 /**
  * The computer's end of the line to [uno], which advances with [clock]. Bytes have the times of a real line in both directions. The board
- * runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands its own bytes over a
- * byte's time before they arrive.
+ * runs to the present at least once in the time of a byte, and before each byte that is sent to it. The board hands over each byte of its
+ * own one byte's time before the byte arrives.
  */
 internal class SteppedLine(
     private val name: String, private val settings: LineSettings, private val clock: LineClock, private val uno: SteppedUno,
@@ -28,7 +28,7 @@ internal class SteppedLine(
     private var hangs = false
     private var isArrivalNew = false // callers that place the board's robot run the board, too
 
-    /** The bytes written to the line and read from it. */
+    /** The bytes that were written to the line and read from the line. */
     var traffic = Traffic(0, 0)
         private set
 

@@ -29,7 +29,7 @@ internal class SteppedUno(simulator: Path, sketch: Path) : AutoCloseable {
         command("run ${cycle(nanos)}")
     }
 
-    /** Puts [bytes] on the line, each in [byteNanos]. The first begins at [atNanos], which must not be before the sketch's time. */
+    /** Puts [bytes] on the line, each in [byteNanos]. The first byte begins at [atNanos], which must not be before the sketch's time. */
     fun send(bytes: ByteArray, atNanos: Long, byteNanos: Long) =
         command("send ${cycle(atNanos)} ${cycle(byteNanos)} ${bytes.joinToString("") { "%02x".format(Locale.ROOT, it) }}")
 

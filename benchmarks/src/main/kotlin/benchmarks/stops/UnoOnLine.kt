@@ -45,9 +45,7 @@ internal class UnoOnLine(course: StopCourse) : AutoCloseable {
     override fun close() = uno.close()
 
     private companion object {
-        /**
-         * Numbers the lines, so that each has its own name. Links remember used numbers by that name, and each run must be like the first.
-         */
+        /** Numbers the lines. So each has its own name, by which links remember used numbers, and each run is like the first. */
         val lines = AtomicInteger()
     }
 }

@@ -37,8 +37,8 @@ internal class WatchedRobot(private val uno: SteppedUno, private val clock: Line
     }
 
     /**
-     * Places the robot [millimetres] from the wall. [departure] returns the time at which its first millimetre begins, in ns, if it has
-     * driven off at the time of the argument.
+     * Places the robot [millimetres] from the wall. [departure] gets the time at which the robot drives off, in ns, and returns the time at
+     * which its first millimetre begins.
      */
     fun place(millimetres: Int, departure: (Long) -> Long) {
         this.millimetres = millimetres

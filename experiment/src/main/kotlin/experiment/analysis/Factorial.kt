@@ -4,17 +4,14 @@ import org.apache.commons.math3.distribution.TDistribution
 import kotlin.math.abs
 import kotlin.math.sqrt
 
-/**
- * The source of a sum of squares or an effect among three factors: a main factor, an interaction of two, or that of all three. The first
- * factor is A.
- */
+/** A source of variation: one of three factors, an interaction of two factors, or the interaction of all three. The first factor is A. */
 internal enum class Source(val factors: Set<Int>) {
     A(setOf(0)), B(setOf(1)), C(setOf(2)), AB(setOf(0, 1)), AC(setOf(0, 2)), BC(setOf(1, 2)), ABC(setOf(0, 1, 2)),
 }
 
 /**
- * The effect of one combination of levels of a [source]'s factors: the difference of the response from the sum of the mean and the lower
- * effects. [levels] has the level of each of the source's factors, from 0, in the order of the factors.
+ * The effect of a combination of levels of the factors in [source]: the response there, less the mean and the lower effects. [levels] has
+ * the level of each of the source's factors, from 0, in the order of the factors.
  */
 internal class Effect(val source: Source, val levels: List<Int>, val value: Double, val interval: Interval) {
     val isSignificant: Boolean get() = interval.low > 0 || interval.high < 0
@@ -24,8 +21,8 @@ internal class Effect(val source: Source, val levels: List<Int>, val value: Doub
  * The analysis of a full factorial experiment with three factors and replications, after R. Jain, The Art of Computer Systems Performance
  * Analysis, Wiley 1991, chapters 22 and 23. The model is `y = mean + A + B + C + AB + AC + BC + ABC + error`. The effects add up to 0 over
  * the levels of each factor. The share of a source in the variation is its sum of squares over the total one. `responses[i][j][k][r]` is
- * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one the error
- * cannot be estimated: its share is 0 and the confidence intervals are infinite.
+ * the response at level i of A, j of B, k of C in replication r. All cells have equally many responses, at least one. With one response the
+ * error cannot be estimated: its share is 0 and the confidence intervals are infinite.
  */
 internal class Factorial(private val responses: List<List<List<List<Double>>>>) {
     private val sizes = listOf(responses.size, responses.first().size, responses.first().first().size)
@@ -103,7 +100,7 @@ internal class Factorial(private val responses: List<List<List<List<Double>>>>) 
     }
 
     private companion object {
-        /** A part of the largest response, since a double has sixteen digits. */
+        /** The part of the largest response that counts as rounding, since a double has sixteen digits. */
         const val ROUNDING = 1e-12
     }
 }

@@ -9,8 +9,8 @@ internal const val CONFIDENCE = 0.95
 
 internal data class Interval(val low: Double, val high: Double) {
     /**
-     * The number of meaningful decimals, from 0 to 3. Half the width has two digits if they are below 36, otherwise one. That is the rule
-     * of the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
+     * The number of meaningful decimals, from 0 to 3. Half the width has two digits if these are below 36, otherwise one digit. This is the
+     * rule of the Particle Data Group (Review of Particle Physics, introduction, section 5.3).
      */
     val decimals: Int
         get() = if (high > low) ceil(log10(ONE_DIGIT / ((high - low) / 2))).toInt().coerceIn(0, MAX_DECIMALS) else MAX_DECIMALS

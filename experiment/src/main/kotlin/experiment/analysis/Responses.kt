@@ -11,8 +11,7 @@ import samples.collision.Course
 /**
  * The analysed number of each run.
  *
- * The time of a robot that ran into the wall is not known, since its agent needed longer than there was. The number for such a robot is a
- * choice.
+ * The time of a robot that ran into the wall is not known, since the run ended before its agent reacted. Its number is a choice.
  *
  * @property collisions the number for a robot that ran into the wall, in words
  */
@@ -22,7 +21,7 @@ internal enum class Response(val title: String, val unit: String, val collisions
         override fun of(result: Entry.Result, plan: Plan) = result.orLongest(plan) { sincePerceivingMs ?: 0.0 }
     },
 
-    /** The least certain time: the agent needed no less. */
+    /** The shortest possible time: the agent certainly needed no less. */
     LEAST_PERCEIVED_TIME(
         "least time from perceiving the wall", "s",
         "with the time from perceiving the wall to reaching it, which is less than its agent needed",

@@ -43,7 +43,7 @@ internal fun shareIntervals(analysis: Factorial, seed: Long, draws: Int = DRAWS)
  * replaced by [error] over a chi-squared random number. The interval lies between the percentiles of the share.
  *
  * Without other effects the noncentral F distribution gives the same interval (J. H. Steiger, Beyond the F Test, Psychological Methods 9,
- * 2004). For several effects it gives none.
+ * 2004). For several effects this distribution gives no interval.
  *
  * @param error has at least one degree of freedom
  */

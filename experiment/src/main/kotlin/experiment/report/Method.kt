@@ -100,7 +100,7 @@ internal fun busyMachine(runs: List<Finished>): String {
         late.joinToString { "${it.trial.id} (${whole(it.result.lateMs)} ms)" } + "</p></details>\n"
 }
 
-/** Describes the lateness of the machine in [runs], and the runs that were repeated for it. */
+/** Describes the lateness of the machine in [runs], and the runs that were repeated because of it. */
 internal fun lateness(runs: List<Finished>): String {
     val late = runs.map { it.result.lateMs }.ifEmpty { return "" }
     return "A thread wakes every 5 ms during each run. Its largest delay was ${one(late.max())} ms, the median of the largest delays of " +

@@ -3,7 +3,7 @@ package experiment.report
 import experiment.analysis.Interval
 
 /**
- * The unit of the times in a table or a figure: seconds, or milliseconds if all are below one second.
+ * The unit of the times in a table or a figure: seconds, or milliseconds if all times are below one second.
  *
  * @property word the unit's name in the plural
  * @property perSecond the number of units in a second
@@ -24,7 +24,7 @@ internal enum class TimeScale(val unit: String, val word: String, val perSecond:
     private fun of(seconds: Interval) = Interval(seconds.low * perSecond, seconds.high * perSecond)
 
     companion object {
-        /** Returns the scale for all of [seconds]. Infinite ones are not known, and do not count. */
+        /** Returns the scale for all of [seconds]. Infinite times are not known, and do not count. */
         fun of(seconds: Collection<Double>): TimeScale {
             val known = seconds.filter(Double::isFinite)
             return if (known.isNotEmpty() && known.all { it < 1 && it > -1 }) MILLISECONDS else SECONDS

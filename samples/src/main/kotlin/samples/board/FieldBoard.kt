@@ -99,7 +99,7 @@ class FieldBoard(
 }
 
 /**
- * The unread bytes of a board. The board reads them one by one, but all bytes that arrived while it was busy together.
+ * The unread bytes of a board. The board reads single bytes, but those that arrived while it was busy all together.
  *
  * A busy computer may wake the board too late. Bytes that arrived after the board's time are not part of that burst. Otherwise commands
  * would be lost that no real board loses.

@@ -5,7 +5,7 @@ import kotlin.time.Duration.Companion.nanoseconds
 import kotlin.time.DurationUnit
 
 /**
- * A robot on a straight way with a can at its end. The robot can drive there, grip the can and bring it back. The robot's three boards
+ * A robot on a straight way with a can at its end. The robot can drive to the can, grip it and bring it back. The robot's three boards
  * share this object. Any thread may call.
  */
 internal class Carrier(private val clock: LineClock) {
@@ -49,7 +49,7 @@ internal class Carrier(private val clock: LineClock) {
         }
     }
 
-    /** Opens the robot's hand. Puts a can in it down before the robot. */
+    /** Opens the robot's hand. A can in the hand is put down in front of the robot. */
     @Synchronized
     fun release() {
         if (hand == Hand.FULL) {

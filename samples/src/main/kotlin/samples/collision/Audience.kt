@@ -8,11 +8,11 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit
 
 /**
- * The spectators of a run in a browser. The run waits for the first of them, since it is too short for opening a browser.
+ * The spectators of a run in a browser. The run waits for the first spectator, since it is too short for opening a browser.
  *
  * @property port the port of the agent's view; 0: any free port
  * @property waitS the time for which the run waits, in s
- * @property keyboard Enter on it ends the waiting; the end of its input does not
+ * @property keyboard a line from it ends the waiting; the end of its input does not
  */
 internal class Audience(val port: Int, private val waitS: Int, private val out: PrintStream, private val keyboard: InputStream) {
     private val firstBrowser = CountDownLatch(1)

@@ -7,9 +7,9 @@ import kotlin.random.Random
  * The twelve sensors of the robot: distance (cm), light (0 to 1023, like an analogue input) and temperature (°C) on its front, back, right
  * and left. More sensors are further sets of twelve at the same places. The sides of the second set are called `f2`, `b2` and so on.
  *
- * Every reading has noise, and no sensor gives the same reading twice in a row. So all twelve percepts change from frame to frame. Such
- * percepts are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is the next
- * whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
+ * Every reading has noise, and no sensor gives the same reading twice in a row. So all twelve percepts change from frame to frame. Percepts
+ * that all change are the worst case for an agent, and real sensors come close to that. A distance reading is never too short: it is the
+ * next whole cm, or up to [DISTANCE_NOISE] more. The room is [ROOM_CM] long.
  *
  * For one thread.
  *

@@ -10,7 +10,7 @@ import kotlin.io.path.writeText
 /**
  * The computers of the sample `fleet`, each a process: `base` with the coordinator, and two scouts.
  *
- * @property ports the ports at which they listen, by their names
+ * @property ports the ports at which the computers listen, by the computers' names
  */
 internal class Fleet private constructor(
     private val project: Path,
@@ -43,11 +43,11 @@ internal class Fleet private constructor(
         private val ADDRESS = Regex("""(\w+)\("127\.0\.0\.1:\d+"\)""")
 
         /**
-         * Starts them from a copy of the project, in which they listen at free ports.
+         * Starts the computers from a copy of the project that gives them free ports.
          *
          * @param java the path of Java's program; that of this program by default
          * @param classPath the places of classes; those of this program by default
-         * @param printed receives each line that they print, from threads of their own
+         * @param printed called with each line that the computers print, on several threads
          */
         fun start(
             java: String = Path.of(System.getProperty("java.home"), "bin", "java").toString(),

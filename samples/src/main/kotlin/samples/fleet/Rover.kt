@@ -31,7 +31,7 @@ class Rover(private val clock: LineClock) : Sketch {
     }
 }
 
-/** `sim:rover`, the board of each scout in the sample `fleet`. Each process has one. */
+/** `sim:rover`, the board of each scout in the sample `fleet`. Each process has one rover. */
 class RoverBoard : SimulatedBoard {
     private val board = FieldBoard(Rover(LineClock.system()))
 

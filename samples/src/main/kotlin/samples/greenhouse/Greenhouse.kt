@@ -9,10 +9,10 @@ import kotlin.math.sin
 import kotlin.random.Random
 
 /**
- * A greenhouse as the sketch `Greenhouse.ino` shows it: its air, its soil, the sun, a pump and a vent. Its sensors tremble. The day begins
- * at five o'clock. Used by one thread at a time.
+ * The greenhouse of the sketch `Greenhouse.ino`: air, soil, sun, a pump and a vent. The sensors are noisy. The day begins at five o'clock.
+ * Used by one thread at a time.
  *
- * @param random of the sensors' noise
+ * @param random draws the sensors' noise
  * @param minutes the time that has passed since five o'clock; never less than before
  */
 open class Greenhouse(private val random: Random, private val minutes: () -> Double) : Sketch {

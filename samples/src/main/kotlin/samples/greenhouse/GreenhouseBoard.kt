@@ -5,7 +5,7 @@ import kotlin.random.Random
 
 private const val NANOS_A_MINUTE = 10_000_000.0
 
-/** `sim:greenhouse`, the board of the sample `greenhouse`: a minute of it takes 10 ms. It logs its commands. */
+/** `sim:greenhouse`, the board of the sample `greenhouse`, which logs its commands. A minute in the greenhouse takes 10 ms. */
 class GreenhouseBoard : Greenhouse(Random(2016), lapsed(LineClock.system())) {
     override fun act(command: String): Boolean {
         System.getLogger("samples.greenhouse").log(System.Logger.Level.INFO, command)

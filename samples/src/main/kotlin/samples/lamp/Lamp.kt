@@ -3,7 +3,7 @@ package samples.lamp
 import javino.sim.Sketch
 
 /**
- * The firmware of a board with one LED. `ledOn` and `ledOff` switch it. The board reports it as `led(Name,on)` or `led(Name,off)`.
+ * The firmware of a board with one LED. `ledOn` and `ledOff` switch the LED. The board reports `led(Name,on)` or `led(Name,off)`.
  *
  * @param name the board's name in its percept, an atom
  * @param switched receives each change of the LED, from the board's thread

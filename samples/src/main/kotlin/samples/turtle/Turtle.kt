@@ -8,13 +8,13 @@ import kotlin.math.sin
  * A turtle as turtlesim has it: it drives in a square window, stays at its edges, and stops a second after its last command. Safe for use by
  * several threads.
  *
- * @param x its place, in m from the left
- * @param y its place, in m from below
- * @param heading where it looks, in rad, counter-clockwise from the right
- * @param nanos the time
+ * @param x the turtle's place, in m from the left
+ * @param y the turtle's place, in m from below
+ * @param heading the turtle's direction, in rad, counter-clockwise from the right
+ * @param nanos a clock, in ns
  */
 internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: () -> Long) {
-    /** Where the turtle is, and how fast it drives, in m/s, and turns, in rad/s. */
+    /** The turtle's place and direction, and its speeds of driving, in m/s, and of turning, in rad/s. */
     data class Pose(val x: Double, val y: Double, val heading: Double, val speed: Double, val turn: Double)
 
     private var place = Pose(x, y, heading, 0.0, 0.0)
@@ -32,7 +32,7 @@ internal class Turtle(x: Double, y: Double, heading: Double, private val nanos: 
             return place
         }
 
-    /** Drives and turns so fast for the next second. */
+    /** Drives and turns at these speeds for the next second. */
     @Synchronized
     fun drive(speed: Double, turn: Double) {
         place = pose.copy(speed = speed, turn = turn)

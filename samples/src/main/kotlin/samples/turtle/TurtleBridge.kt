@@ -16,8 +16,8 @@ import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * A bridge of the rosbridge protocol with turtlesim behind it, at this computer's own address: the turtles' topics `/NAME/pose` and
- * `/NAME/cmd_vel`, and the service `/spawn`. It knows only the part of the protocol for these.
+ * A bridge of the rosbridge protocol with turtlesim behind it, on the loopback interface. It has the turtles' topics `/NAME/pose` and
+ * `/NAME/cmd_vel`, and the service `/spawn`, and knows no other part of the protocol.
  */
 internal class TurtleBridge(private val nanos: () -> Long = System::nanoTime) : AutoCloseable {
     private data class Subscription(val client: WebSocket, val topic: String)

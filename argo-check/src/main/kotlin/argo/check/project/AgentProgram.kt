@@ -41,20 +41,20 @@ class AgentProgram(val path: Path, text: String) {
     /** True if a directive with an inner program, such as a pattern of Jason, may make plans of its own. */
     val hasPatterns: Boolean get() = program.nodes().any { it is Directive && it.components != null && it.call?.functor != "namespace" }
 
-    /** Where the goals of plans with the annotation `test` begin: Jason finds these plans by their labels, and no name matters. */
+    /** The offsets of the goals of plans annotated `test`. Jason finds these plans by their labels, so their goals have any name. */
     val goalsOfTests: Set<Int> by lazy {
         program.nodes().filterIsInstance<Plan>()
             .filter { plan -> plan.label?.annotations?.items.orEmpty().any { (it as? Literal)?.functor == "test" } }
             .mapNotNull { (it.trigger.term as? Literal)?.name?.span?.start }.toSet()
     }
 
-    /** The goals and beliefs that comments `argo: others may send goal/2, belief/1` list, each as functor/number of arguments. */
+    /** The goals and beliefs in comments such as `argo: others may send goal/2, belief/1`, each as functor/number of arguments. */
     val sentByOthers: Set<String> by lazy {
         val lists = comments().mapNotNull { (_, text) -> OTHERS.find(text)?.groupValues?.get(1) }
         lists.flatMap { list -> WORD.findAll(list).map { it.value } }.toSet()
     }
 
-    /** Returns whether findings in [line] are ignored. A comment in that line, or a line above with only the comment, asks for that. */
+    /** Returns whether findings in [line] are ignored. A comment in [line], or alone in the line above, asks for this. */
     fun isIgnored(line: Int): Boolean = line in ignoredLines
 
     private val ignoredLines: Set<Int> by lazy {

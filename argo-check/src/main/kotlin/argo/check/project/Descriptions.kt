@@ -5,7 +5,7 @@ import argo.check.syntax.Span
 import javino.PerceptKind
 import kotlin.io.path.name
 
-/** A word to which [file] gives a meaning, at [span]. If it [isObserved], it was seen for a while, and there may be others. */
+/** A word to which [file] gives a meaning, at [span]. If it [isObserved], a board was seen to use it, and may use others. */
 class Described<out T>(val meaning: T, val file: ProjectFile, val span: Span, val isObserved: Boolean = false)
 
 /** A part [span] of [file] that describes no percept, for a [reason]. */
@@ -69,7 +69,7 @@ internal class BoardProgram(private val file: ProjectFile) {
         val STRING = Regex("\"([^\"\n]*)\"")
         val DESCRIBED = Regex("\\bdescribe\\s*\\($IN_FLASH\"([^\"\n]*)\"")
 
-        /** The Python library takes descriptions behind the function that perceives. */
+        /** The Python library takes descriptions as arguments behind the perceiving function. */
         val PERCEIVED = Regex("\\bperceive\\s*\\((?:[^()\"]++|\"[^\"\n]*+\")*+")
         val ACT = Regex("\\.act\\s*\\[$NAME\\s*]\\s*=")
         val ON_ACTION = Regex("\\b(?:onAction|on_action)\\s*\\($NAME(?:$FUNCTION$NUMBER\\s*\\))?")

@@ -60,8 +60,8 @@ class FilterFile private constructor(val path: Path, val text: String, val filte
                 if (path.extension == "xml") ROOT.matches(text) else hasRules(text)
 
         /**
-         * Returns true if the JSON document [text] has a list with a filter's rule, an object with a predicate. Other documents have rules
-         * too.
+         * Returns true if the JSON document [text] has a list with a filter's rule, an object with a predicate. JSON documents of other
+         * kinds may have rules too.
          */
         private fun hasRules(text: String): Boolean = try {
             JsonFactory().createParser(text).use { parser ->

@@ -5,8 +5,8 @@ import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
 /**
- * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. An instance reads one file. [end] is the
- * token for the end of the file.
+ * Reads the frame of a Jason project file: its head, its sections, and the end of each agent. Each instance reads a single file. [end] is
+ * the token for the end of the file.
  */
 internal class MasFrame(private val tokens: List<Token>, private val end: Token) {
     private var at = 0
@@ -37,7 +37,7 @@ internal class MasFrame(private val tokens: List<Token>, private val end: Token)
         take(";")
     }
 
-    /** Takes the program of an agent: a file's name, in front of which Jason reads only a path that begins with `./` or a root. */
+    /** Takes the program of an agent: a file's name. Jason reads a path before the name only if it begins with `./` or a root. */
     private fun source() {
         var last = at
         while (tokens.getOrNull(last + 1)?.let { it.span.start == tokens[last].span.end && !isBehindSource(it) } == true) last++

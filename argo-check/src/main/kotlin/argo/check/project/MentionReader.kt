@@ -31,7 +31,7 @@ import argo.check.syntax.Variable
 internal class MentionReader {
     private val found = ArrayList<Mention>()
 
-    /** The roles in which the program uses a variable, so that their literals are not all known. */
+    /** The roles in which the program uses a variable, so that not all literals in these roles are known. */
     private val open = HashSet<Role>()
 
     fun read(components: List<Component>): Mentions {
@@ -75,7 +75,7 @@ internal class MentionReader {
 
     /**
      * Reads an event in braces. In a [role] such as that of `.at("now", { +!g })` the event happens; otherwise an action waits or looks for
-     * it.
+     * the event.
      */
     private fun event(trigger: Trigger, role: Role) {
         val isMade = role == Role.POSTED || role == Role.BELIEVED
@@ -121,7 +121,7 @@ internal class MentionReader {
         }
     }
 
-    /** Reads a formula. Jason looks its literals up among the beliefs. */
+    /** Reads a formula. Jason looks up the formula's literals among the beliefs. */
     private fun formula(term: Term) {
         when {
             term is Operation && (term.isOf("&") || term.isOf("|")) -> term.operands.forEach(::formula)
@@ -174,7 +174,7 @@ internal class MentionReader {
         if (step == null) content(block, Role.EVENT) else mention(Role.EVENT, step.term)
     }
 
-    /** Reads a plan that is an argument. An action may compare other plans with it. */
+    /** Reads a plan that is an argument. An action may compare other plans with this plan. */
     private fun pattern(plan: Plan) {
         event(plan.trigger, Role.DATA)
         rest(plan)
@@ -196,7 +196,7 @@ internal class MentionReader {
     }
 }
 
-/** @property open the roles in which the program uses a variable, so that the literals in these roles are not all known */
+/** @property open the roles in which the program uses a variable, so that not all literals in these roles are known */
 class Mentions(val all: List<Mention>, val open: Set<Role>) {
     private val byRole: Map<Role, List<Mention>> = all.groupBy { it.role }
 

@@ -16,7 +16,7 @@ import kotlin.io.path.readBytes
 
 /**
  * Reads the projects below a folder. A folder with a project file, `.mas2j` or `.jcm`, is a project with everything below it. All programs
- * outside of such folders are one more project.
+ * outside of such project folders are one more project.
  *
  * @param maxFiles the most files of a folder that are read
  */
@@ -39,7 +39,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
     private fun ownerOf(file: Path, projects: List<Project>): Project =
         projects.filter { file in it.programs || file.startsWith(it.root) }.maxByOrNull { it.root.nameCount } ?: projects.first()
 
-    /** Returns the project of [file]: the nearest folder above with a project file. Without one, it is the file's own folder. */
+    /** Returns the project of [file]: the nearest folder above with a project file. Without a project file, it is the file's own folder. */
     fun projectOf(file: Path): Project {
         val folder = file.toAbsolutePath().normalize().parent
         val all = projectsIn(rootOf(file) ?: folder)
@@ -77,11 +77,11 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
             .map { (original, same) -> if (original in same) original else same.first() }
     }
 
-    /** Returns where [file] is if links on the way to it are followed: a linked folder has the same files as its original. */
+    /** Returns the path of [file] without links, since a linked folder has the same files as its original. */
     private fun originalOf(file: Path): Path = try {
         file.toRealPath()
     } catch (_: IOException) {
-        file // it has gone, which reading it tells
+        file // the file has gone, which is told when it is read
     }
 
     private fun read(root: Path, files: List<Path>): Project {
@@ -177,7 +177,7 @@ class ProjectReader(private val maxFiles: Int = 20_000) {
 
         private fun isPercepts(file: Path): Boolean = file.name == PERCEPTS || file.extension == PERCEPTS
 
-        /** Returns the nearest folder above [file] with a project file; null: no near folder has one. */
+        /** Returns the nearest folder above [file] with a project file; null: no near folder has a project file. */
         fun rootOf(file: Path): Path? =
             generateSequence(file.toAbsolutePath().normalize().parent) { it.parent }.take(MAX_HEIGHT).firstOrNull(::hasProjectFile)
 

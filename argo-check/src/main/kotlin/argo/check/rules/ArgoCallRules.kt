@@ -156,7 +156,7 @@ internal object ArgoCallRules : Rule {
         )
     }
 
-    /** Tells of a command that no line carries. */
+    /** Reports a command that no line carries. */
     private fun unsendable(command: Term, report: Report) {
         val text = RobotRules.textOf(command) ?: return
         val why = if (PerceptsRequest.isIn(text)) "a board takes $text for the request for percepts" else try {
@@ -244,7 +244,7 @@ internal object ArgoCallRules : Rule {
     private val BODY_SOURCES = setOf("interoception", "proprioception", "exteroception")
     private val PORT_LIKE = Regex("COM\\d+|[Tt][Tt][Yy]\\w+")
 
-    /** An interval of at least this number was meant in nanoseconds. */
+    /** Whoever writes an interval of at least this number means nanoseconds. */
     private const val MIN_NANOSECONDS = 1_000_000.0
     private const val MIN_SLOW_MS = 200.0
     private const val MS_A_MINUTE = 60_000.0

@@ -2,8 +2,9 @@ package argo.check.rules
 
 import argo.check.findings.Level
 import argo.check.syntax.Belief
+import argo.check.syntax.Literal
 
-/** Neighbouring arguments that stand the other way round wherever else the project has this literal, or these two variables. */
+/** Finds neighbouring arguments whose order is the reverse elsewhere in the project, in the same literal or of the same variables. */
 internal object ArgumentOrderRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val arguments = scene.facts.arguments
@@ -17,11 +18,12 @@ internal object ArgumentOrderRules : Rule {
     private fun ofLiteral(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report): Boolean {
         val columns = arguments.columnsOf(literal)
         val index = (0 until literal.arguments.size - 1).firstOrNull { isSwapped(literal, columns, it) } ?: return false
-        if (!isSymmetric(literal, index, inside)) tell(literal, index, isBothWays(literal, index, inside), report)
+        val isLikely = !isBothWays(literal, index, inside) && !isStringForVariable(literal, columns, index)
+        if (!isSymmetric(literal, index, inside)) tell(literal, index, isLikely, report)
         return true
     }
 
-    /** Tells of two variables that hardly ever stand side by side in this order elsewhere, and in the other one in several plans. */
+    /** Reports two neighbouring variables that elsewhere hardly ever stand in this order, but in the reverse order in several plans. */
     private fun ofVariables(literal: OpenLiteral, inside: List<OpenLiteral>, arguments: Arguments, report: Report) {
         val own = inside.flatMap { it.neighbours }.toSet()
         for ((first, second) in literal.neighbours) {
@@ -39,25 +41,28 @@ internal object ArgumentOrderRules : Rule {
         }
     }
 
-    /** Returns how many plans speak for an order that people keep everywhere: X and Y, I and J, X1 and X2. */
+    /** Some orders are usual everywhere: X and Y, I and J, X1 and X2. Returns the number of plans for which a usual order counts. */
     private fun usual(first: String, second: String): Int {
         val at = first.indices.filter { first[it] != second.getOrNull(it) }.singleOrNull()
         return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0
     }
 
-    /** A plan may mean both ways. */
-    private fun tell(literal: OpenLiteral, index: Int, isBothWays: Boolean, report: Report) = report.add(
-        "argument-order", if (isBothWays) Level.HINT else Level.WARNING, literal.placeOf(index),
+    /** A plan may mean both ways, and look up a string by another argument. */
+    private fun tell(literal: OpenLiteral, index: Int, isLikely: Boolean, report: Report) = report.add(
+        "argument-order", if (isLikely) Level.WARNING else Level.HINT, literal.placeOf(index),
         "arguments ${index + 1} and ${index + 2} of ${literal.mention.literal.indicator} stand the other way round elsewhere in the " +
             "project",
         "the literal does not match the others", "correct their order",
     )
 
-    /** Returns true if a rule says that a relation goes both ways. */
+    /** Returns true if a rule, such as `near(A,B) :- near(B,A)`, says that a relation goes both ways. */
     private fun isSymmetric(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>) =
-        literal.component is Belief && isBothWays(literal, index, inside)
+        literal.arguments.size == 2 && isOfHead(literal) && isBothWays(literal, index, inside)
 
-    /** Returns true if the plan has the literal with these variables the other way round too. */
+    private fun isOfHead(literal: OpenLiteral) =
+        ((literal.component as? Belief)?.head as? Literal)?.indicator == literal.mention.literal.indicator
+
+    /** Returns true if the plan also has the literal with these variables in the reverse order. */
     private fun isBothWays(literal: OpenLiteral, index: Int, inside: List<OpenLiteral>): Boolean {
         val (first, second) = literal.arguments.drop(index)
         return first.isVariable && second.isVariable && inside.any { other ->
@@ -68,30 +73,47 @@ internal object ArgumentOrderRules : Rule {
 
     private fun isSwapped(literal: OpenLiteral, columns: List<Column>, index: Int): Boolean {
         val (first, second) = literal.arguments.drop(index)
-        if (!first.isVariable && first.kind != null && first.kind == second.kind) return false
+        if (isStringForVariable(literal, columns, index)) return true
+        if (!first.isVariable && first.kind != null && first.kind == second.kind) {
+            return isNumberedLike(first, columns[index], columns[index + 1]) && isNumberedLike(second, columns[index + 1], columns[index])
+        }
         val misplaced = listOf(
             strength(first, columns[index], columns[index + 1], second), strength(second, columns[index + 1], columns[index], first),
         )
         return misplaced.none { it < 0 } && misplaced.sum() >= ENOUGH
     }
 
+    /** Returns true if one of the two is a string in a column of variables, and the other a variable in a column of strings. */
+    private fun isStringForVariable(literal: OpenLiteral, columns: List<Column>, index: Int): Boolean {
+        val (text, variable) = listOf(index, index + 1).sortedByDescending { literal.arguments[it].isString }
+        return literal.arguments[text].isString && literal.arguments[variable].isVariable &&
+            columns[text].isOfVariablesButOne && columns[variable].isOfStringsButOne
+    }
+
+    /** Returns true if several atoms are numbered like [argument] in the column [there], and none is [here]. */
+    private fun isNumberedLike(argument: Argument, here: Column, there: Column): Boolean {
+        val stem = argument.stem ?: return false
+        return here.stemsLike(stem) == 1 && there.stemsLike(stem) >= MIN_PLANS
+    }
+
     /**
-     * How much speaks for [argument], one of the column [here], being in the column [there], which has [neighbour]; negative: it is in its
-     * place.
+     * Returns how strongly the other literals suggest that [argument] of the column [here] belongs in the column [there], where [neighbour]
+     * is. Negative: [argument] is in its place.
      */
     private fun strength(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
         val sign = argument.sign ?: return 0
-        val kind = argument.kind
         val same = there.signsLike(sign, neighbour)
-        val isShort = argument.isVariable && sign.length < LONG
         return when {
-            here.signsLike(sign, argument) * (if (isShort) MAX else MANY) > same -> AGAINST
-            same > 0 -> if (isShort) ALIKE else SAME
-            kind == null -> 0
-            here.kindsLike(kind, argument) > 0 -> AGAINST
-            there.kindsLike(kind, neighbour) > 0 -> ALIKE
-            else -> 0
+            here.signsLike(sign, argument) * (if (argument.isShort) MAX else MANY) > same -> AGAINST
+            same == 0 -> strengthOfKind(argument, here, there, neighbour)
+            argument.isShort -> ALIKE + maxOf(0, strengthOfKind(argument, here, there, neighbour))
+            else -> SAME
         }
+    }
+
+    private fun strengthOfKind(argument: Argument, here: Column, there: Column, neighbour: Argument): Int {
+        val kind = argument.kind ?: return 0
+        return if (here.kindsLike(kind, argument) > 0) AGAINST else if (there.kindsLike(kind, neighbour) > 0) ALIKE else 0
     }
 
     /** So many times more often must something stand in another place for that to be its place. */
@@ -102,9 +124,6 @@ internal object ArgumentOrderRules : Rule {
     private const val ALIKE = 1
     private const val ENOUGH = 2
 
-    /** A variable with a shorter name tells little. */
-    private const val LONG = 3
-
-    /** So many other plans make an order the usual one. */
+    /** This number of other plans makes an order the usual one. */
     private const val MIN_PLANS = 2
 }

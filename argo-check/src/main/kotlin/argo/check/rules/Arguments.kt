@@ -17,8 +17,8 @@ import argo.check.syntax.Variable
 /**
  * An argument of a literal.
  *
- * @property sign the argument in one word; null: it says nothing
- * @property kind what it is, as `number`; null: not known
+ * @property sign the argument in one word; null: it has none
+ * @property kind the argument's kind, such as `number`; null: not known
  */
 internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
     val isVariable: Boolean = term is Variable
@@ -30,8 +30,21 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
         is Literal -> term.indicator
         is NumberTerm -> term.text
         is StringTerm -> term.text
+        is Operation -> calculated(term) ?: kind
         else -> kind
     }
+
+    /** True if the sign is a name of so few letters that it tells little. */
+    val isShort: Boolean = (isVariable || term is Operation && calculated(term) != null) && sign.orEmpty().length < LONG
+
+    /** Returns the only variable that [term] calculates with, as `X` in `X - 1`; null: there is none, or there are several. */
+    private fun calculated(term: Operation): String? =
+        if (term.isArithmetic) term.operands.filterIsInstance<Variable>().singleOrNull()?.name?.text else null
+
+    val isString: Boolean = term is StringTerm
+
+    /** The letters of a numbered atom, such as `post` of `post5`; null for others. */
+    val stem: String? = (term as? Literal)?.takeIf { it.arity == 0 }?.let { NUMBERED.matchEntire(it.functor) }?.groupValues?.get(1)
 
     private fun kindOf(term: Term): String? = when (term) {
         is Literal -> if (term.isInternal) null else if (term.arity == 0) "atom" else term.indicator
@@ -41,9 +54,14 @@ internal class Argument(val term: Term, kindsOfVariables: Map<String, String>) {
         is Block -> "block"
         else -> null
     }
+
+    private companion object {
+        const val LONG = 3
+        val NUMBERED = Regex("(.*[a-zA-Z_])[0-9]+")
+    }
 }
 
-/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief it is in. */
+/** A literal whose arguments neither Jason nor ARGO fixes, with the plan, rule or belief that contains it. */
 internal class OpenLiteral(val mention: Mention, val component: Component, kindsOfVariables: Map<String, String>) {
     val arguments: List<Argument> = mention.literal.arguments.map { Argument(it, kindsOfVariables) }
 
@@ -55,18 +73,35 @@ internal class OpenLiteral(val mention: Mention, val component: Component, kinds
     fun placeOf(index: Int): Span = arguments[index].term.span + arguments[index + 1].term.span
 }
 
-/** How often the arguments at one place of a literal have each sign and each kind. */
+/** How often the arguments at one place of a literal have each sign and each kind, and are numbered alike. */
 internal class Column {
     private val signs = HashMap<String, Int>()
     private val kinds = HashMap<String, Int>()
+    private val stems = HashMap<String, Int>()
+    private var size = 0
+    private var variables = 0
+    private var strings = 0
 
     fun add(argument: Argument) {
+        size++
+        if (argument.isVariable) variables++
+        if (argument.isString) strings++
+        argument.stem?.let { stems.merge(it, 1, Int::plus) }
         argument.sign?.let { signs.merge(it, 1, Int::plus) }
         argument.kind?.let { kinds.merge(it, 1, Int::plus) }
     }
 
-    /** Returns how many other arguments than [own], which is one of this column, have [sign]. */
+    /** Returns how many arguments of this column other than [own] have [sign]. */
     fun signsLike(sign: String, own: Argument): Int = signs.getOrDefault(sign, 0) - if (own.sign == sign) 1 else 0
+
+    /** Returns how many arguments are atoms numbered like [stem]. */
+    fun stemsLike(stem: String): Int = stems.getOrDefault(stem, 0)
+
+    /** True if all arguments but one are variables. */
+    val isOfVariablesButOne: Boolean get() = size > 1 && variables == size - 1
+
+    /** True if all arguments but one are strings. */
+    val isOfStringsButOne: Boolean get() = size > 1 && strings == size - 1
 
     /** Returns how many other arguments than [own], which is one of this column, are of [kind]. */
     fun kindsLike(kind: String, own: Argument): Int = kinds.getOrDefault(kind, 0) - if (own.kind == kind) 1 else 0
@@ -91,7 +126,7 @@ internal class Arguments(programs: Collection<AgentProgram>) {
     fun columnsOf(literal: OpenLiteral): List<Column> =
         columns.getOrPut(literal.mention.literal.indicator) { List(literal.arguments.size) { Column() } }
 
-    /** Returns in how many plans, rules and beliefs variables stand side by side as in [pair]. */
+    /** Returns the number of plans, rules and beliefs in which the variables of [pair] are neighbours in this order. */
     fun often(pair: Pair<String, String>): Int = pairs.getOrDefault(pair, 0)
 
     private fun literalsIn(program: AgentProgram): List<List<OpenLiteral>> = program.program.components.map { component ->

@@ -5,7 +5,7 @@ import argo.check.project.Project
 import argo.check.project.Role
 import argo.check.syntax.Token
 
-/** What the programs of [project] say together, the same for the checks of all of them. One thread at a time uses it. */
+/** The facts that all programs of [project] give together, shared by the checks of all of them. One thread at a time uses it. */
 internal class Facts(val project: Project) {
     private val byRole: Map<Role, List<Mention>> = project.programs.values.flatMap { it.mentions.all }.groupBy { it.role }
     private val counts = HashMap<Set<Role>, Map<String, Int>>()
@@ -13,7 +13,7 @@ internal class Facts(val project: Project) {
     /** The names of all arguments, which may become beliefs and goals. */
     val data: Set<String> = mentions(Role.DATA).map { it.functor }.toSet()
 
-    /** The goals and beliefs that comments say others send. */
+    /** The goals and beliefs that others may send, according to comments. */
     val sentByOthers: Set<String> = project.programs.values.flatMap { it.sentByOthers }.toSet()
 
     /** The names of goals that the project posts more than once. */
@@ -36,27 +36,33 @@ internal class Facts(val project: Project) {
         agentNames != null && project.leftOut.isEmpty() && project.masFiles.all { mas -> mas.environment?.let(::isInProject) ?: true }
     }
 
+    /** The arguments of goals and rules that need a value. */
+    val inputs: Inputs by lazy {
+        val believed = mentions(Role.BELIEVED, Role.TOLD).groupingBy { it.literal.indicator }.eachCount()
+        Inputs(project.programs.values.flatMap { it.program.components.flatMap(::clauses) }, believed)
+    }
+
     val arguments: Arguments by lazy { Arguments(project.programs.values) }
 
     /** Returns the mentions in [roles] by all agents of the project. */
     fun mentions(vararg roles: Role): List<Mention> = roles.flatMap { byRole[it].orEmpty() }
 
-    /** Returns true if a variable is mentioned in [role]: of what has it nothing is known. */
+    /** Returns true if a variable is mentioned in [role], so that not all names in this role are known. */
     fun isOpen(role: Role): Boolean = project.programs.values.any { role in it.mentions.open }
 
-    /** Returns how many mentions in [roles] each name has. */
+    /** Returns the number of mentions of each name in [roles]. */
     fun often(vararg roles: Role): Map<String, Int> =
         counts.getOrPut(roles.toSet()) { mentions(*roles).groupingBy { it.functor }.eachCount() }
 
     private val times: Map<String, Int> by lazy { byRole.values.flatten().groupingBy { it.functor }.eachCount() }
 
-    /** All names that programs mention, and those that JaCaMo has. */
+    /** All names that programs mention, and the names of JaCaMo. */
     val names: Names by lazy { Names(times.keys + Scene.OF_JACAMO) }
 
     /** Returns how often programs mention [name]. */
     fun times(name: String): Int = times.getOrDefault(name, 0)
 
-    /** Returns true if the source of the class that [name] names is in the project. */
+    /** Returns true if the source of the class [name] is in the project. */
     private fun isInProject(name: Token): Boolean {
         val short = name.text.substringAfterLast('.')
         return project.javaActions.any { it.substringAfterLast('.') == short }

@@ -87,7 +87,7 @@ internal object FilterRules : Rule {
 
     private fun FilterFile.isCalled(written: String) = written.substringAfterLast('/').let { it == name || it == "${path.fileName}" }
 
-    /** Reports literals that a plan waits for or reads, but each of the agent's [filters] drops. */
+    /** Reports literals that a plan waits for or reads although each of the agent's [filters] drops them. */
     private fun dropped(scene: Scene, filters: List<PerceptionFilter>, report: Report) {
         val own = scene.mentions(Role.BELIEVED, Role.TOLD).map { it.functor }.toSet() + Scene.OF_ARGO + setOf("true", "false")
         for (mention in scene.program.mentions[Role.EVENT] + scene.program.mentions[Role.READ]) {

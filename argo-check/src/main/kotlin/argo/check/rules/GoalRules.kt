@@ -74,7 +74,7 @@ internal object GoalRules : Rule {
         }
     }
 
-    /** The one of [OF_JASON] whose arguments may stand in any order. */
+    /** The goal of [OF_JASON] whose arguments may stand in any order. */
     const val SYMMETRIC = "assert_equals"
 
     /** Goals of the test plans in Jason's jar that agents may include. */

@@ -1,5 +1,7 @@
 package argo.check.rules
 
+import argo.check.syntax.Literal
+
 /** The names of Jason's and ARGO's internal actions, as programs write them: `.print`, `argo.act`. */
 val INTERNAL_ACTION_NAMES: Set<String> get() = InternalAction.ALL.keys
 
@@ -24,6 +26,21 @@ internal class InternalAction(val name: String, val arities: IntRange, val kinds
             val text = InternalAction::class.java.getResource("internal-actions.txt")!!.readText()
             text.lines().filter { it.isNotBlank() && !it.startsWith("#") }.map(::parse).associateBy { it.name }
         }
+
+        /** Operations of CArtAgO, the environment of JaCaMo, which names artifacts and Java classes both by strings. */
+        private val OPERATIONS: Map<String, InternalAction> =
+            listOf("makeArtifact 2 4 S s", "lookupArtifact 2 2 S v").map(::parse).associateBy { it.name }
+
+        /** Returns the action that [call] calls, an internal one or an operation of CArtAgO; null: another action, or no call at all. */
+        fun of(call: Literal): InternalAction? =
+            if (call.isInternal) ALL[call.functor] else OPERATIONS[call.functor]?.takeIf { call.arity in it.arities }
+
+        /** Jason's functions, whose values are numbers. */
+        val FUNCTIONS = setOf(
+            "math.abs", "math.acos", "math.asin", "math.atan", "math.average", "math.ceil", "math.cos", "math.e", "math.floor", "math.log",
+            "math.max", "math.mean", "math.median", "math.min", "math.pi", "math.random", "math.round", "math.sin", "math.sqrt",
+            "math.std_dev", "math.sum", "math.tan", "system.time", ".length",
+        )
 
         private fun parse(line: String): InternalAction {
             val parts = line.split(' ')

@@ -3,6 +3,7 @@ package argo.check.rules
 import argo.check.project.Mention
 import argo.check.project.Role
 import argo.check.syntax.Block
+import argo.check.syntax.Bracketed
 import argo.check.syntax.ListTerm
 import argo.check.syntax.Literal
 import argo.check.syntax.NumberTerm
@@ -11,7 +12,6 @@ import argo.check.syntax.Prefixed
 import argo.check.syntax.StringTerm
 import argo.check.syntax.Term
 import argo.check.syntax.Variable
-import argo.check.syntax.withDescendants
 
 /** Internal actions that do not exist, or that take other arguments. */
 internal object InternalActionRules : Rule {
@@ -20,22 +20,18 @@ internal object InternalActionRules : Rule {
         "tellRule",
     )
 
-    private val FUNCTIONS = setOf(
-        "math.abs", "math.average", "math.max", "math.min", "math.random", "math.round", "math.sqrt", "math.std_dev", "math.sum",
-        "math.acos",
-        "math.asin", "math.atan", "math.ceil", "math.cos", "math.e", "math.floor", "math.log", "math.mean", "math.median", "math.pi",
-        "math.sin",
-        "math.tan", "system.time",
-    )
-
     override fun check(scene: Scene, report: Report) {
+        for (call in scene.program.mentions[Role.ACTION]) {
+            InternalAction.of(call.literal)?.let { kinds(call, it, scene, report) }
+            if (call.functor == "makeArtifact") artifact(call, report)
+        }
         val often = scene.facts.often(Role.INTERNAL)
         for (call in scene.program.mentions[Role.INTERNAL]) {
             val action = InternalAction.ALL[call.functor]
             when {
                 ArgoActions.actionIn(call.functor) in ArgoCallRules.CHECKED -> {}
                 action != null -> arguments(call, action, scene, report)
-                call.functor in FUNCTIONS -> {}
+                call.functor in InternalAction.FUNCTIONS -> {}
                 call.functor.startsWith(".") && call.functor.count { it == '.' } == 1 ->
                     if (call.functor !in scene.project.javaActions) unknown(call, report)
                 else -> foreign(call, often, scene, report)
@@ -55,7 +51,7 @@ internal object InternalActionRules : Rule {
     /** Checks an action with a package. The project's own classes are known here, but not those of libraries. */
     private fun foreign(call: Mention, often: Map<String, Int>, scene: Scene, report: Report) {
         if (call.functor in scene.project.javaActions || ArgoActions.actionIn(call.functor) != null) return
-        val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + FUNCTIONS +
+        val others = often.filter { it.value > often.getValue(call.functor) }.keys + scene.project.javaActions + InternalAction.FUNCTIONS +
             InternalAction.ALL.keys
         val meant = Names.near(call.functor, others) ?: return
         report.warning("internal-action", call.span, "there is no internal action ${call.functor} in the project", "the plan fails there",
@@ -74,6 +70,12 @@ internal object InternalActionRules : Rule {
             val what = "${call.functor} is there since Jason ${action.since}"
             report.hint("internal-action", call.span, what, "an older Jason fails there", "no change is needed for Jason ${action.since}")
         }
+        kinds(call, action, scene, report)
+        if (call.functor == ".send") receiver(call, scene, report)
+        emptyRange(call, report)
+    }
+
+    private fun kinds(call: Mention, action: InternalAction, scene: Scene, report: Report) =
         action.kinds.zip(call.literal.arguments).forEachIndexed { index, (kind, argument) ->
             if (kind == 'p') performative(call, index, argument, report) else if (!mayBe(kind, argument)) {
                 report.error(
@@ -83,18 +85,18 @@ internal object InternalActionRules : Rule {
                 )
             }
         }
-        if (call.functor == ".send") receiver(call, scene, report)
-        val (first, second) = call.literal.arguments.take(2).takeIf { it.size == 2 } ?: return
-        emptyRange(call, report)
-        if (call.functor == ".member" && second is Variable && first is ListTerm && first.withDescendants().none { it is Variable }) {
-            report.warning(
-                "internal-action-arguments", call.span, "argument 1 of .member is a list, and argument 2 the variable ${second.name}",
-                "the first is looked for in the second", "correct the order of the arguments",
-            )
-        }
+
+    private fun artifact(call: Mention, report: Report) {
+        val (name, type) = call.literal.arguments.take(2).map { it as? StringTerm ?: return }.takeIf { it.size == 2 } ?: return
+        if (isTypeName(type.text) || !isTypeName(name.text)) return
+        report.warning("internal-action-arguments", name.span + type.span,
+            "argument 2 of makeArtifact is the name of a Java class, and $name looks like one, not $type", "the action fails",
+            "correct the order of the arguments")
     }
 
-    /** Numbers in the wrong order make a range that has none. */
+    private fun isTypeName(text: String) = '.' in text || text.firstOrNull()?.isUpperCase() == true
+
+    /** Reports a `.range` without numbers, since it begins above its end. */
     private fun emptyRange(call: Mention, report: Report) {
         if (call.functor != ".range" || call.arity != RANGE_WITHOUT_STEP) return
         val (from, to) = call.literal.arguments.drop(1).map { it as? NumberTerm ?: return }
@@ -147,23 +149,29 @@ internal object InternalActionRules : Rule {
     }
 
     /** Returns false if [argument] cannot be of [kind]. A term that Jason may evaluate to another term is of every kind. */
-    private fun mayBe(kind: Char, argument: Term): Boolean = when (kind) {
+    private fun mayBe(kind: Char, argument: Term): Boolean = (kind in OF_FORMULAS || !isFormula(argument)) && when (kind) {
         'l' -> !isNumber(argument) && argument !is StringTerm && argument !is Block && !isAtom(argument) && !isStructure(argument)
-        'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument)
+        'n' -> argument !is ListTerm && argument !is Block && argument !is StringTerm && !isAtom(argument) && !isStructure(argument)
         's' -> argument !is ListTerm && argument !is Block
         'e' -> !isNumber(argument) && !isAtom(argument)
         'v' -> argument is Variable
         'a' -> argument is Variable || isAtom(argument) && !(argument as Literal).isNegated
         'b' -> argument is Variable || argument is Literal && argument.indicator in PLACES
-        'd' -> !(argument is Operation && (argument.isOf("&") || argument.isOf("|"))) && !(argument is Literal && argument.isInternal)
+        'd' -> !(argument is Literal && argument.isInternal)
         'f' -> argument !is NumberTerm && argument !is ListTerm
         't' -> argument !is NumberTerm && argument !is ListTerm
         else -> true
     }
 
+    private fun isFormula(term: Term): Boolean = when (term) {
+        is Bracketed -> isFormula(term.term)
+        is Operation -> !term.isArithmetic
+        else -> false
+    }
+
     private fun isNumber(term: Term): Boolean =
         term is NumberTerm || term is Operation && term.isArithmetic || term is Prefixed ||
-            term is Literal && term.functor in FUNCTIONS
+            term is Literal && term.functor in InternalAction.FUNCTIONS
 
     private fun isAtom(term: Term) = term is Literal && term.arity == 0 && !term.isInternal
 
@@ -184,6 +192,8 @@ internal object InternalActionRules : Rule {
 
     private fun textOf(term: Term, scene: Scene) = scene.program.program.text.substring(term.span.start, term.span.end).take(MAX_TEXT)
 
+    /** The kinds of arguments that may be formulas of several literals. */
+    private const val OF_FORMULAS = "ft_"
     private val PLACES = setOf("begin/0", "end/0")
     private const val MAX_TEXT = 40
     private const val RANGE_WITHOUT_STEP = 3

@@ -14,7 +14,7 @@ import argo.check.syntax.withDescendants
  * A place where a variable is of a certain kind.
  *
  * @property kind one of those of [InternalAction.kinds]: `l` a list, `n` a number, `s` a string, `e` a list or a string, `a` an atom
- * @property call the internal action whose argument it is; null: it stands elsewhere
+ * @property call the internal action whose argument the variable is; null: the variable stands elsewhere
  */
 internal class KindOfUse(val variable: String, val kind: Char, val term: Term, val call: Literal?) {
     companion object {
@@ -44,6 +44,8 @@ internal class KindOfUse(val variable: String, val kind: Char, val term: Term, v
 
         private fun compared(term: Term, with: Term, comparison: Operation): KindOfUse? = when (with) {
             is NumberTerm -> use(term, NUMBER)
+            is Operation -> if (with.isArithmetic) use(term, NUMBER) else null
+            is Literal -> if (with.functor in InternalAction.FUNCTIONS) use(term, NUMBER) else null
             is ListTerm -> if (comparison.isOf("=")) use(term, LIST) else null
             is StringTerm -> if (comparison.isOf("=")) use(term, STRING) else null
             else -> null

@@ -1,8 +1,8 @@
 package argo.check.rules
 
-/** Finds the one of [names] that a person may have meant. Make one instance for many questions: each looks at few of the names. */
+/** Finds the name of [names] that a person may have meant. Make one instance for many questions: an index makes each question fast. */
 internal class Names(names: Collection<String>) {
-    /** The names by each of their parts. Slips leave one part as it is, at most one letter away from its place. */
+    /** The names by each of their parts. Slips leave at least one part unchanged, at most one letter away from its place. */
     private val byPart: Map<Part, List<Name>> by lazy {
         names.toSet().filter { it.length > MIN_LENGTH }.map(::Name)
             .flatMap { name -> partsOf(name.text.length).map { Part(name.text.length, it.first, name.text.substring(it)) to name } }
@@ -10,8 +10,8 @@ internal class Names(names: Collection<String>) {
     }
 
     /**
-     * Returns the name that [written] is probably a slip of: one letter is missing, added or different, or two neighbours are swapped. A
-     * long name may have two such slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`.
+     * Returns the name that [written] probably means with a slip: one letter is missing, added or different, or two neighbours are swapped.
+     * A long name may have two slips. `pos1` is no slip of `pos2`, nor `OldX` of `OldY`.
      */
     fun near(written: String): String? {
         val name = Name(written)
@@ -28,13 +28,13 @@ internal class Names(names: Collection<String>) {
         }
     }
 
-    /** Divides a name: into more parts than its slips can touch, of which each may touch two. */
+    /** Divides a name into so many parts that slips leave one unchanged; each slip may change two. */
     private fun partsOf(length: Int): List<IntRange> {
         val number = 2 * (if (length < LONG) 1 else MOST_SLIPS) + 1
         return (0 until number).map { it * length / number until (it + 1) * length / number }
     }
 
-    /** The part [text] of a name of [length] letters, which begins at [start]. */
+    /** The part [text] that begins at [start] in a name of [length] letters. */
     private data class Part(val length: Int, val start: Int, val text: String)
 
     /** A name with its set of letters, which quickly excludes most other names. */
@@ -57,7 +57,7 @@ private fun isNear(a: String, b: String): Boolean {
     return editDistance(a, b) <= (if (shorter >= LONG && a[0] == b[0]) MOST_SLIPS else 1) && !areVariants(a, b)
 }
 
-/** Returns true if the names differ only in a one-letter part, such as the X of `OldX`. Such names tell things of one kind apart. */
+/** Returns true if the names differ only in a one-letter part, like `OldX` and `OldY`, and so tell things of one kind apart. */
 private fun areVariants(a: String, b: String): Boolean {
     val at = a.indices.filter { it < b.length && a[it] != b[it] }.singleOrNull() ?: return false
     return a.length == b.length && isPart(a, at) && isPart(b, at)
@@ -69,8 +69,8 @@ private fun isPart(name: String, at: Int): Boolean {
 }
 
 /**
- * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]: exactly up to 2, and else
- * some larger number.
+ * Returns how many letters must be added, removed, replaced or swapped with their neighbours to make [b] of [a]. A result above 2 is not
+ * exact.
  */
 fun editDistance(a: String, b: String): Int {
     val start = a.commonPrefixWith(b).length
@@ -88,7 +88,7 @@ private fun distanceWithin(a: String, b: String): Int {
             next[j + 1] = minOf(row[j] + if (a[i] == b[j]) 0 else 1, row[j + 1] + 1, next[j] + 1)
             if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j]) next[j + 1] = minOf(next[j + 1], before[j - 1] + 1)
         }
-        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // a swap adds one to a value of the row before
+        if (next.min() > MOST_SLIPS && row.min() >= MOST_SLIPS) return MOST_SLIPS + 1 // a swap of letters adds 1 to a value of `before`
         before = row
         row = next
     }

@@ -48,7 +48,7 @@ internal class KnownOption(val expected: String?, val accepts: (String) -> Boole
             },
         )
 
-        /** The option that a fleet reads, also of agents without the architecture. */
+        /** The option that a fleet reads. Agents without the architecture may have it too. */
         const val OF_FLEET = "argo_fleet"
 
         private fun isRecording(value: String): Boolean {

@@ -94,7 +94,7 @@ internal object RobotRules : Rule {
         report.add("percept-range", if (outcome) Level.HINT else level, comparison.span, what, why, "compare with a number in the range")
     }
 
-    /** Returns what the comparison always is; null: it depends. */
+    /** Returns the result that the comparison always has; null: the result depends on the value. */
     private fun outcome(variable: Term, operator: String, bound: Term, ranges: Ranges): Boolean? {
         val range = ranges[(variable as? Variable)?.name?.text]?.range ?: return null
         val number = valueOf(bound)?.toBigDecimalOrNull() ?: return null
@@ -110,7 +110,7 @@ internal object RobotRules : Rule {
         }
     }
 
-    /** A plan that asks `argo.can(Action)` is for boards with and without it. */
+    /** Checks commands. A plan that asks `argo.can(Action)` is for boards with and without that action. */
     private fun commands(component: Node, scene: Scene, report: Report) {
         val calls = scene.program.mentions.within(component.span).filter { it.role == Role.INTERNAL }
         val asked = calls.filter { ArgoActions.actionIn(it.functor) == "can" }.mapNotNull { it.literal.arguments.firstOrNull() }
@@ -175,7 +175,7 @@ internal object RobotRules : Rule {
     private const val WHY = "it is never true, and causes no event"
 }
 
-/** @property level how grave it is if the range excludes what a program waits for */
+/** @property level the level of the finding if a program waits for a value outside of the range */
 private data class KnownRange(val range: PerceptArgument.Quantity, val level: Level)
 
 /** The ranges of a plan's variables. */

@@ -35,7 +35,7 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     /** True if plans may come from missing files, messages or strings. */
     val hasUnknownPlans: Boolean = parts.isOpen || facts.hasMadePlans || parts.programs.any { it.hasPatterns }
 
-    /** True if all that posts goals, makes beliefs and reads them for this agent is in the project's texts. */
+    /** True if the project's texts contain all that posts goals, adds beliefs or reads beliefs for this agent. */
     val isClosed: Boolean by lazy {
         isAgent && !hasUnknownPlans && facts.isWhole && parts.programs.all { it.program.errors.isEmpty() } &&
             agents.none { agent -> agent.hasOwnClass || agent.architectures.any { it.text != MasAgent.ARCHITECTURE } }
@@ -45,10 +45,10 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     fun isKnownElsewhere(mention: Mention): Boolean =
         mention.functor in facts.data || mention.functor in OF_JACAMO || isNamedOutside(mention)
 
-    /** Returns true if all texts of the project mention this name once. */
+    /** Returns true if the name is mentioned once in all texts of the project together. */
     fun isSingle(mention: Mention): Boolean = facts.times(mention.functor) == 1 && !isNamedOutside(mention)
 
-    /** Returns true if the name stands in unread text or another language, or others, Jason or ARGO give it a meaning. */
+    /** Returns true if the name stands in unread text or in another language, others send it, or it has a meaning to Jason or ARGO. */
     private fun isNamedOutside(mention: Mention): Boolean = mention.functor in unread || mention.functor in project.foreignNames ||
         isSentByOthers(mention) || mention.functor in OF_JASON || mention.functor in OF_ARGO
 
@@ -58,7 +58,7 @@ internal class Scene(val facts: Facts, val program: AgentProgram) {
     companion object {
         private val SENT = setOf(Role.SENT_GOAL, Role.TOLD, Role.ASKED)
 
-        /** The beliefs that ARGO itself adds. No filter drops them. */
+        /** The beliefs that ARGO itself adds. No filter drops these beliefs. */
         val OF_ARGO = OWN_BELIEFS.keys.map { it.substringBefore('/') }.toSet()
 
         /** Events, goals and beliefs that Jason makes. */

@@ -2,7 +2,7 @@ package argo.check.rules
 
 import argo.check.project.Role
 
-/** Names that the project has only once, and that are nearly another of its names, whatever that is for. Comes behind the other rules. */
+/** Finds names that the project has only once and that nearly equal another of its names, of any role. Runs after the other rules. */
 internal object SingleNameRules : Rule {
     override fun check(scene: Scene, report: Report) {
         val told = report.findings.map { it.place.begin }.toSet()

@@ -1,10 +1,30 @@
 package argo.check.rules
 
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
+import argo.check.syntax.Variable
+import argo.check.syntax.withDescendants
+
 /** Variables of two kinds of term in a plan. For example, an internal action needs a list, but the rest of the plan uses a number. */
 internal object VariableKindRules : Rule {
     override fun check(scene: Scene, report: Report) = scene.program.program.components.forEach { component ->
         val uses = KindOfUse.within(component).filter { it.kind in WORDS }.toList().groupBy { it.variable }
         uses.values.forEach { same -> same.filter { it.call != null }.forEach { contradiction(it, same, report) } }
+        component.withDescendants().filterIsInstance<Literal>().filter { it.indicator == ".member/2" }.forEach { call ->
+            member(call, uses.values.flatten().filter { it.kind == LIST && it.call == null }.map { it.variable }.toSet(), report)
+        }
+    }
+
+    /** Tells of a [call] of `.member` that looks for one of the [lists] in something that is not known to be a list. */
+    private fun member(call: Literal, lists: Set<String>, report: Report) {
+        val (element, list) = call.arguments
+        val isList = element is ListTerm && element.withDescendants().none { it is Variable } ||
+            element is Variable && element.name.text in lists
+        if (!isList || list !is Variable || list.name.text in lists) return
+        report.warning(
+            "internal-action-arguments", call.name.span, "argument 1 of .member is a list, and argument 2 the variable ${list.name}",
+            "the first is looked for in the second", "correct the order of the arguments",
+        )
     }
 
     private fun contradiction(use: KindOfUse, all: List<KindOfUse>, report: Report) {
@@ -19,8 +39,9 @@ internal object VariableKindRules : Rule {
         )
     }
 
+    private const val LIST = 'l'
     private const val NUMBER = 'n'
     private const val STRING = 's'
     private const val EITHER = 'e'
-    private val WORDS = mapOf('l' to "a list", NUMBER to "a number", STRING to "a string", EITHER to "a list or a string")
+    private val WORDS = mapOf(LIST to "a list", NUMBER to "a number", STRING to "a string", EITHER to "a list or a string")
 }

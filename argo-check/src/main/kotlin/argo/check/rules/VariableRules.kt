@@ -1,25 +1,17 @@
 package argo.check.rules
 
 import argo.check.syntax.Belief
-import argo.check.syntax.Directive
+import argo.check.syntax.ListTerm
 import argo.check.syntax.Literal
 import argo.check.syntax.Node
-import argo.check.syntax.Plan
+import argo.check.syntax.Term
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /** Variables that a plan or a rule mentions once, and those that an internal action reads before they have a value. */
 internal object VariableRules : Rule {
     override fun check(scene: Scene, report: Report) {
-        scene.program.program.components.flatMap(::scopes).forEach { scope(it, report) }
-    }
-
-    /** Returns the plans and rules in [node]. Each plan and each rule binds variables of its own. */
-    private fun scopes(node: Node): List<Node> = when (node) {
-        is Directive -> node.components.orEmpty().flatMap(::scopes)
-        is Plan -> listOf(node)
-        is Belief -> if (node.condition == null) emptyList() else listOf(node)
-        else -> emptyList()
+        scene.program.program.components.flatMap(::clauses).filterNot { it is Belief && it.condition == null }.forEach { scope(it, report) }
     }
 
     private fun scope(scope: Node, report: Report) {
@@ -44,15 +36,18 @@ internal object VariableRules : Rule {
         }
     }
 
-    /** Returns the variables that an internal action reads where they occur for the first time, with that action. */
+    /** Returns the variables that first occur as an argument that an internal action reads, with that action. */
     private fun unboundInputs(scope: Node, variables: List<Variable>): Map<Variable, Literal> {
         val first = variables.distinctBy { it.name.text }.toSet()
-        val calls = scope.withDescendants().filterIsInstance<Literal>().filter { it.isInternal }
-        return calls.flatMap { call ->
-            val inputs = InternalAction.ALL[call.functor]?.inputs.orEmpty()
-            call.arguments.filterIndexed { index, argument -> index in inputs && argument in first }.map { it as Variable to call }
+        return scope.withDescendants().filterIsInstance<Literal>().flatMap { call ->
+            val inputs = InternalAction.of(call)?.inputs.orEmpty()
+            call.arguments.filterIndexed { index, _ -> index in inputs }.flatMap(::members).filter { it in first }
+                .map { it as Variable to call }
         }.toMap()
     }
+
+    /** Returns [argument] and, if it is a list, what it lists. */
+    private fun members(argument: Term): List<Term> = if (argument is ListTerm) argument.items + argument else listOf(argument)
 
     private const val WHY = "it is bound for nothing, or unbound where it is used"
 

@@ -135,13 +135,13 @@ internal class Lexer(private val text: String, private val report: (SyntaxError)
         const val ESCAPED = "ntbrf\\'\"01234567"
         val KEYWORDS = setOf("true", "false", "not", "div", "mod", "begin", "end", "if", "else", "elif", "for", "while")
 
-        /** A symbol stands before those with which it begins. */
+        /** Each symbol stands before all shorter symbols with which it begins. */
         val SYMBOLS = listOf(
             "|&|", "|||", "\\==", "=..", "<-", "<:", "<=", ":-", "::", ">=", "==", "**", "!!", "<", ">", "=", ":", "*", "/", "+", "-", "!",
             "?", "^", "~", "@", "&", "|", "{", "}", "[", "]", "(", ")", ",", ";", ".",
         )
 
-        /** Letters beyond ASCII count as parts of a name, so that a name causes only one error. */
+        /** Letters beyond ASCII count as parts of a name, so that each name causes at most one error. */
         fun isNamePart(character: Char): Boolean = character == '_' || character in DIGITS || character.isLetter()
     }
 }

@@ -89,7 +89,7 @@ class ListTerm(override val span: Span, val items: List<Term>, val tail: Term?) 
     override val children: List<Node> get() = items + listOfNotNull(tail)
 }
 
-/** Operands between [operators] of one rank, such as `A + B - C` or `a & b`. The operands are one more than the operators. */
+/** Operands between [operators] of one rank, such as `A + B - C` or `a & b`. The number of operands is that of the operators plus one. */
 class Operation(val operators: List<Token>, val operands: List<Term>) : Term {
     override val span: Span get() = operands.first().span + operands.last().span
     override val children: List<Node> get() = operands

@@ -1,8 +1,8 @@
 package argo.check.syntax
 
 /**
- * Returns the terms in [components] that Jason's parser refuses for their kind: it reads them, and then finds that one cannot be an
- * operand, a formula or a step. Programs that register functions of their own, or include files that may, can add anything.
+ * Returns the terms in [components] that Jason's parser can read, but refuses since they cannot be an operand, a formula or a step.
+ * A program that registers functions, or includes files that may do so, can add any literals.
  */
 internal fun operandErrors(components: List<Component>): List<SyntaxError> {
     val nodes = components.flatMap { it.withDescendants() }

@@ -34,7 +34,7 @@ class Lines(private val text: String) {
 
     internal val end: Span get() = Span(text.length, text.length)
 
-    /** The number of lines; an empty text has one. */
+    /** The number of lines; an empty text has one line. */
     val count: Int get() = starts.size
 
     /** Returns the position of [offset]; an offset behind the text stands for the end of the text. */

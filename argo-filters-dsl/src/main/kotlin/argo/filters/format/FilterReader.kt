@@ -32,7 +32,7 @@ internal fun readFilter(source: String, name: String, parse: (Problems) -> Filte
 
 /** Makes a filter called [name] from a document's tree. Reports wrong parts to [problems] and leaves them out. */
 internal class FilterReader(private val problems: Problems, private val name: String) {
-    /** The members [names] of an argument that say something beside a condition; [read] takes them, with the argument's index if known. */
+    /** [names] are those members of an argument that are no part of a condition. [read] takes them, with the argument's index if known. */
     private class Besides(val names: List<String>, val read: (members: Map<String, Member>, index: Int?) -> Unit)
 
     fun filter(node: FilterNode): PerceptionFilter? {
@@ -103,7 +103,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
     private fun window(member: Member?): Int? =
         scalar(member, Scalar::isBare, SmoothingRule.WINDOW) { it.trim().toIntOrNull()?.takeIf(SmoothingRule::isWindow) }
 
-    /** The rule without its rate. What it says of its arguments beside conditions goes to [besides]. */
+    /** Returns the rule without its rate. Members of its arguments that are no part of a condition go to [besides]. */
     private fun rule(node: FilterNode, members: Map<String, Member>, besides: Besides): Rule? {
         if (PREDICATE !in members) report(node.position, "the rule has no \"$PREDICATE\"; expected one, as in \"$PREDICATE\": \"dist\"")
         val conditions = items(members[CONDITIONS]).mapNotNull { condition(it, besides) }
@@ -117,7 +117,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         return member?.let { problems.reporting(it.value.position, expectation) { Predicate.of(text) } }
     }
 
-    /** The condition of [node]; null if [node] says only something beside conditions, or the condition is refused. */
+    /** Returns the condition of [node]; null if [node] has only other members, or the condition is refused. */
     private fun condition(node: FilterNode, besides: Besides): Condition? {
         val known = listOf(ARGUMENT, ANNOTATION, OPERATOR, VALUE, UNTIL, LIMITS) + besides.names
         val members = members(node, "a condition", *known.toTypedArray()) ?: return null
@@ -265,7 +265,7 @@ internal class FilterReader(private val problems: Problems, private val name: St
         const val AMONG = "among"
         const val MEDIAN = "median"
 
-        /** The members of an argument that a smoothing rule smooths. */
+        /** The members of an argument that say how it is smoothed. */
         val SMOOTHING = listOf(MAX_RATE, OUTLIERS, AMONG, MEDIAN)
         private val NUMBER = Regex("-?\\d.*")
     }

@@ -20,7 +20,7 @@ object JsonFilters {
     fun read(input: InputStream, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         read(decodeStrictly(input.readBytes(), Charsets.UTF_8, source), source, name)
 
-    /** Reads a filter from decoded text. Parameters and errors are those of the other form. */
+    /** Reads a filter from decoded text. Parameters and errors are those of the other [read]. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { JsonTreeReader(input.removePrefix("\uFEFF"), source).read() }
 

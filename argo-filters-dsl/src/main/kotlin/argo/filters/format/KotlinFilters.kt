@@ -10,7 +10,7 @@ import argo.filters.SmoothingRule
 import argo.filters.TermTest
 import argo.filters.usableName
 
-/** Writes filters as Kotlin source. ARGO cannot read such a filter back; that takes a Kotlin compiler. */
+/** Writes filters as Kotlin source. ARGO cannot read Kotlin source back; only a Kotlin compiler can. */
 object KotlinFilters {
     /**
      * Returns a Kotlin file with LF line ends. The only property in the file is an equal filter of the same name.

@@ -28,7 +28,7 @@ internal object TestFormat {
     /**
      * Returns the test of a canonical [operator] with the value [written].
      *
-     * @throws IllegalArgumentException if the value does not suit the operator; the message tells which values do
+     * @throws IllegalArgumentException if the value does not suit the operator; the message tells which values suit it
      */
     fun test(operator: String, written: String): TermTest = when (operator) {
         MATCHES -> TermTest.Matches(written)

@@ -135,9 +135,9 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
     /**
      * A kind of rules.
      *
-     * @param member the member of the filter that holds them
-     * @param attributes what a rule may have
-     * @param ofArguments what its parameters may have beside a condition
+     * @param member the member of the filter that has these rules
+     * @param attributes the attributes that a rule may have
+     * @param ofArguments the attributes that its parameters may have besides a condition's
      */
     private class RuleKind(val member: String, val attributes: Array<String>, val ofArguments: Array<String>)
 
@@ -167,7 +167,7 @@ internal class XmlFilterTree(private val tree: XmlTree, private val problems: Pr
         /** Attributes that hold numbers. */
         val NUMBERS = FilterReader.SMOOTHING + FilterReader.DEADBAND + FilterReader.UNTIL
 
-        /** The members that attributes of other names become. */
+        /** The members of the tree, by the names of attributes with another name. */
         val MEMBER_OF = mapOf(ID to FilterReader.ARGUMENT, NAME to FilterReader.ANNOTATION)
 
         /** Files of earlier versions contain the second spelling. [XmlTree] knows their other spellings. */

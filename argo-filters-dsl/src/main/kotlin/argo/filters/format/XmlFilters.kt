@@ -26,7 +26,7 @@ object XmlFilters {
         return read(decodeStrictly(bytes, encodingOf(bytes, source), source), source, name)
     }
 
-    /** Reads a filter from decoded text. Parameters and errors are those of the other form. */
+    /** Reads a filter from decoded text. Parameters and errors are those of the other [read]. */
     fun read(input: String, source: String, name: String = nameOf(source, EXTENSION)): PerceptionFilter =
         readFilter(source, name) { XmlFilterTree(XmlTree(input.removePrefix("\uFEFF"), source), it).filter() }
 

@@ -41,7 +41,7 @@ class MessageSession(
     fun perceive(texts: List<String>, nowMs: Long, old: Set<String> = emptySet()): MessagePerception =
         literals(session.perceive(texts, nowMs, old))
 
-    /** Forgets what was before, as [FilterSession.forget]. */
+    /** Forgets earlier percepts, as [FilterSession.forget]. */
     fun forget(): Unit = session.forget()
 
     /** Returns the last message with the held-back percepts that are due at [nowMs]; null if no percept is due. */

@@ -38,8 +38,8 @@ internal class CompiledRule(val rule: Rule, val critical: CriticalRule? = null, 
     }
 
     /**
-     * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions, those with
-     * two limits by their [latches]; null: all are off.
+     * Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets all conditions. [latches]
+     * tell which conditions with two limits have held so far; null: none.
      */
     fun areMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean =
         compiled.all { it.isMet(text, functorEnd, end, tail, latches) }
@@ -70,7 +70,7 @@ private class CompiledCondition(condition: Condition) {
         is Condition.Annotation -> condition.tests
     }.map(::CompiledTest).toTypedArray()
 
-    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets it. */
+    /** Returns true if the percept in [text], whose functor ends at [functorEnd] and is followed by [tail], meets the condition. */
     fun isMet(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches?): Boolean {
         if (argument < 0) return anyAnnotationMeets(text, TermBounds.annotations(tail), end)
         if (argument >= TermBounds.arity(tail)) return false
@@ -80,7 +80,7 @@ private class CompiledCondition(condition: Condition) {
             latches.isOn(this, text, functorEnd, start, argumentEnd, TermBounds.annotations(tail))
     }
 
-    /** Notes in [latches] whether it holds for the sensor of the percept from now on. */
+    /** Notes in [latches] whether the condition holds for the percept's sensor from now on. */
     fun note(text: CharSequence, functorEnd: Int, end: Int, tail: Long, latches: Latches) {
         if (argument >= TermBounds.arity(tail)) return
         val start = TermBounds.argument(text, functorEnd, end, argument)

@@ -41,7 +41,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
         private fun kept(percept: String, rule: Rule?, filter: PerceptionFilter, reason: String) =
             Explanation(percept, Outcome.KEPT, rule, " by filter ${filter.name}: $reason")
 
-        /** Explains the fate of [percept]. It may stand for [received], which then decides over critical rules that are not smoothed. */
+        /** Explains the fate of [percept]. If it stands for [received], critical rules that are not smoothed test [received]. */
         fun of(matcher: PerceptMatcher, received: PerceptText, percept: PerceptText, latches: Latches?): Explanation {
             val critical = matcher.criticalRules(received, percept, latches).firstOrNull()
             if (critical != null) {
@@ -63,7 +63,7 @@ class Explanation internal constructor(val percept: String, val outcome: Outcome
             return Explanation(fate.percept, fate.outcome, fate.rule, reason)
         }
 
-        /** Explains that a percept that has the fate [of] stands for [received] by [rule], for this [reason]. */
+        /** Explains that by [rule] another percept stands for [received], for this [reason]. [of] is the fate of that other percept. */
         fun replaced(matcher: PerceptMatcher, received: PerceptText, rule: CompiledRule, reason: String, of: Explanation): Explanation {
             val why = " by filter ${matcher.filter.name}: ${by(rule.smoothing, matcher)} $reason; $of"
             return Explanation("$received", Outcome.REPLACED, rule.rule, why)

@@ -25,9 +25,9 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     /**
      * Makes [filter] the active one from the next perception on; null: no filter.
      *
-     * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains them until the next change of
-     * filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The session forgets what
-     * was before, as by [forget].
+     * A freezing filter keeps those percepts of the last perception that it hides. Every perception contains these frozen percepts until
+     * the next change of filters. A frozen percept ends earlier when a percept is let through that differs from it only in numbers. The
+     * session also [forgets][forget] earlier percepts.
      */
     fun switchTo(filter: PerceptionFilter?) {
         val next = filter?.matcher()
@@ -37,8 +37,8 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
     }
 
     /**
-     * Forgets the percepts that rates held back, and the last ones of each sensor: those to come are from another time or place, so none is
-     * compared with these.
+     * Forgets the percepts that rates held back, and the last ones of each sensor. Call this if later percepts come from another time or
+     * place, and must not be compared with earlier ones.
      */
     fun forget() {
         rates = RateMemory(filter)
@@ -87,7 +87,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         )
     }
 
-    /** Explains the fate of [percept], which stands for one with the text [received] and has the text [standing]. */
+    /** Explains the fate of [percept], whose text is [standing], and which stands for a percept with the text [received]. */
     private fun explain(matcher: PerceptMatcher, received: PerceptText, standing: PerceptText, percept: P, nowMs: Long): Explanation {
         val isCritical = matcher.criticalRules(received, standing, latches).isNotEmpty()
         val hold = if (isCritical) null else rates.holds(matcher.rulesMetBy(standing, latches), standing, percept, nowMs).firstOrNull()
@@ -115,7 +115,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return FilteredPercepts(picture.received, kept, seen, criticalOf(matcher), holds.minOfOrNull { it.dueMs })
     }
 
-    /** Returns the percept that the agent perceives for the one at [place], or null; adds the rules that hold it back to [holds]. */
+    /** Returns the percept that the agent perceives for the one at [place]; null: none. Adds rules that hold it back to [holds]. */
     private fun decided(matcher: PerceptMatcher, place: Int, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val received = picture.received[place]
         val isStandIn = picture.standing[place] !== received && !matcher.isCritical(textOf(received), latches)
@@ -125,7 +125,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return if (matcher.drops(text, 0, text.length, isStandIn, latches)) null else percept
     }
 
-    /** As [decided], for [percept], which stands for the one [received], with rates. */
+    /** Like [decided], for a filter with rates. [percept] stands for [received]. */
     private fun rated(matcher: PerceptMatcher, received: P, percept: P, nowMs: Long, holds: MutableList<Hold<P>>): P? {
         val found = PerceptText.of(textOf(percept)) ?: return percept
         val met = matcher.rulesMetBy(found, latches)
@@ -153,7 +153,7 @@ class FilterSession<P : Any> internal constructor(private val textOf: (P) -> Str
         return rules.map { CriticalPercept(it, perceived) }
     }
 
-    /** Returns the text of [received], for which [percept] with the text [standing] stands. */
+    /** Returns the text of [received]. [standing] is the text of [percept], which stands for [received]. */
     private fun receivedText(received: P, standing: PerceptText, percept: P): PerceptText =
         if (received === percept) standing else PerceptText.of(textOf(received)) ?: standing
 

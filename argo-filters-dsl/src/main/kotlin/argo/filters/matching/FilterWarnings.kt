@@ -28,7 +28,7 @@ private fun PerceptionFilter.emptiness(): String? = when {
     else -> "the filter has no rules, so it keeps every percept"
 }
 
-/** Returns the warnings on smoothing [rules]. The first one that a percept meets smooths it. */
+/** Returns the warnings on smoothing [rules]. The first rule that a percept meets smooths that percept. */
 private fun reviewedSmoothing(rules: List<ReviewedRule>): List<String> = rules.flatMapIndexed { number, rule ->
     rule.contradiction()?.let { return@flatMapIndexed listOf(it) }
     val other = rules.take(number).find { it.covers(rule) }
@@ -61,12 +61,12 @@ private class ReviewedRule(
         return impossible?.let { sentence("matches no percept: $it" + if (missing != null) ", and there is no such argument" else "") }
     }
 
-    /** Warns if the critical rule is smoothed, and no smoothing rule is on its predicate; those are on [smoothed]. */
+    /** Warns if the critical rule is smoothed, but its predicate is not among those with smoothing rules, [smoothed]. */
     fun unsmoothed(smoothed: Set<Predicate>): String? =
         if (critical?.smoothed != true || rule.predicate in smoothed) null
         else sentence("is smoothed, and there is no smoothing rule on ${rule.predicate}")
 
-    /** Returns true if the critical rule decides over the same percepts as ordinary rules do, if smoothing rules are on [smoothed]. */
+    /** Returns true if the critical rule tests the same percepts as ordinary rules. [smoothed] are the predicates with smoothing rules. */
     fun seesWhatRulesSee(smoothed: Set<Predicate>): Boolean = critical?.smoothed == true || rule.predicate !in smoothed
 
     /** Returns true if every percept that matches [other] matches this rule. */

@@ -49,5 +49,5 @@ private val VARIABLE = Regex("""(?<![\p{L}\p{N}_])[\p{Lu}_]""")
 
 private val FOREIGN = Regex("""[\p{L}&&[^A-Za-z]]""")
 
-/** Returns the text under a name that is no variable's, or advice in words if that does not make the text readable. */
+/** Returns the text with a name that is no variable, or advice in words if such a text is not readable either. */
 private fun readableName(text: String): String = GroundTerm.inLowerCase(text) ?: "a name that begins with one of a to z"

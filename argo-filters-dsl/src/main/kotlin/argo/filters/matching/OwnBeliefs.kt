@@ -1,8 +1,8 @@
 package argo.filters.matching
 
 /**
- * The beliefs that ARGO itself has about boards, by functors with numbers of arguments, and the words that their last argument is one of;
- * without words it is anything. No board can claim them, and no filter drops them.
+ * ARGO's own beliefs about boards, by functor and number of arguments, with the words that the last argument can be; no words: it can be
+ * anything. No board can claim these beliefs, and no filter drops them.
  */
 val OWN_BELIEFS: Map<String, Set<String>> =
     mapOf("port/2" to setOf("on", "off", "timeout"), "stale/1" to emptySet(), "reflex/2" to setOf("done", "failed"))
@@ -11,7 +11,7 @@ val OWN_BELIEFS: Map<String, Set<String>> =
  * Returns the reason why no board can claim a percept; null: it is none of ARGO's own beliefs.
  *
  * @param indicator the percept's functor with its number of arguments, as `port/2`
- * @param lastWord the functor of its last argument; null: that has none
+ * @param lastWord the functor of the percept's last argument; null: the argument has none
  */
 fun whyClaimed(indicator: String, lastWord: String?): String? {
     val words = OWN_BELIEFS[indicator]?.takeIf { it.isEmpty() || lastWord in it } ?: return null

@@ -11,7 +11,7 @@ import argo.filters.SmoothingRule
  * Decides over percepts by a filter's rules. Immutable; any thread may use it.
  *
  * Rates, smoothing rules and second limits depend on time and on earlier percepts, which only a [FilterSession] knows. A matcher treats
- * each percept as the first of its sensor, which no rate holds back and which stands for itself.
+ * each percept as the first of its sensor: no rate holds it back, and it stands for itself.
  */
 class PerceptMatcher internal constructor(
     /** The filter of this matcher. */
@@ -44,7 +44,7 @@ class PerceptMatcher internal constructor(
     @JvmOverloads
     fun drops(percept: CharSequence, start: Int = 0, end: Int = percept.length): Boolean = drops(percept, start, end, false, null)
 
-    /** As the other function; [isStandIn]: the percept stands for another one, so only critical rules that are smoothed count. */
+    /** Like the other [drops]. If [isStandIn], the percept stands for another one, so only smoothed critical rules count. */
     internal fun drops(percept: CharSequence, start: Int, end: Int, isStandIn: Boolean, latches: Latches?): Boolean =
         scan(percept, start, end, false) { functor, functorEnd, tail, head ->
             val met = firstMet(index, percept, functor, functorEnd, end, tail, head, latches) { !drops || it.rate == null }
@@ -99,7 +99,7 @@ class PerceptMatcher internal constructor(
     fun explain(percept: String): Explanation =
         PerceptText.of(percept)?.let { Explanation.ofFirst(this, it) } ?: Explanation.noPercept(percept, filter)
 
-    /** Returns the critical rules that [received] meets, or [standing], which stands for it and is of its functor and arity. */
+    /** Returns the critical rules that are met: smoothed ones by [standing], others by [received], for which [standing] stands. */
     internal fun criticalRules(received: PerceptText, standing: PerceptText, latches: Latches?): List<CriticalRule> {
         val index = criticalIndex ?: return emptyList()
         return received.rulesIn(index).mapNotNull { rule ->

@@ -31,7 +31,7 @@ internal class PerceptText private constructor(
     /** Returns the rules of [index] for percepts of this name and arity, whatever their conditions. */
     fun rulesIn(index: RuleIndex): List<CompiledRule> = index.find(text, functor, functorEnd).filter { it.isFor(tail, head) }
 
-    /** Returns true if the percept meets the conditions of [rule], one of the rules that are for it. */
+    /** Returns true if the percept meets the conditions of [rule], which is a rule for percepts of this name and arity. */
     fun meets(rule: CompiledRule, latches: Latches?): Boolean = rule.areMet(text, functorEnd, end, tail, latches)
 
     /** The first condition of [rule] that the percept does not meet. */

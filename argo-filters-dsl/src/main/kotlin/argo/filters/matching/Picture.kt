@@ -6,22 +6,22 @@ import java.util.BitSet
  * The percepts of one picture of the world, in their order.
  *
  * @property received the percepts as they came
- * @property standing the percepts that stand for them
- * @param doubted the places of those for which an older one stands, since they are not credible
+ * @property standing the percepts that stand for the received ones, at the same places
+ * @param doubted the places of received percepts that are not credible, so that older ones stand for them
  */
 internal class Picture<P>(val received: List<P>, val standing: List<P> = received, private val doubted: BitSet = BitSet()) {
-    /** Returns the percepts that have come with this picture, or stand for such a one. */
+    /** Returns the received percepts, and those that stand for a credible one. */
     fun seen(): Set<P> = received.toHashSet().apply {
         if (standing !== received) standing.forEachIndexed { place, percept -> if (!doubted[place]) add(percept) }
     }
 
-    /** Returns the place of each of [percepts] that came. */
+    /** Returns the place of each of [percepts] that was received. */
     fun placesOf(percepts: Set<P>): Map<P, Int> =
         received.indices.filter { received[it] in percepts }.associateBy { received[it] }
 
-    /** Returns true if an older percept stands for the one at [place], which is not credible. */
+    /** Returns true if the percept at [place] is not credible, so that an older one stands for it. */
     fun isDoubted(place: Int): Boolean = doubted[place]
 
-    /** True if an older percept stands for one that is not credible. */
+    /** True if some received percept is not credible. */
     val hasDoubted: Boolean get() = !doubted.isEmpty
 }

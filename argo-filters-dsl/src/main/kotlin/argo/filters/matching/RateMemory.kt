@@ -69,7 +69,7 @@ internal class RateMemory<P : Any>(filter: PerceptionFilter?) {
         (0 until text.arity).mapNotNull { index -> text.number(index)?.let { index to it } }.toMap()
 
     companion object {
-        /** Replaces every number in a key. No term has this text. */
+        /** Replaces every number in a key, since no term has this text. */
         const val ANY_NUMBER = "#"
     }
 }

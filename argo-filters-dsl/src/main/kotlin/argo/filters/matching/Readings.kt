@@ -6,19 +6,19 @@ import argo.filters.SmoothingRule
 import kotlin.math.abs
 
 /**
- * The last percepts of one sensor, of which a smoothing [rule] has one stand.
+ * The last percepts of one sensor, from which a smoothing [rule] selects one.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */
 internal class Readings<P : Any>(private val rule: SmoothingRule, private val annotated: (P) -> P) {
     private var judged = rule.outliers?.let { SortedWindow(it.among) }
     private var credible = rule.median?.let(::SortedWindow)
-    private val percepts = ArrayList<P>(rule.median ?: 1) // those of the numbers in credible, at their places
+    private val percepts = ArrayList<P>(rule.median ?: 1) // the percepts of the numbers in credible, at the same places
     private val last = Reading(Double.NaN, 0)
     private val doubted = Reading(Double.NaN, 0)
     private var doubts = 0
 
-    /** The reason why the newest percept is not credible, so that an older one stands for it; null: it is. */
+    /** The reason why the newest percept is not credible, so that an older one stands for it; null: the newest is credible. */
     var doubt: Doubt? = null
         private set
 
@@ -30,15 +30,15 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
             this.ms = ms
         }
 
-        /** Returns true if a sensor can show [number] at [nowMs] after this, at a [rate] of at most so much a second. */
+        /** Returns true if a sensor can show [number] at [nowMs] after this reading, with a change of at most [rate] a second. */
         fun canBecome(number: Double, nowMs: Long, rate: Double) = abs(number - this.number) * MS_PER_SECOND <= rate * (nowMs - ms)
     }
 
     /**
      * Takes the newest [percept] at [nowMs], and returns the one that stands for it.
      *
-     * @param number the number in it, which is finite
-     * @param unit the value of its last digit
+     * @param number the number in [percept], which is finite
+     * @param unit the value of one unit of the number's last digit
      */
     fun take(percept: P, number: Double, unit: Double, nowMs: Long): P {
         doubt = if (isTooFast(number, nowMs)) Doubt.TOO_FAST else if (isOutlier(number, unit)) Doubt.OUTLIER else null
@@ -76,7 +76,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
         if (place < percepts.size) percepts[place] = percept else percepts += percept
     }
 
-    /** Says why the percept with [number], the newest, is replaced by another one. */
+    /** Returns why another percept replaces the newest one, which has this [number]. */
     fun reason(number: Double): String = when (doubt) {
         null -> "the median of the last ${credible?.count} is ${credible?.let { shown(it[it.median()]) }}"
         Doubt.TOO_FAST -> "${shown(last.number)} cannot have become ${shown(number)} so fast"
@@ -99,7 +99,7 @@ internal class Readings<P : Any>(private val rule: SmoothingRule, private val an
     private companion object {
         const val MS_PER_SECOND = 1_000
 
-        /** The number of percepts in a row that can follow each other and confirm each other so. */
+        /** So many percepts in a row confirm each other if each can follow the one before. */
         const val CONFIRMING = 3
 
         /** The standard deviation of normal noise, in median absolute deviations. */

@@ -1,10 +1,10 @@
 package argo.filters.matching
 
 /**
- * The memory of a filter about sensors: a value for each sensor and each owner, a rule or a condition, that tells sensors apart in its way.
+ * A filter's memory: a value for each sensor of each owner. An owner is a rule or a condition, and tells sensors apart in its way.
  *
- * It is bounded: if a board has more sensors than [CAPACITY], it forgets those that came longest ago. Percepts longer than [MAX_LENGTH]
- * characters have no place in it ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
+ * If a board has more sensors than [CAPACITY], the memory forgets those that came longest ago. Percepts longer than [MAX_LENGTH] characters
+ * have no place in it ([isRoomFor]). A look-up allocates nothing. Not safe for use by several threads at once.
  */
 internal class SensorMemory<V : Any> {
     private val probe = SensorKey()
@@ -15,7 +15,7 @@ internal class SensorMemory<V : Any> {
     /** Returns the value of the sensor that [owner] knows by [name]; null: there is none. */
     operator fun get(owner: Any, name: String): V? = values[probe.of(owner, name, name.length, name.length)]
 
-    /** Returns the value of the sensor that [owner] knows by [text] without its part from [from] to [to]; null: there is none. */
+    /** Returns the value of the sensor that [owner] knows by the [text] around the part from [from] to [to]; null: there is none. */
     fun get(owner: Any, text: CharSequence, start: Int, from: Int, to: Int, end: Int): V? =
         values[probe.of(owner, text, from, to, start, end)]
 
@@ -52,7 +52,7 @@ internal class SensorKey(
 ) {
     private var hash = 0
 
-    /** Makes this the name that [text] from [start] to [end] has without its part from [from] to [to]. */
+    /** Makes this the name in [text] from [start] to [end], without the part from [from] to [to]. */
     fun of(owner: Any, text: CharSequence, from: Int, to: Int, start: Int = 0, end: Int = text.length): SensorKey {
         val room = from - start + end - to
         if (name.size < room) name = CharArray(2 * room)

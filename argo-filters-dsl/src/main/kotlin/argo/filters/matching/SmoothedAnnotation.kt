@@ -2,7 +2,7 @@ package argo.filters.matching
 
 private const val SMOOTHED = "smoothed"
 
-/** Returns the text [percept] with the annotation `smoothed` behind its others, unless it has it there. */
+/** Returns the text [percept] with `smoothed` as its last annotation. */
 internal fun withSmoothed(percept: String): String {
     val text = percept.trimEnd()
     if (!text.endsWith(']')) return "$text[$SMOOTHED]"
@@ -14,7 +14,7 @@ internal fun withSmoothed(percept: String): String {
     }
 }
 
-/** Returns the text [percept] without the annotation `smoothed` that a smoothing rule has put behind its others. */
+/** Returns the text [percept] without the last annotation if that is `smoothed`, which a smoothing rule has added. */
 fun withoutSmoothed(percept: String): String {
     val others = percept.removeSuffix("]")
     if (others.length == percept.length || !hasSmoothed(others)) return percept

@@ -6,25 +6,25 @@ import argo.filters.GroundTermReader
 import java.util.BitSet
 
 /**
- * Has percepts stand for those that meet the smoothing rules of [matcher]; remembers the [Readings] of each sensor. Allocates nothing for a
- * sensor that it knows, unless a rule annotates. Not safe for use by several threads at once.
+ * Applies the smoothing rules of [matcher], and remembers the [Readings] of each sensor. Allocates nothing for a known sensor, unless a
+ * rule annotates. Not safe for use by several threads at once.
  *
  * @param annotated returns a percept with the annotation `smoothed`
  */
 internal class Smoother<P : Any>(
     private val matcher: PerceptMatcher, private val textOf: (P) -> String, private val annotated: (P) -> P,
 ) {
-    /** The [standing] percept would stand for another one, since [rule] smooths it and for this [reason]. */
+    /** By [rule], for this [reason], the percept [standing] would stand for another one. */
     class Replacement<P>(val rule: CompiledRule, val standing: P, val reason: String)
 
     private val memory = SensorMemory<Sensor<P>>()
     private val places = ArrayList<Sensor<P>?>() // the sensors that stood last at each place of a picture
 
-    private var isDoubted = false // whether the percept that was taken last is not credible
+    private var isDoubted = false // true if the percept that was taken last is not credible
 
     /**
-     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. The [old] ones that were in the
-     * picture [before] are not taken again.
+     * Takes the percepts that are [received] at [nowMs], and returns them with those that stand for them. Percepts among [old] that were in
+     * the picture [before] are not taken again.
      */
     fun picture(received: List<P>, nowMs: Long, before: Picture<P>, old: Set<P>): Picture<P> {
         val earlier = if (old.isEmpty()) emptyMap() else before.placesOf(old)
@@ -38,7 +38,7 @@ internal class Smoother<P : Any>(
         return Picture(received, standing, doubted)
     }
 
-    /** Takes a [percept] that has come at [nowMs] at this [place] of a picture, and returns the one that stands for it. */
+    /** Takes a [percept] that has come at [nowMs] at this [place] of a picture, and returns the percept that stands for it. */
     fun stands(percept: P, nowMs: Long, place: Int): P {
         val text = textOf(percept)
         isDoubted = false
@@ -52,7 +52,7 @@ internal class Smoother<P : Any>(
     /** Takes the [percept] if its text shows that it is of this sensor, which saves looking for its rule and its sensor; else null. */
     private fun Sensor<P>.takeIfItsOwn(percept: P, text: String, nowMs: Long): P? {
         val to = numberEnd(text)
-        val number = if (to > from) DecimalReader.plain(text, from, to) else Double.NaN
+        val number = if (to > from && SensorMemory.isRoomFor(text.length)) DecimalReader.plain(text, from, to) else Double.NaN
         return if (number.isNaN() || memory[key] == null) null else take(percept, text, from, to, number, nowMs)
     }
 

@@ -4,15 +4,15 @@ package argo.filters.matching
 internal class SortedWindow(private val size: Int) {
     private val numbers = DoubleArray(size)
 
-    /** The places in [numbers], by their numbers. */
+    /** The places in [numbers], ordered by the numbers there. */
     private val order = IntArray(size)
     private var next = 0
 
-    /** The number of numbers that it holds. */
+    /** How many numbers the window has. */
     var count = 0
         private set
 
-    /** Adds [number] in place of the oldest one if there are [size], and returns its place, from 0 to [size] - 1. */
+    /** Adds [number], in place of the oldest one if the window is full. Returns the place of [number], from 0 to [size] - 1. */
     fun add(number: Double): Int {
         val place = next
         next = if (place + 1 == size) 0 else place + 1
@@ -53,7 +53,7 @@ internal class SortedWindow(private val size: Int) {
     /** Returns the number in the middle, of two the greater one. */
     fun middle(): Double = numbers[order[count / 2]]
 
-    /** Returns the median of the distances to [middle], of two the greater one: goes from there to the nearest number on both sides. */
+    /** Returns the median of the distances to [middle], of two the greater one, by a search outwards from there. */
     fun medianDistance(): Double {
         var low = count / 2
         var high = low

@@ -13,20 +13,20 @@ import java.util.concurrent.CompletionStage
 import java.util.logging.Logger
 
 /**
- * A message under way to another computer.
+ * A message on its way to another computer.
  *
- * @property id the message's id; Jason suspends an intention that asks under it
+ * @property id the message's id; if an intention asks a question, Jason suspends it under this id
  */
 internal class Delivery(val id: String?, val receiver: String, val end: CompletionStage<Void>)
 
 /**
- * The messages that an internal action sends to other computers, while it is carried out by the agent's thread. The action waits for their
- * ends; those that nobody waits for are told in the log if they fail.
+ * Collects the messages that an internal action sends to other computers while the agent's thread carries it out. The action waits for the
+ * ends of its messages. If no action waits for a message, the log tells its failure.
  */
 internal object Deliveries {
     private val collected = ThreadLocal<MutableList<Delivery>>()
 
-    /** Runs [action] and returns its result, with the messages that it has sent. [failed] gets those if it throws. */
+    /** Runs [action] and returns its result, with the messages that it has sent. If [action] throws, [failed] gets these messages. */
     fun <T> during(failed: (List<Delivery>) -> Unit, action: () -> T): Pair<T, List<Delivery>> {
         val sent = ArrayList<Delivery>()
         val outer = collected.get()

@@ -8,15 +8,15 @@ import jason.asSyntax.ASSyntax
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * The services that agents register and search, as Jason's agent `df`, for the whole fleet: each computer knows the services of all, and
- * tells its own subscribers.
+ * Has the part of Jason's agent `df` for the whole fleet: agents register services here, and search for them. Each computer knows the
+ * services of all computers, and tells its own subscribers.
  *
  * Safe for use by several threads.
  *
- * @param deliver puts a message into the mailbox of an agent of this computer; nothing if that has ended
+ * @param deliver puts a message into the mailbox of an agent of this computer; does nothing if that agent has ended
  */
 internal class DirectoryFacilitator(private val fleet: Fleet, private val deliver: (Message) -> Unit) {
-    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // the agent is the subscriber
+    private val subscriptions = ConcurrentHashMap.newKeySet<Offer>() // here the agent of an [Offer] is the subscriber
 
     fun register(agent: String, service: String) = fleet.offer(Offer(agent, service))
 
@@ -50,7 +50,7 @@ internal class DirectoryFacilitator(private val fleet: Fleet, private val delive
     }
 
     private companion object {
-        /** The sender of messages about services, as on one computer. */
+        /** The sender of messages about services, as in Jason. */
         const val NAME = "df"
     }
 }

@@ -8,7 +8,7 @@ import jason.stdlib.broadcast
 import jason.stdlib.kill_agent
 import jason.stdlib.send
 
-/** Jason's internal actions that send to other computers, which wait here until the message has arrived, or fail. */
+/** Jason's internal actions that send messages. In a fleet these wait until the message has arrived on the other computer, or fail. */
 internal object FleetActions {
     /** Has the program of [agent] use them. Jason looks an action up for each agent, by the name of its class. */
     fun install(agent: Agent) {

@@ -48,7 +48,7 @@ internal class FleetAgArch(
     @Volatile
     private var percepts: FleetPercepts? = null
 
-    /** Jason calls this when the agent's program has been read, before other architectures are made. */
+    /** Jason calls this after it has read the agent's program, and before it makes other architectures. */
     override fun insertAgArch(arch: AgArch) {
         super.insertAgArch(arch)
         if (arch !== this) return
@@ -79,7 +79,7 @@ internal class FleetAgArch(
         Deliveries.add(Delivery(message.msgId, message.receiver, fleet.send(computer, said)), logger)
     }
 
-    /** Sends [message] to all other agents; if that fails for some of them, the others get it all the same. */
+    /** Sends [message] to all other agents. If sending fails for some agents, the others still get [message]. */
     override fun broadcast(message: Message) {
         val failures = (fleet.directory.names - agName).mapNotNull { receiver ->
             try {
@@ -92,7 +92,7 @@ internal class FleetAgArch(
         failures.firstOrNull()?.let { throw it }
     }
 
-    /** Takes [message] of an agent of another computer. Any thread. @throws Refused if its content cannot be read */
+    /** Takes [message], which an agent of another computer has sent. Any thread. @throws Refused if its content cannot be read */
     fun take(message: Say) {
         val content = try {
             MessageContent.read(message.content, ts.ag)
@@ -101,7 +101,7 @@ internal class FleetAgArch(
         } catch (_: StackOverflowError) {
             refuse(message, "it is nested too deep")
         }
-        if (content is Literal && !content.isGround) content.makeVarsAnnon() // names of variables are those of the sender
+        if (content is Literal && !content.isGround) content.makeVarsAnnon() // the variables' names belong to the sender
         receiveMsg(
             Message(message.force, message.from, message.to, content, message.id).apply { inReplyTo = message.inReplyTo },
         )
@@ -117,7 +117,7 @@ internal class FleetAgArch(
         super.receiveMsg(message)
     }
 
-    /** Fails intentions that wait for an answer of a computer that is off now, and wakes an agent that perceives the fleet. Any thread. */
+    /** Fails intentions that wait for an answer from a computer that is off now. Wakes an agent that perceives the fleet. Any thread. */
     fun directoryChanged(now: Directory) {
         asks.filterValues { it !in now.inTouch }.forEach { (question, computer) ->
             asks.remove(question)
@@ -156,7 +156,7 @@ internal class FleetAgArch(
         keep(MindNews(agName, reign.term, ++minds, mind.program()))
     }
 
-    /** Sleeps until it is woken, a second at most. Unlike Jason's own, a call of [wake] before it is not lost. */
+    /** Sleeps until [wake] is called, a second at most. Unlike in Jason's own class, a call of [wake] before [sleep] counts too. */
     override fun sleep() {
         if (ts.settings.isSync) return
         sleepLock.withLock {
@@ -179,7 +179,7 @@ internal class FleetAgArch(
         JasonException("$agName does not run here now: most computers of the fleet are out of touch", ASSyntax.createAtom("unreachable"))
 
     private companion object {
-        /** How often the mind of an agent that outlives its computer is kept. A sleeping agent has a cycle each second. */
+        /** The time between two copies of the mind of an agent that outlives its computer. A sleeping agent has a cycle each second. */
         const val KEEP_NS = 1_000_000_000L
         const val FIRST_SLEEP_MS = 50L
         const val SLEEP_STEP_MS = 100L

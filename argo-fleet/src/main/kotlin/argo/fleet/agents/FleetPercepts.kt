@@ -42,7 +42,7 @@ internal class FleetPercepts private constructor(private val kinds: Set<Kind>) {
         /** The value of the option, for people. */
         const val USAGE = "computers and agents, or one of them, as \"computers,agents\""
 
-        /** Returns the percepts that [option], the value of the option, asks for; null: none, or [refuse] has been told why not. */
+        /** Returns the percepts for the option's value, [option]; null: none. For a wrong value, tells [refuse] why. */
         fun of(option: String?, refuse: (String) -> Unit): FleetPercepts? {
             val words = option?.split(',')?.map { it.trim().trim('"') } ?: return null
             val kinds = words.map { word -> Kind.entries.find { it.name.equals(word, ignoreCase = true) } }

@@ -14,7 +14,7 @@ import jason.runtime.SourcePath
 import java.util.logging.Logger
 
 /**
- * The services of Jason's runtime in a fleet: names, services and the end concern all computers; agents are created on this one.
+ * The services of Jason's runtime in a fleet. Names, registered services and the end concern all computers; new agents run on this one.
  *
  * Jason 3.2.1 has `getAgentsNames`, which Jason 3.3.0 calls `getAgentsName`.
  */
@@ -29,7 +29,7 @@ internal class FleetServices(
     /** The agent of the project that the calling thread creates. */
     private val making = ThreadLocal<Making>()
 
-    /** Creates an agent of the project, under its own [name], by [create]; [architecture] makes its infrastructure. */
+    /** Has [create] create an agent of the project under its own [name]. [architecture] makes the agent's infrastructure. */
     fun createOwn(name: String, architecture: () -> LocalAgArch, create: FleetServices.() -> Unit) {
         making.set(Making(name, architecture))
         try {
@@ -39,7 +39,7 @@ internal class FleetServices(
         }
     }
 
-    /** Jason creates agents only while the system runs; those of the project are created before. */
+    /** Jason creates agents only while the system runs, but the project's agents must exist before. */
     override fun isRunning() = making.get() != null || super.isRunning()
 
     override fun newAgInstance(): LocalAgArch = making.get()?.architecture?.invoke() ?: FleetAgArch(fleet)
@@ -48,7 +48,7 @@ internal class FleetServices(
         if (base == making.get()?.name) base
         else (sequenceOf(base) + generateSequence(1) { it + 1 }.map { "${base}_$it" }).first { fleet.directory.find(it) == Place.Unknown }
 
-    /** Jason names an agent's infrastructure among the architectures of a new agent that has those of its [father]. */
+    /** If an agent has the architectures of its [father], Jason also names the father's infrastructure among them. */
     override fun createAgent(
         name: String?, source: String?, agentClass: String?, architectures: List<String>?, beliefBase: ClassParameters?,
         settings: Settings?, father: Agent?,
@@ -64,7 +64,7 @@ internal class FleetServices(
 
     override fun getAgentsNames(): Collection<String> = fleet.directory.names
 
-    /** The same in Jason 3.3.0. */
+    /** Jason 3.3.0 calls this in place of [getAgentsNames]. */
     @Suppress("unused")
     fun getAgentsName(): Collection<String> = agentsNames
 
@@ -77,7 +77,7 @@ internal class FleetServices(
         return true
     }
 
-    /** Stops the agents of all computers, and those programs. */
+    /** Stops the agents and the programs on all computers. */
     override fun stopMAS(deadlineMs: Int, stopsJvm: Boolean, exitStatus: Int) {
         fleet.stopOthers(Stop(deadlineMs, stopsJvm, exitStatus)).whenComplete { _, _ -> mas.finish(deadlineMs, stopsJvm, exitStatus) }
     }

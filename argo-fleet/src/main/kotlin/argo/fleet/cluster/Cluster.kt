@@ -3,8 +3,8 @@ package argo.fleet.cluster
 import java.util.concurrent.CompletionStage
 
 /**
- * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, and those of one sender in the order
- * of [send], or the sender is told that it failed. Computers find each other, lose each other and come back by themselves.
+ * The computers of a fleet that are in touch now, and messages among them. Each message arrives once, or its sender is told that it failed.
+ * Messages of one sender arrive in the order of [send]. Computers find each other, lose each other and come back by themselves.
  */
 interface Cluster : AutoCloseable {
     /** This computer's name. */
@@ -17,20 +17,20 @@ interface Cluster : AutoCloseable {
     val hasMajority: Boolean
 
     /**
-     * Joins the fleet. The listener is told of a view with at least this computer before anything else. Its calls, and the ends of [send],
-     * come one at a time on one thread of the cluster, in order.
+     * Joins the fleet. First the listener gets a view with at least this computer. One thread of the cluster calls the listener and
+     * completes the results of [send], in order.
      *
      * @throws IllegalStateException at a second call
      */
     fun listen(listener: ClusterListener)
 
     /**
-     * Sends [message], which stays as it is, to the listener of the computer [to], or of this one. Returns at once, whatever the network
-     * does.
+     * Sends [message] to the listener of the computer [to], which may be this one. Do not change [message] afterwards. Returns at once,
+     * whatever the network does.
      *
      * @return completed when the listener there has returned. Fails with [Unreachable] if the computer is not in touch, or is lost before
-     * it has acknowledged the message, which may have arrived then; with [Overloaded] if too much waits for it; and with [Refused] if the
-     * listener there threw an exception.
+     * it acknowledges the message, which may have arrived. Fails with [Overloaded] if too much waits for the computer, and with [Refused]
+     * if its listener threw an exception.
      */
     fun send(to: String, message: ByteArray): CompletionStage<Void>
 
@@ -41,7 +41,7 @@ interface Cluster : AutoCloseable {
 /**
  * A computer of a fleet.
  *
- * @property session another one at each start of its program
+ * @property session identifies one run of the computer's program
  */
 data class Computer(val name: String, val session: String)
 
@@ -59,18 +59,19 @@ interface ClusterListener {
     fun message(from: String, message: ByteArray)
 
     /**
-     * Other computers are in touch now. Messages of a computer are handed over between the view that has it and the one that has it not.
+     * Other computers are in touch now. Messages of a computer are handed over only after a view with it, and before the next view without
+     * it.
      */
     fun changed(view: ClusterView)
 
-    /** This computer cannot stay in the fleet, and its cluster is closed. [reason] says why, for a person. */
+    /** This computer cannot stay in the fleet, and its cluster is closed. [reason] tells the user why. */
     fun refused(reason: String)
 }
 
-/** A message is not known to have arrived: its computer is not in touch, or was lost before it acknowledged it. */
+/** A message is not known to have arrived: the receiving computer is not in touch, or was lost before it acknowledged the message. */
 class Unreachable(message: String) : Exception(message)
 
-/** A message was not sent: it is too long, or too much waits for its computer already. */
+/** A message was not sent: it is too long, or too much already waits for the receiving computer. */
 class Overloaded(message: String) : Exception(message)
 
 /** A message arrived, and its receiver did not want it. */

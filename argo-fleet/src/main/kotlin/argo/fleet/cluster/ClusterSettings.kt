@@ -10,12 +10,12 @@ import java.nio.file.Path
  * @property fleet the fleet's name; computers of other fleets are refused
  * @property here this computer's name
  * @property hosts the address at which each computer of the fleet listens, by the computer's name; this computer is among them. Addresses
- * need not be resolved. Empty: every computer that is found on the local network belongs to the fleet
+ * may be unresolved. Empty: every computer that is found on the local network belongs to the fleet
  * @property bind where this computer listens, and the interface on which it looks for others
  * @property certificates the folder with the certificates of `tls://`; null: connections are not encrypted, and whoever reaches a port may
  * take part
- * @property insecure whether the user has asked for that beyond this computer's loopback interface
- * @throws IllegalArgumentException if they contradict each other; the message is for a person
+ * @property insecure whether the user allows unencrypted connections beyond this computer's loopback interface
+ * @throws IllegalArgumentException if the settings contradict each other; the message is for the user
  */
 data class ClusterSettings(
     val fleet: String,
@@ -45,7 +45,7 @@ data class ClusterSettings(
     }
 
     companion object {
-        /** The port at which a computer listens unless another one is named. */
+        /** The port at which a computer listens by default. */
         const val DEFAULT_PORT = 4711
 
         /** The longest name of a computer or a fleet, in characters of ASCII. */

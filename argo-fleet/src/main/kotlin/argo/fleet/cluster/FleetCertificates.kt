@@ -20,8 +20,8 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.nameWithoutExtension
 
 /**
- * The certificates of a fleet in the folder of `tls://`: `computer.crt` and `computer.key` are this computer's, `fleet/scout1.crt` is that
- * of the computer `scout1`. Exactly these are trusted, and this computer's own, which all may share.
+ * The certificates of a fleet in the folder of `tls://`. `computer.crt` and `computer.key` belong to this computer, `fleet/scout1.crt` to
+ * the computer `scout1`. No others are trusted. All computers may share one certificate.
  *
  * @throws IOException if a file is missing or cannot be read; the message is for a person
  */
@@ -47,7 +47,7 @@ internal class FleetCertificates(folder: Path) {
         return SSLContext.getInstance("TLSv1.3").apply { init(managers, arrayOf<TrustManager>(Trust()), null) }
     }
 
-    /** Why the computer with [certificate] cannot be [name]; null if it can. */
+    /** Returns why the computer with [certificate] cannot be [name]; null: it can. */
     fun refusalOf(name: String, certificate: X509Certificate): String? {
         val owners = others.filterValues { it == certificate }.keys
         return if (name in owners || owners.isEmpty()) null

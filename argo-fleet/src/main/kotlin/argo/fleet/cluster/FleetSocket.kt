@@ -14,22 +14,22 @@ import javax.net.ssl.SSLContext
 import javax.net.ssl.SSLException
 import javax.net.ssl.SSLSocket
 
-/** The other end is a computer, but none to connect with; [message] is a sentence for a person. */
+/** The other end is a computer that this one must not connect with; [message] tells the user why. */
 private class Refusal(override val message: String) : IOException(message)
 
-/** What a computer shows and expects when a connection begins. */
+/** Has the greeting and the certificates with which this computer begins a connection, and checks those of the other end. */
 internal class Entrance(
     val greeting: Greeting, private val certificates: FleetCertificates?, private val hosts: Map<String, InetSocketAddress>,
 ) {
     val context: SSLContext? = certificates?.context()
 
-    /** Where the fleet's computers connect from, if that is known. */
+    /** The addresses from which the fleet's computers connect; empty: not known. */
     val addresses: Set<InetAddress> = hosts.values.mapNotNull { it.address }.toSet()
 
-    /** How many computers the fleet has; 0: nobody knows. */
+    /** The number of the fleet's computers; 0: not known. */
     val computers: Int get() = hosts.size
 
-    /** @throws IOException if the computer with [other] and [certificate] is not to be connected with */
+    /** @throws IOException if this computer must not connect with the one that shows [other] and [certificate] */
     fun check(other: Greeting, certificate: X509Certificate?) {
         val refusal = greeting.refusalOf(other)
             ?: "${other.name} is none of ${hosts.keys.joinToString()}".takeIf { hosts.isNotEmpty() && other.name !in hosts }
@@ -39,8 +39,8 @@ internal class Entrance(
 }
 
 /**
- * A TCP connection between two computers, encrypted if they have certificates. To JGroups it is a plain socket, whose connection is made
- * once both ends have shown that they belong to the fleet.
+ * A TCP connection between two computers, encrypted if they have certificates. JGroups sees a plain socket, which is connected once both
+ * ends have shown that they belong to the fleet.
  */
 internal class FleetSocket(private val entrance: Entrance, private val refusals: Refusals) : Socket() {
     private var secured: SSLSocket? = null
@@ -58,7 +58,7 @@ internal class FleetSocket(private val entrance: Entrance, private val refusals:
         }
     }
 
-    /** Does the part of the end that was connected to; closes the connection if the other end does not belong to the fleet. */
+    /** Does the part of the accepting end. Closes the connection if the other end does not belong to the fleet. */
     fun answer() = begin("a stranger at ${inetAddress.hostAddress}") {
         secure(isClient = false)
         try {

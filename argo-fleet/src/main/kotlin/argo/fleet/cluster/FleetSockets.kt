@@ -23,19 +23,19 @@ internal class FleetSockets(private val entrance: Entrance) : DefaultSocketFacto
 }
 
 /**
- * Accepts connections for JGroups, which gets those that belong to the fleet. A few threads greet; a connection that is not greeted in time
- * is closed, and so is one that comes while all of them are busy. So strangers cost these threads' memory, whatever they send.
+ * Accepts connections, and hands those of the fleet to JGroups. A few threads exchange greetings. A connection is closed if its greeting
+ * takes too long, or if it comes while all these threads are busy. So strangers cost no more memory than these threads, whatever they send.
  */
 internal class Door(private val entrance: Entrance, private val refusals: Refusals) : ServerSocket() {
     private val greeted = LinkedBlockingQueue<Socket>()
     private val forStrangers = porters(PORTERS)
 
-    /** Strangers, who come from other addresses, do not keep these busy. */
+    /** These threads greet the fleet's own addresses, so strangers cannot keep them busy. */
     private val forHosts = porters(1 + 2 * entrance.computers)
     private val watch: ScheduledExecutorService = Executors.newSingleThreadScheduledExecutor(daemons("fleet-door-watch"))
     private val opening = lazy { daemons("fleet-door").newThread(::admitAll).start() }
 
-    /** The next connection of a computer of the fleet. */
+    /** Returns the next connection from a computer of the fleet. */
     override fun accept(): Socket {
         opening.value
         while (!isClosed) greeted.poll(1, TimeUnit.SECONDS)?.let { return it }
@@ -68,7 +68,7 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
             socket.answer()
             if (end.cancel(false)) greeted.add(socket)
         } catch (@Suppress("SwallowedException") e: IOException) {
-            end.cancel(false) // the reason has been told
+            end.cancel(false) // the log has the reason
         }
     }
 
@@ -84,7 +84,7 @@ internal class Door(private val entrance: Entrance, private val refusals: Refusa
         const val PORTERS = 8
         const val PATIENCE_MILLIS = 3000L
 
-        /** The system may be short of files. */
+        /** The pause after a failure, since the system may be short of files. */
         const val PAUSE_MILLIS = 100L
 
         fun porters(most: Int) = ThreadPoolExecutor(0, most, 1, TimeUnit.SECONDS, SynchronousQueue(), daemons("fleet-porter"))

@@ -3,15 +3,15 @@ package argo.fleet.cluster
 import java.nio.BufferUnderflowException
 import java.nio.ByteBuffer
 
-/** What goes from one computer to another: a piece of the messages of a session, or an acknowledgement of such pieces. Format 1. */
+/** The bytes that one computer sends to another at a time: a piece of a session's messages, or an acknowledgement of pieces. Format 1. */
 internal sealed interface Frame {
     fun bytes(): ByteArray
 
     /**
      * A message, or a part of a long one.
      *
-     * @property number the pieces of a session are counted, whatever message they belong to
-     * @property oldest the oldest piece whose sender still waits for it: earlier ones were acknowledged, or are reported as failed
+     * @property number the piece's number in the session, across all messages
+     * @property oldest the oldest piece that still waits for an acknowledgement; all earlier ones have one, or were reported as failed
      * @property isLast whether the message ends with this piece
      */
     class Piece(val number: Long, val oldest: Long, val isLast: Boolean, val content: ByteArray) : Frame {

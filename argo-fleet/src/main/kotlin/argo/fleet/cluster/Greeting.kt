@@ -14,7 +14,7 @@ import java.util.HexFormat
 internal data class Greeting(val fleet: String, val name: String, val hosts: String) {
     val line: String get() = "$WORD $FORMAT $fleet $name $hosts"
 
-    /** Why the computer that sent [other] cannot be connected with this one; null if it can. */
+    /** Returns why this computer cannot connect with the one that sent [other]; null: it can. */
     fun refusalOf(other: Greeting): String? = when {
         other.fleet != fleet -> "${other.name} belongs to the fleet ${other.fleet}, and $name to $fleet"
         other.hosts != hosts -> "the hosts of ${other.name} have other names than those of $name: give both the same project"
@@ -39,7 +39,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
 
         fun refusal(reason: String) = REFUSED + reason
 
-        /** @throws IOException if the line refuses the connection, or is none of this format; the message says so to a person */
+        /** @throws IOException if the line refuses the connection, or is in another format; the message tells the user */
         fun parse(line: String): Greeting {
             if (line.startsWith(REFUSED)) throw IOException("refuses the connection: ${printable(line.removePrefix(REFUSED), MAX_LINE)}")
             val (format, fleet, name, hosts) = FORM.matchEntire(line)?.destructured
@@ -50,7 +50,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
             return Greeting(fleet, name, hosts)
         }
 
-        /** Reads a line, and no byte behind it. */
+        /** Reads a line, and no byte behind the line. */
         fun read(from: InputStream): String {
             val line = StringBuilder()
             while (line.length < MAX_LINE) {

@@ -11,7 +11,8 @@ internal interface Group : AutoCloseable {
     fun join(listener: GroupListener)
 
     /**
-     * Sends [frame] if the network takes it; never waits. Frames of one caller at a time overtake each other only where a connection ends.
+     * Sends [frame] if the network takes it; never waits. With one caller at a time, frames overtake each other only where a connection
+     * ends.
      */
     fun transmit(to: Member, frame: ByteArray)
 }
@@ -25,12 +26,12 @@ internal interface GroupListener {
 
 /** The thread of a cluster. */
 internal interface Loop : AutoCloseable {
-    /** Nanoseconds since some instant. */
+    /** Returns the nanoseconds since a fixed instant. */
     fun now(): Long
 
-    /** Runs [task] behind those given before. */
+    /** Runs [task] after all tasks given before. */
     fun execute(task: () -> Unit)
 
-    /** Runs [task] every so often until the loop is closed. */
+    /** Runs [task] every [millis] ms until the loop is closed. */
     fun every(millis: Long, task: () -> Unit)
 }

@@ -4,10 +4,10 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.CompletionStage
 
 /**
- * A cluster on a [group]: each message once and in order, whatever the group does with frames. The lock is held for moments only, by
- * callers of [send], the group's threads and the loop; the listener is called without it.
+ * A cluster on a [group]. Each message arrives once and in order, even if the group loses, repeats or swaps frames. Callers of [send], the
+ * group's threads and the loop hold the lock only for moments, not during calls of the listener.
  *
- * @param hosts the computers that the fleet consists of; empty: nobody knows
+ * @param hosts the computers of the fleet; empty: not known
  */
 internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
     /** The session with another member, kept while it may come back. */
@@ -22,7 +22,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     private val peers = LinkedHashMap<Member, Peer>()
     private var members = listOf<Member>()
 
-    /** Higher than the number of any piece sent before, so that a session that was forgotten is never taken for an old one. */
+    /** Higher than the number of any piece sent before, so that no receiver takes pieces of a new session for repeated ones. */
     private var nextPiece = 1L
     private var unanswered = 0
     private var rivalSince: Long? = null
@@ -64,7 +64,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         return done
     }
 
-    /** Of two with one name the older one is meant, until it is gone: the other one may be there by mistake. */
+    /** Returns the member called [name]. Of two members with one name, returns the older until it is gone: the newer may be a mistake. */
     private fun called(name: String) = members.firstOrNull { it.name == name }
 
     private fun transmitDue(member: Member) {
@@ -107,7 +107,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         }
     }
 
-    /** One acknowledgement is for all messages that the listener has taken of a sender. */
+    /** Sends each sender one acknowledgement for all of its messages that the listener has taken. */
     private fun answerAll() = members.forEach { member ->
         val peer = peers[member]?.takeIf { it.isUnanswered } ?: return@forEach
         peer.isUnanswered = false
@@ -169,7 +169,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         if (isRefused) refuse("another computer of the fleet is called $here already: give this one a name of its own")
     }
 
-    /** This computer cannot stay. */
+    /** Leaves the fleet, and tells the listener the [reason]. */
     internal fun refuse(reason: String) {
         if (isClosed) return
         loop.execute { tell { listener.refused(reason) } }
@@ -197,10 +197,10 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         val LOG: System.Logger = System.getLogger(Cluster::class.java.name)
         const val TICK_MILLIS = 100L
 
-        /** While the listener is busy, a sender learns of its progress this often, in pieces. */
+        /** While the listener is busy, a sender gets an acknowledgement each time this number of pieces has been taken. */
         const val ANSWER_EVERY = 32L
 
-        /** A computer that has gone without a word is noticed sooner than this. */
+        /** The time within which the end of this program's last run is certainly noticed. */
         const val RIVAL_NANOS = 5_000_000_000L
         const val MAX_GONE = 256
 

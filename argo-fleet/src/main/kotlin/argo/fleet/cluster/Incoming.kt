@@ -2,25 +2,25 @@ package argo.fleet.cluster
 
 import java.io.ByteArrayOutputStream
 
-/** The pieces from one other computer, from their arrival to the listener's end with their messages. Its callers hold a lock. */
+/** The pieces from one other computer, from their arrival until the listener has taken their messages. Callers hold a lock. */
 internal class Incoming {
     private var arrived = 1L
     private var taken = 1L
 
-    /** Complete messages that the listener has not returned from. */
+    /** The number of complete messages that the listener has not yet taken. */
     private var messages = 0
     private var parts = ByteArrayOutputStream(0)
 
-    /** Why messages were refused, until their sender is known to know it. */
+    /** The reasons of refused messages, until their sender is known to have them. */
     private val refusals = sortedMapOf<Long, String>()
 
     /** A complete message, and the number of its last piece. */
     class Message(val number: Long, val content: ByteArray)
 
-    /** What a piece brings: a message, or an answer that has to go back at once. */
+    /** The outcome of a piece: a complete message, or an answer to send at once, or neither. */
     class Outcome(val message: Message?, val answer: Frame.Acknowledgement?)
 
-    /** @throws IllegalArgumentException if the message is longer than any may be */
+    /** @throws IllegalArgumentException if the message is too long */
     fun take(piece: Frame.Piece): Outcome {
         refusals.headMap(piece.oldest).clear()
         if (piece.oldest > arrived) leaveOut(piece.oldest)
@@ -29,7 +29,7 @@ internal class Incoming {
         return Outcome(message, if (message == null && messages == 0) acknowledgement() else null)
     }
 
-    /** The sender has given up what is before [number]. */
+    /** Leaves out the pieces before [number], which the sender has given up. */
     private fun leaveOut(number: Long) {
         arrived = number
         parts = ByteArrayOutputStream(0)
@@ -48,7 +48,7 @@ internal class Incoming {
         return Message(piece.number, content)
     }
 
-    /** The listener is done with the message whose last piece is [number]; [refusal] is why it did not want it, if so. */
+    /** Notes that the listener has taken the message whose last piece is [number], or refused it because of [refusal]. */
     fun taken(number: Long, refusal: String?) {
         messages--
         taken = number + 1

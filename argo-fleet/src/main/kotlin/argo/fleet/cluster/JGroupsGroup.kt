@@ -14,11 +14,11 @@ import java.net.ServerSocket
 import java.util.logging.Level
 import java.util.logging.Logger
 
-/** A fleet's computers over JGroups. */
+/** Connects a fleet's computers through JGroups. */
 object JGroupsCluster {
     /**
      * @return a cluster, not yet joined; [Cluster.listen] throws an IOException if this computer cannot listen at [ClusterSettings.bind]
-     * @throws IOException if certificates are missing or cannot be read; the message is for a person
+     * @throws IOException if certificates are missing or cannot be read; the message is for the user
      */
     fun open(settings: ClusterSettings): Cluster =
         GroupCluster(JGroupsGroup(settings), settings.hosts.keys, ThreadLoop("fleet-${settings.here}"))
@@ -30,7 +30,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     val channel: JChannel
     private lateinit var listener: GroupListener
 
-    /** The members of the last view: both ways, so that nothing is looked up by text. */
+    /** The members of the last view, by address, and below the reverse. */
     @Volatile
     private var members = mapOf<Address, Member>()
 
@@ -58,7 +58,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
             channel.connect(settings.fleet)
         } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {
             channel.close()
-            val reason = runCatching { ServerSocket().use { it.bind(settings.bind) } }.exceptionOrNull()?.message // JGroups hides it
+            val reason = runCatching { ServerSocket().use { it.bind(settings.bind) } }.exceptionOrNull()?.message // not in `e`
                 ?: generateSequence<Throwable>(e) { it.cause }.last().message
             throw IOException("this computer cannot listen at ${settings.bind.hostString}:${settings.bind.port}: $reason", e)
         }
@@ -71,7 +71,7 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
     }
 
     override fun receive(message: Message) {
-        val from = members[message.src] ?: return // not a member here yet; it sends again
+        val from = members[message.src] ?: return // the sender is not a member here yet, and will repeat the message
         if (message is BytesMessage) listener.arrived(from, message.array.copyOfRange(message.offset, message.offset + message.length))
     }
 
@@ -97,8 +97,8 @@ internal class JGroupsGroup(private val settings: ClusterSettings) : Group, Rece
         val JGROUPS: Logger = Logger.getLogger("org.jgroups")
 
         /**
-         * JGroups warns of each connection that ends, by the name of its classes; what a user has to know is told by this package. And it
-         * reads no Java objects: nobody sends any but strangers. It reads this property once.
+         * Turns JGroups' log off: the log warns of each connection that ends, in names of classes. This package tells the user all that
+         * matters. Forbids JGroups to read Java objects, since only strangers send them. JGroups reads this property once.
          */
         fun quieten() {
             LogFactory.useJdkLogger(true)

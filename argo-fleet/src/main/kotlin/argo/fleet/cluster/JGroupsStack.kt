@@ -18,21 +18,21 @@ import org.jgroups.util.LazyThreadFactory
 import java.net.InetAddress
 import java.net.InetSocketAddress
 
-/** JGroups' protocols, from the network upwards: who is there, and bytes to them. Times are in milliseconds, sizes in bytes. */
+/** Returns JGroups' protocols, from the network upwards. Times are in milliseconds, sizes in bytes. */
 internal fun stackOf(settings: ClusterSettings, sockets: FleetSockets): List<Protocol> = listOf(
     transport(settings.bind, sockets),
     discovery(settings),
     merging(settings.hosts.size),
     failures(),
-    // asks a suspect before it is given up: a connection may break while both ends live
+    // a suspected computer is asked before it is given up, since a connection may break while both ends live
     VERIFY_SUSPECT2().apply { setTimeout(VERIFYING) },
-    // views go to all through these three; messages of ours do not: see GroupCluster
+    // these three carry the views to all, but not this project's messages: see GroupCluster
     NAKACK2().apply { useMcastXmit(false) },
     UNICAST3(),
     STABLE(),
     GMS().apply {
         setJoinTimeout(JOINING)
-        // the view is installed here before others acknowledge it; the next change must not wait for one that has gone meanwhile
+        // this computer installs a view before others acknowledge it, so that a change never waits for a computer that has gone
         setViewAckCollectionTimeout(VIEW_ACKNOWLEDGEMENTS)
         printLocalAddress(false)
         printPhysicalAddress(false)
@@ -46,19 +46,19 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
     setSocketFactory(sockets)
     setThreadFactory<TCP>(LazyThreadFactory("fleet", true, true))
     useVirtualThreads<TCP>(false)
-    // nothing waits for more to send, or for an acknowledgement of TCP's
+    // TCP sends at once, and waits neither for more bytes nor for an acknowledgement
     tcpNodelay(true)
-    // a host that is off answers nothing; one thread for each waits this long
+    // for each host that is off, one thread waits this long
     setSockConnTimeout(CONNECTING)
-    // a process that ends closes its connections: it is suspected at once
+    // a process that ends closes its connections, and so is suspected at once
     enableSuspectEvents(true)
     setMaxLength(MAX_BYTES)
     // two buffers for each connection; messages are small
     setBufferedInputStreamSize(BUFFER)
     setBufferedOutputStreamSize(BUFFER)
-    // at least twice what we have under way to one computer: no write waits for one that does not read (Outgoing)
+    // twice the bytes under way to one computer, or more: so no write waits for a computer that does not read (Outgoing)
     setSendBufSize(SEND_BUFFER)
-    // a queue and a thread for each computer: one that is off delays no other, and whoever sends never waits
+    // a queue and a thread for each computer: a computer that is off delays no other, and senders never wait
     setBundler<TCP>(PerDestinationBundler().apply {
         useSingleSenderThread(false)
         setMaxSize(BUNDLE)
@@ -76,7 +76,7 @@ private fun transport(bind: InetSocketAddress, sockets: FleetSockets) = TCP().ap
 private fun discovery(settings: ClusterSettings): Discovery {
     val found = if (settings.hosts.isEmpty()) MPING().apply { setBindAddr(settings.bind.address) }
     else TCPPING().apply {
-        // a host whose name nobody knows now finds this computer by itself when it comes
+        // a host whose name cannot be resolved now finds this computer later
         setInitialHosts<TCPPING>(settings.hosts.values.filter { !it.isUnresolved })
         setPortRange<TCPPING>(0)
     }
@@ -84,8 +84,8 @@ private fun discovery(settings: ClusterSettings): Discovery {
 }
 
 /**
- * Parts of a fleet that can reach each other again find that out within 1.6 times the longer interval. Each computer asks each host at
- * the pace of the intervals, so they grow with the fleet.
+ * When separated parts of a fleet can reach each other again, they notice this within 1.6 times the longer interval. Once an interval each
+ * computer asks each host, so intervals grow with the fleet.
  */
 private fun merging(hosts: Int) = MERGE3().apply {
     val longest = maxOf(MERGING, MERGING_FOR_EACH * hosts)
@@ -93,7 +93,7 @@ private fun merging(hosts: Int) = MERGE3().apply {
     setMinInterval(longest / 2)
 }
 
-/** A sign of life each second or so to each computer; whoever gave none in two rounds is suspected, after three rounds at most. */
+/** Sends a sign of life to each computer about once a second. A computer without a sign in two rounds is suspected, within three rounds. */
 private fun failures() = FD_ALL3().apply {
     setInterval(SIGN_OF_LIFE)
     setTimeout(2 * SIGN_OF_LIFE)

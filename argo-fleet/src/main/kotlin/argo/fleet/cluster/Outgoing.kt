@@ -3,8 +3,8 @@ package argo.fleet.cluster
 import java.util.concurrent.CompletableFuture
 
 /**
- * The messages to one other computer, from [Cluster.send] to their ends. Pieces go out in order; at most a window of them is under way. A
- * piece that was lost is sent again. No thread and no clock of its own: its callers hold a lock, and pass the time in nanoseconds.
+ * The messages to one other computer, from [Cluster.send] to their ends. Pieces go out in order, and at most a window of pieces is under
+ * way. Lost pieces are sent again. Callers hold a lock, and pass the time in nanoseconds.
  *
  * @param first the number of the first piece; the receiver leaves out earlier ones
  */
@@ -19,7 +19,7 @@ internal class Outgoing(private val to: String, first: Long) {
     /** A [Cluster.send] whose end is known. */
     class End(val done: CompletableFuture<Void>, val failure: Exception?)
 
-    /** From the oldest piece that is not acknowledged to the newest; the first [sent] of them are under way. */
+    /** The pieces without an acknowledgement, the oldest first. The first [sent] of them are under way. */
     private val waiting = ArrayDeque<Waiting>()
     private var sent = 0
     private var bytesSent = 0
@@ -53,7 +53,7 @@ internal class Outgoing(private val to: String, first: Long) {
         bytesWaiting += message.size
     }
 
-    /** The pieces that have to go out now. */
+    /** Returns the pieces that must go out now. */
     fun due(now: Long): List<Frame.Piece> = buildList {
         while (sent < waiting.size && (sent == 0 || bytesSent + waiting[sent].size <= WINDOW_BYTES && sent < WINDOW_PIECES)) {
             val piece = waiting[sent++]
@@ -63,7 +63,7 @@ internal class Outgoing(private val to: String, first: Long) {
         }
     }
 
-    /** The oldest piece, if it has been under way for long; the receiver's answer tells what it lacks. */
+    /** Returns the oldest piece if it has been under way for long. The answer to its repeat tells what the receiver lacks. */
     fun overdue(now: Long): Frame.Piece? {
         val first = waiting.firstOrNull()?.takeIf { sent > 0 && now - it.sentAt >= patience } ?: return null
         asked = Asked(first.number, now)
@@ -72,7 +72,7 @@ internal class Outgoing(private val to: String, first: Long) {
         return first.frame(oldest)
     }
 
-    /** Takes an acknowledgement; [due] may have further pieces after it. */
+    /** Takes an acknowledgement. After an acknowledgement, [due] may return further pieces. */
     fun acknowledged(news: Frame.Acknowledgement, now: Long): List<End> {
         val ends = mutableListOf<End>()
         while (sent > 0 && waiting.first().number < news.taken) {
@@ -85,7 +85,7 @@ internal class Outgoing(private val to: String, first: Long) {
         return ends
     }
 
-    /** Whether the piece that the receiver awaits was lost: a later one has come first, or the one that was sent again after it. */
+    /** Whether the awaited piece was lost: the receiver has got a later one, or an older one that was sent again after it. */
     private fun isLost(news: Frame.Acknowledgement, now: Long): Boolean {
         val place = news.arrived - oldest
         val awaited = if (place in 0..<sent) waiting[place.toInt()] else return false
@@ -107,7 +107,7 @@ internal class Outgoing(private val to: String, first: Long) {
         bytesWaiting -= piece.size - OVERHEAD
     }
 
-    /** Gives up all messages: none of them is sent again. */
+    /** Gives up all messages, so that none is sent again. */
     fun giveUp(reason: String): List<End> {
         val ends = waiting.mapNotNull { it.done }.map { End(it, Unreachable(reason)) }
         waiting.clear()
@@ -123,28 +123,28 @@ internal class Outgoing(private val to: String, first: Long) {
         /** The longest message, in bytes. */
         const val MAX_MESSAGE = 8 shl 20
 
-        /** Bytes that wait for one computer, at most. */
+        /** The most bytes that may wait for one computer. */
         private const val MAX_BYTES_WAITING = 16L shl 20
         private const val MAX_PIECES_WAITING = 100_000
 
         /** A long message goes in pieces, so that signs of life get through between them on a slow line. */
         private const val PIECE = 16 shl 10
 
-        /** What goes with each piece: this format's, JGroups' and TCP's headers. */
+        /** The bytes of the headers of this format, JGroups and TCP around each piece. */
         private const val OVERHEAD = 120
 
         /**
-         * The pieces under way fit what the system buffers of a connection, twice 100 KB at least, so no thread waits in a write for a
-         * computer that does not read, with the signs of life for others behind it.
+         * The pieces under way fit into the system's buffers for a connection, at least twice 100 KB. So no write waits for a computer that
+         * does not read, which would delay signs of life to others.
          */
         private const val WINDOW_BYTES = 64 shl 10
         private const val WINDOW_PIECES = 512
 
-        /** TCP loses pieces only where a connection ends; then its end is noticed sooner than this. */
+        /** TCP loses pieces only where a connection ends, and that end is noticed before this time is over. */
         private const val FIRST_PATIENCE_NANOS = 200_000_000L
         private const val MAX_PATIENCE_NANOS = 1_000_000_000L
 
-        /** Each piece behind a lost one asks for a repeat; the first such request of this time is heard. */
+        /** Each piece behind a lost one asks for a repeat. Within this time, only the first request counts. */
         private const val REPEAT_NANOS = 100_000_000L
     }
 }

@@ -20,7 +20,7 @@ internal class ThreadLoop(name: String) : Loop {
         executor.scheduleWithFixedDelay({ guarded(task) }, millis, millis, TimeUnit.MILLISECONDS)
     }
 
-    /** An exception would end a task that runs every so often without a word. */
+    /** Logs exceptions. Otherwise an exception would end a repeated task in silence. */
     private fun guarded(task: () -> Unit) = try {
         task()
     } catch (@Suppress("TooGenericExceptionCaught") e: Exception) {

@@ -22,9 +22,9 @@ internal sealed interface Place {
 }
 
 /**
- * Which agents and services are on which computers of a fleet, as far as this computer knows. Immutable.
+ * The agents and services of each computer of a fleet, as far as this computer knows. Immutable.
  *
- * @property inTouch the computers in touch, this one among them
+ * @property inTouch the computers in touch; this computer is among them
  * @property planned the agents of the project, each with the computers that it may run on
  * @param rosters the last known rosters, also of computers that are no longer in touch
  */
@@ -61,7 +61,7 @@ internal data class Directory(
         return if (computers.isEmpty()) Place.Unknown else Place.Off(computers)
     }
 
-    /** Returns the computers of the project's [agent], unless its only one says that it does not run it any more. */
+    /** Returns the computers that the project names for [agent]; empty if it names only one, and that one does not run [agent] any more. */
     private fun expected(agent: String): List<String> {
         val computers = planned[agent].orEmpty()
         val hasEnded = computers.size == 1 && computers.single().let { it in inTouch && it in rosters }
@@ -70,7 +70,7 @@ internal data class Directory(
 
     fun with(computer: String, news: RosterNews): Directory = copy(rosters = rosters + (computer to roster(computer).with(news)))
 
-    /** Forgets what [computers] have told, whose programs have begun anew. */
+    /** Forgets the rosters of [computers], since their programs have begun anew. */
     fun without(computers: List<String>): Directory = copy(rosters = rosters - computers.toSet())
 
     fun with(inTouch: Set<String>): Directory = copy(inTouch = inTouch)

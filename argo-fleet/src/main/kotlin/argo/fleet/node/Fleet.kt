@@ -12,12 +12,12 @@ import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
 import java.util.logging.Logger
 
-/** The agents of this computer, as the fleet needs them. Functions are called by the cluster's thread, and do not wait. */
+/** The agents of this computer, as the fleet needs them. The cluster's thread calls these functions, which must not wait. */
 internal interface LocalAgents {
-    /** Puts [message] into the mailbox of its receiver. @throws Refused if it is not here, or cannot read it */
+    /** Puts [message] into its receiver's mailbox. @throws Refused if the receiver is not here, or cannot read [message] */
     fun take(message: Say)
 
-    /** Kills an agent. @throws Refused if it is not here, or does not allow that */
+    /** Kills an agent. @throws Refused if the agent is not here, or does not let itself be killed */
     fun kill(wanted: Kill)
 
     fun stop(wanted: Stop)
@@ -30,7 +30,8 @@ internal interface LocalAgents {
 }
 
 /**
- * This computer among those of its fleet: tells the others which agents and services are here, knows theirs, and takes messages to them.
+ * Connects this computer with the others of its fleet: tells them this computer's agents and services, knows theirs, and sends them
+ * messages.
  *
  * Safe for use by several threads, never blocks.
  *
@@ -47,7 +48,7 @@ internal class Fleet(
     private val sessions = HashMap<String, String>() // the last ones of all computers; the cluster's thread
     private val told = ConcurrentHashMap.newKeySet<String>() // what the log has said once
 
-    /** Who is where now. */
+    /** The present places of agents and services. */
     @Volatile
     var directory = Directory(cluster.here, planned = planned, hosts = hosts)
         private set
@@ -84,9 +85,7 @@ internal class Fleet(
 
     fun withdraw(offer: Offer) = tell(RosterNews(withdrawn = setOf(offer)))
 
-    /**
-     * Tells all computers in touch to stop. Completes when each has been told, or is lost, or two seconds are over.
-     */
+    /** Tells all computers in touch to stop. Completes when each computer has been told or is lost, or after two seconds. */
     fun stopOthers(wanted: Stop): CompletionStage<Void> {
         val told = sendOthers(wanted).map { (computer, end) ->
             end.handle { _, lost ->
@@ -110,7 +109,7 @@ internal class Fleet(
         repeatIfLost(computer, send(computer, whole))
     }
 
-    /** If the news with this [end] do not arrive although [computer] stays in touch, it is told everything anew a little later. */
+    /** If the news with this [end] does not arrive although [computer] stays in touch, tells [computer] everything anew a little later. */
     private fun repeatIfLost(computer: String, end: CompletionStage<Void>) {
         end.exceptionally { failed ->
             if (computer in directory.inTouch && failed.reason() !is Refused) {
@@ -120,7 +119,7 @@ internal class Fleet(
         }
     }
 
-    /** Changes the directory, under the lock, so that computers hear of changes in their order. */
+    /** Changes the directory. Call this under the lock, so that computers hear of the changes in their order. */
     private fun change(how: (Directory) -> Directory) {
         val before = directory
         directory = how(before)
@@ -166,7 +165,7 @@ internal class Fleet(
                 val others = view.computers.values.filter { it.name != here }
                 val begun = others.filter { sessions.put(it.name, it.session) != it.session }
                 val come = others.filter { it in begun || it.name !in directory.inTouch }
-                // a computer that goes on may not have missed this one: what it has told stays true, and it tells all changes
+                // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
             }
@@ -183,10 +182,10 @@ internal class Fleet(
     }
 }
 
-/** The reason for which a stage failed; stages may wrap it. */
+/** The reason why a stage failed, without the wrapper that stages may add. */
 internal fun Throwable.reason(): Throwable = if (this is java.util.concurrent.CompletionException) cause ?: this else this
 
-/** Returns the failure of a message to [agent], which no computer in touch runs. */
+/** Returns the failure of a message to [agent], since no computer in touch runs [agent]. */
 internal fun unreachable(agent: String, place: Place.Off, inTouch: Set<String>): Unreachable {
     val off = place.computers - inTouch
     val reason = when (off.size) {

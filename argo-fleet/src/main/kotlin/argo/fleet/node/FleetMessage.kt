@@ -5,17 +5,17 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 
-/** A message from one computer of a fleet to another. Its bytes are [FORMAT] and JSON. */
+/** A message from one computer of a fleet to another. Its bytes are the byte [FORMAT], followed by JSON. */
 @Serializable
 internal sealed interface FleetMessage {
     fun encode(): ByteArray = byteArrayOf(FORMAT) + JSON.encodeToString(serializer(), this).encodeToByteArray()
 
     companion object {
-        /** The first byte of each message. Another one is of another version of ARGO, which may mean other things by the same words. */
+        /** The first byte of each message. In other versions of ARGO, the same words may mean other things. */
         const val FORMAT: Byte = 1
         private val JSON = Json { encodeDefaults = false }
 
-        /** Reads a message. @throws UnreadableMessage if [bytes] are none */
+        /** Reads a message. @throws UnreadableMessage if [bytes] are no message */
         fun decode(bytes: ByteArray): FleetMessage {
             val format = bytes.firstOrNull()
             if (format != FORMAT) throw UnreadableMessage("it is of format $format, and this version of ARGO knows format $FORMAT only")
@@ -30,7 +30,7 @@ internal sealed interface FleetMessage {
     }
 }
 
-/** Bytes of another computer are no message of this version; [message] says why. */
+/** The bytes from another computer are no message of this version; [message] says why. */
 internal class UnreadableMessage(override val message: String) : Exception(message)
 
 /**
@@ -38,7 +38,7 @@ internal class UnreadableMessage(override val message: String) : Exception(messa
  *
  * @property force the performative, such as `tell`
  * @property content the text of the content, see [argo.recording.agent.MessageContent]
- * @property term the term of the reign in which the sender, an agent that outlives its computer, has sent it; 0: it is no such agent
+ * @property term the term of the reign in which the sender has sent it; 0: the sender is no agent that outlives its computer
  */
 @Serializable
 @SerialName("say")
@@ -78,16 +78,16 @@ internal data class RosterNews(
 @SerialName("kill")
 internal data class Kill(val agent: String, val by: String, val deadlineMs: Int) : FleetMessage
 
-/** An agent has called `.stopMAS`: see there. */
+/** An agent has called `.stopMAS` with these arguments. */
 @Serializable
 @SerialName("stop")
 internal data class Stop(val deadlineMs: Int, val stopsJvm: Boolean, val exitStatus: Int) : FleetMessage
 
 /**
- * The sender asks to run [agent], which outlives its computer, from now on, or on. Each request has a greater [number].
+ * The sender wants to run [agent], which outlives its computer, or to go on running it. Each claim has a greater [number].
  *
- * @property mindTerm the [MindNews.term] of the mind that the sender knows of the agent; 0: it knows none
- * @property mindNumber its [MindNews.number]
+ * @property mindTerm the [MindNews.term] of the agent's mind that the sender knows; 0: the sender knows none
+ * @property mindNumber the [MindNews.number] of that mind
  */
 @Serializable
 @SerialName("claim")
@@ -100,7 +100,7 @@ internal data class Claim(
 ) : FleetMessage
 
 /**
- * The answer to [Claim]. A computer that grants a claim grants no other computer's until its promise is over.
+ * The answer to [Claim]. A computer that grants a claim promises to grant no other computer's claim for some time.
  *
  * @property term the greatest term that the sender knows of this agent
  */
@@ -112,6 +112,6 @@ internal data class Grant(val agent: String, val number: Long, val term: Long, v
 @Serializable
 @SerialName("mind")
 internal data class MindNews(val agent: String, val term: Long, val number: Long, val program: String) : FleetMessage {
-    /** Whether it is newer than the mind of a [term] with a [number]. */
+    /** Whether this mind is newer than the mind with this [term] and [number]. */
     fun isNewerThan(term: Long, number: Long) = if (this.term == term) this.number > number else this.term > term
 }

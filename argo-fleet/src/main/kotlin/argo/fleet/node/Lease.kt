@@ -1,19 +1,20 @@
 package argo.fleet.node
 
 /**
- * The right to run one agent that outlives its computer, as one computer sees it: what it has promised to others, and what it has been
- * promised. The computer that runs the agent asks all for it again and again. A computer that grants it promises to grant it to no other
- * for [DURATION_NS]; the claimant counts that time from when it asked, so its right ends before the promise does. It may run the agent
- * while more than half of the computers have granted it. Two such sets have a computer in common, so two computers never run the agent at a
+ * The right to run one agent that outlives its computer, as one computer sees it: the promises that it has given, and those that it has
+ * got. The computer that runs the agent claims the right from all again and again. A computer that grants a claim promises to grant no
+ * other for [DURATION_NS]. The claimant counts that time from its claim on, so its right ends before the promise does. It may run the agent
+ * while more than half of the computers have granted its claims. Two majorities share a computer, so two computers never run the agent at a
  * time.
  *
  * Not safe for use by several threads, except for [mayRun] and [ownTerm].
  *
  * @param computers the number of computers of the fleet
- * @param startNs when this program began: it does not know what the one before has promised, and grants nothing for one duration
- * @param claims a random number, from which claims are counted: an answer to the program before is none to this one
+ * @param startNs the time at which this program began; it grants nothing for one duration, since its last run may have promised something
+ * @param claims a random number from which claims are counted, so that no answer to the program's last run counts
  * @param nanos a clock in ns that never goes back; it may stand still while the computer is suspended
- * @param wallMs a clock in ms that goes on then, by which a right ends, too; it may be set, which ends a right early at most
+ * @param wallMs a clock in ms that also runs while the computer is suspended; a right ends by this clock, too, so setting it may end a
+ *   right early
  */
 internal class Lease(
     private val computers: Int,
@@ -26,19 +27,19 @@ internal class Lease(
 
     private var promisedTo: String? = null
     private var promisedUntil = startNs + DURATION_NS
-    private val asked = HashMap<Long, Moment>() // the numbers of claims, with the times of their sending
-    private val granted = HashMap<String, Moment>() // when the rights were asked for that computers have granted
+    private val asked = HashMap<Long, Moment>() // the time of each claim, by the claim's number
+    private val granted = HashMap<String, Moment>() // the time of the newest granted claim, by the granting computer
 
-    /** The greatest term that this computer knows. A new reign over the agent has a greater one than all before. */
+    /** The greatest term that this computer knows. Each new reign over the agent has a greater term than all before. */
     var term = 0L
         private set
 
-    /** The term of this computer's reign; 0: it claims none. */
+    /** The term of this computer's reign; 0: this computer claims none. */
     @Volatile
     var ownTerm = 0L
         private set
 
-    /** When the right that most computers have granted was asked for; null: they have granted none. */
+    /** The time of the newest claim that more than half of the computers have granted; null: there is none. */
     @Volatile
     private var right: Moment? = null
 
@@ -58,7 +59,7 @@ internal class Lease(
         return Claim(agent, claims, ownTerm)
     }
 
-    /** Gives up this computer's reign. It holds on until its rights end. */
+    /** Gives up this computer's reign. Rights that it has already got stay valid until they end. */
     fun giveUp() {
         ownTerm = 0
     }
@@ -80,7 +81,7 @@ internal class Lease(
         val moment = asked[grant.number] ?: return
         if (grant.isGranted && grant.term == ownTerm) {
             granted.merge(computer, moment) { known, new -> if (new.ns > known.ns) new else known }
-            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the latest one that most have granted
+            right = granted.values.sortedByDescending { it.ns }.getOrNull(computers / 2) // the newest claim that most have granted
         } else if (grant.term > term) {
             term = grant.term
             ownTerm = 0
@@ -88,10 +89,10 @@ internal class Lease(
     }
 
     companion object {
-        /** For how long a computer grants the right: it bounds how long an agent is missing, and how much a clock may jump. */
+        /** The time for which a computer grants the right, and for which an agent may be missing. No clock may jump by more. */
         const val DURATION_NS = 1_500_000_000L
 
-        /** For how long the claimant uses it: clocks of two computers may differ a little in that time. */
+        /** The time for which the claimant uses the right: shorter, since the clocks of two computers may differ a little. */
         private const val RIGHT_NS = 1_400_000_000L
         private const val NANOS_PER_MS = 1_000_000L
     }

@@ -9,7 +9,7 @@ import java.util.logging.Level
 import java.util.logging.Logger
 import kotlin.random.Random
 
-/** Starts and stops agents that outlive their computers. Called by one thread of [Leases]. */
+/** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
     /** Starts [agent] with [mind]; null: it is not known what it believed, or this is its first start. */
     fun start(agent: String, reign: Reign, mind: MindNews?)
@@ -25,10 +25,10 @@ internal class Reign(private val lease: Lease, val term: Long) {
 }
 
 /**
- * The agents of a fleet that outlive their computers: decides which of them this computer runs. An agent runs on the first of its computers
- * that is there when it is missing, and stays until that goes.
+ * Decides which agents that outlive their computers run on this one. A missing agent starts on the first of its computers that is in touch,
+ * and stays there until that computer goes.
  *
- * @param planned the agents, each with its computers
+ * @param planned the agents that outlive their computers, each with the computers that it may run on
  * @param hosts the number of computers of the fleet
  */
 internal class Leases(
@@ -73,7 +73,7 @@ internal class Leases(
         hasMajority = view.hasMajority
     }
 
-    /** Returns true if [message] comes from a reign that is over: its sender does not know yet that another computer runs it. */
+    /** Returns true if the reign of the sender of [message] is over, since another computer runs the same agent. */
     fun isOutdated(message: Say): Boolean =
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
@@ -97,11 +97,11 @@ internal class Leases(
 
     private fun tick() = try {
         synchronized(this) { held.values.filter { fleet.here in it.computers }.forEach { it.tick() } }
-    } catch (unexpected: RuntimeException) { // the timer would end
+    } catch (unexpected: RuntimeException) { // an exception would end the timer
         log.log(Level.SEVERE, unexpected) { "agents that outlive their computers: ${unexpected.message}" }
     }
 
-    /** One of the agents. */
+    /** An agent that outlives its computer. */
     private inner class Held(val agent: String, val computers: List<String>, val lease: Lease) {
         private var mind: MindNews? = null
         private var reign: Reign? = null
@@ -112,7 +112,7 @@ internal class Leases(
             if (known == null || news.isNewerThan(known.term, known.number)) mind = news
         }
 
-        /** Answers a claim; a computer that begins anew gets to know the agent's mind first. */
+        /** Answers a claim. If the claimant has an older mind of the agent or none, sends it the newer mind first. */
         fun answer(computer: String, claim: Claim) {
             val grant = lease.answer(computer, claim)
             val known = mind
@@ -140,7 +140,7 @@ internal class Leases(
             agents.start(agent, begun, known)
         }
 
-        /** Whether this computer shall run the agent, which nobody in touch runs. */
+        /** Whether this computer should run the agent, since no computer in touch does. */
         private fun isMine(): Boolean {
             val isMissing = hasMajority && fleet.directory.find(agent) is Place.Off
             if (!isMissing) missingSince = null else if (missingSince == null) missingSince = nanos()
@@ -158,7 +158,7 @@ internal class Leases(
     }
 
     private companion object {
-        /** A fifth of a lease's duration: four messages in a row may be late. */
+        /** A fifth of a lease's duration, so that four messages in a row may be late. */
         const val PERIOD_MS = 300L
         const val PATIENCE_NS = 2_000_000_000L
         const val BEGINNING_NS = 10_000_000_000L

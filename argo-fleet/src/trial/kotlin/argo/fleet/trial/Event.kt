@@ -1,38 +1,38 @@
 package argo.fleet.trial
 
-/** What a program of a fleet noted. */
+/** The kinds of events that a program of a fleet notes. */
 enum class Kind {
-    /** Before a message was sent: to which computer, and its number in the session. */
+    /** A message is going to be sent: the receiving computer, and the message's number in the session. */
     SENT,
 
-    /** The end of a message, by its number: it was taken, or is reported failed. */
+    /** The end of a message, by its number: the message was taken, or is reported as failed. */
     TAKEN, FAILED,
 
-    /** Within the listener, a message was taken: of which session, and its number there. */
+    /** The listener takes a message: the sender's session, and the message's number there. */
     TOOK,
 
-    /** Another view: the names of its computers. */
+    /** A new view: the names of its computers. */
     VIEWED,
 
-    /** An agent that outlives its computer begins, or ends, to run here: its name. */
+    /** An agent that outlives its computer begins to run here, or stops: the agent's name. */
     BEGAN, ENDED,
 
-    /** Everything that was sent has ended, and nothing follows; or somebody else noted that the program was killed. */
+    /** All messages have ended, and nothing follows; or somebody else has noted that the program was killed. */
     FINISHED, CRASHED,
 }
 
 /**
  * An event of a fleet's history.
  *
- * @property nanos when it happened, in nanoseconds of the machine's steady clock
- * @property session the start of a program on a computer, as `scout1#2`
- * @property about what it is about, by its [kind]; without spaces
+ * @property nanos the time of the event, in nanoseconds of the machine's steady clock
+ * @property session the run of a program on a computer, such as `scout1#2`
+ * @property about the facts that belong to the event's [kind], without spaces
  */
 data class Event(val nanos: Long, val session: String, val kind: Kind, val about: List<String> = emptyList()) {
     override fun toString() = (listOf("$nanos", session, kind.name) + about).joinToString(" ")
 
     companion object {
-        /** Reads the form of [toString]. */
+        /** Reads an event in the form of [toString]. */
         fun of(line: String): Event = line.split(' ').let { (nanos, session, kind) ->
             Event(nanos.toLong(), session, Kind.valueOf(kind), line.split(' ').drop(3))
         }

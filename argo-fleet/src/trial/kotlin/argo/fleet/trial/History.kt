@@ -1,10 +1,10 @@
 package argo.fleet.trial
 
 /**
- * What happened in a fleet, as its programs noted it. It keeps the fleet's promises if it has no [faults]:
+ * The history of a fleet, as its programs noted it. If it has no [faults], the fleet has kept its promises:
  *
- * - each message is taken once at most, only where it was sent to, and those of one session in the order in which it sent them;
- * - each message has one end, unless its sender crashed; one that ended as taken was taken;
+ * - each message is taken once at most, only by its receiver, and messages of one session in the order of sending;
+ * - each message has one end, unless its sender crashed; a message that ended as taken was taken;
  * - an agent that outlives its computer never runs twice at a time.
  */
 class History(events: List<Event>) {
@@ -22,7 +22,7 @@ class History(events: List<Event>) {
     private val taken = takings.mapTo(HashSet()) { it.message }
     private val sent = receivers.keys.groupBy { it.session }
 
-    /** How many events of a kind there are. */
+    /** Returns the number of events of a kind. */
     fun count(kind: Kind): Int = bySession.values.sumOf { events -> events.count { it.kind == kind } }
 
     /** Each broken promise, in words. */

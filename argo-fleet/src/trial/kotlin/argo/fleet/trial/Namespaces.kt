@@ -4,10 +4,10 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * Computers of a network on this one: each has a network namespace with one interface, and all are plugged into one switch. They are
- * removed when this is closed. Only root can make them, on Linux.
+ * Computers of a network on this one: each has a network namespace with one interface, and all are plugged into one switch. [close] removes
+ * the namespaces. Only root can make them, on Linux.
  *
- * @throws IllegalStateException if they cannot be made; see [missing]
+ * @throws IllegalStateException if namespaces cannot be made; see [missing]
  */
 class Namespaces(private val names: List<String>) : AutoCloseable {
     private val addresses = names.withIndex().associate { (index, name) -> name to "$NETWORK.${index + 1}" }
@@ -34,7 +34,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
     /** The address of a computer. */
     fun address(name: String): String = addresses.getValue(name)
 
-    /** What to put before a command that is to run on a computer. */
+    /** Returns the words to put before a command, so that it runs on the computer. */
     fun prefix(name: String): List<String> = listOf("ip", "netns", "exec", cable(name))
 
     fun unplug(name: String) = ip("link set ${cable(name)} down")
@@ -55,7 +55,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
         private const val SWITCH = "argofl"
         private const val NETWORK = "10.231.7"
 
-        /** Why namespaces cannot be made on this computer; null if they can. */
+        /** The reason why namespaces cannot be made on this computer; null: they can. */
         val missing: String? by lazy {
             runCatching { Namespaces(listOf("test")).close() }.exceptionOrNull()
                 ?.let { "network namespaces cannot be made here: ${it.message}" }
@@ -63,7 +63,7 @@ class Namespaces(private val names: List<String>) : AutoCloseable {
 
         private fun ip(arguments: String) = run(arguments).let { check(it.isEmpty()) { "ip $arguments: $it" } }
 
-        /** @return what it complains about */
+        /** @return the command's complaints */
         private fun run(arguments: String): String {
             val process = ProcessBuilder(listOf("ip") + arguments.split(' ')).redirectErrorStream(true).start()
             val said = String(process.inputStream.readAllBytes())

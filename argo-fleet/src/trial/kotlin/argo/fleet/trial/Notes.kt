@@ -6,17 +6,17 @@ import argo.fleet.cluster.ClusterView
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Sends and takes messages over a cluster, which it joins, and notes each. A message names its session and its number, with bytes behind
- * for its length.
+ * Joins a cluster, sends and takes messages over it, and notes each message. A message contains its session and its number, and bytes to
+ * fill its length.
  *
- * @param session this start of the program, as `scout1#2`
- * @param note takes each event before what follows it happens; by several threads at once
+ * @param session this run of the program, such as `scout1#2`
+ * @param note takes each event before anything else happens; called by several threads at once
  */
 class Notes(private val cluster: Cluster, private val session: String, private val note: (Event) -> Unit) : ClusterListener {
     private val sent = AtomicLong()
     private val ended = AtomicLong()
 
-    /** Messages without an end. */
+    /** The number of messages without an end. */
     val underWay: Long get() = sent.get() - ended.get()
 
     @Volatile
@@ -27,7 +27,7 @@ class Notes(private val cluster: Cluster, private val session: String, private v
         cluster.listen(this)
     }
 
-    /** Sends a message of [length] bytes, or longer where its head needs them. One thread at a time. */
+    /** Sends a message of [length] bytes, or longer if its head needs more. One thread at a time. */
     fun send(to: String, length: Int) {
         val number = sent.incrementAndGet()
         note(Kind.SENT, to, "$number")
@@ -37,7 +37,7 @@ class Notes(private val cluster: Cluster, private val session: String, private v
         }
     }
 
-    /** Everything has ended. */
+    /** Notes that all messages have ended. */
     fun finish() = note(Kind.FINISHED)
 
     override fun message(from: String, message: ByteArray) {

@@ -6,17 +6,17 @@ import java.util.concurrent.TimeUnit
 import kotlin.io.path.createTempDirectory
 
 /**
- * Computers of a fleet, each a process with a cluster of its own that sends messages to all: they are started, killed, unplugged and
- * plugged in again, and what they noted is checked.
+ * Runs computers of a fleet, each as a process that sends messages to all others. Starts, kills, unplugs and plugs in these computers, and
+ * checks their notes.
  *
  * @param names the computers
- * @param network null: all listen on the loopback interface, and none can be unplugged
- * @param certificates the folder of `tls://` for each computer; null: they do not encrypt
+ * @param network the computers' network; null: all listen on the loopback interface, and none can be unplugged
+ * @param certificates the folder of `tls://` for each computer; null: connections are not encrypted
  */
 class Trial(
     private val names: List<String>, private val network: Namespaces?, private val certificates: ((String) -> Path)? = null,
 ) : AutoCloseable {
-    /** A process, and what it noted last of the computers in touch. */
+    /** A process, and its last note of the computers in touch. */
     private inner class Node(val name: String, val session: String) {
         val notes = folder.resolve("$session.notes")
         val process: Process = ProcessBuilder(network?.prefix(name).orEmpty() + java() + listOf(session, "$notes") + places())
@@ -33,7 +33,7 @@ class Trial(
         private val read = mutableListOf<Event>()
         private var part = ""
 
-        /** What it has noted until now. The last line of a killed process may be cut. */
+        /** The process's notes until now. The last line of a killed process may be cut. */
         fun events(): List<Event> {
             if (!notes.toFile().exists()) return read
             val text = part + reader.readText()
@@ -46,7 +46,7 @@ class Trial(
         fun views(): List<Pair<Long, Set<String>>> =
             events().filter { it.kind == Kind.VIEWED }.map { it.nanos to it.about[0].split(',').toSet() }
 
-        /** Whether all that it sent has an end, and it sends no more. */
+        /** Whether the process sends no more, and all of its messages have an end. */
         fun isFinished() = events().lastOrNull { it.kind != Kind.VIEWED && it.kind != Kind.TOOK }?.kind == Kind.FINISHED
     }
 
@@ -63,7 +63,7 @@ class Trial(
 
     private fun address(name: String) = network?.let { "${it.address(name)}:$PORT" } ?: "127.0.0.1:${LOOPBACK_PORT + names.indexOf(name)}"
 
-    /** The computers whose processes run. */
+    /** The names of the computers whose processes run. */
     val running: Set<String> get() = nodes.keys
 
     /** Starts the process of a computer. */
@@ -73,7 +73,7 @@ class Trial(
         if (isSending) node.tell("send")
     }
 
-    /** All send from now on, those that start later too. */
+    /** Has all computers send from now on, including those that start later. */
     fun send() {
         isSending = true
         nodes.values.forEach { it.tell("send") }
@@ -87,14 +87,14 @@ class Trial(
         crashes += Event(System.nanoTime(), node.session, Kind.CRASHED)
     }
 
-    /** Waits until all computers see exactly those that run. */
+    /** Waits until all computers see exactly the running ones. */
     fun awaitAll() = await(VIEW_S, "a view of $running by all") { nodes.values.all { it.views().lastOrNull()?.second == running } }
 
     /**
-     * Waits until the others see that [name] has gone.
+     * Waits until all other computers see that [name] has gone.
      *
-     * @param since the steady clock's time from which it was gone
-     * @return after how many milliseconds the first and the last of them saw it
+     * @param since the steady clock's time at which [name] went
+     * @return the milliseconds until the first and until the last of them saw it
      */
     fun noticed(name: String, since: Long): LongRange {
         val others = nodes.values.filter { it.name != name }
@@ -103,17 +103,17 @@ class Trial(
         return others.map { (first(it)!! - since) / NANOS_PER_MILLI }.let { it.min()..it.max() }
     }
 
-    /** How many messages were sent until now. */
+    /** Returns the number of messages that were sent until now. */
     fun sent(): Int = (gone + nodes.values).sumOf { node -> node.events().count { it.kind == Kind.SENT } }
 
-    /** No more is sent; waits until everything has an end. */
+    /** Ends the sending, and waits until all messages have an end. */
     fun finish() {
         isSending = false
         nodes.values.forEach { it.tell("finish") }
         await(END_S, "the ends of all messages") { nodes.values.all { it.isFinished() } }
     }
 
-    /** What all have noted. */
+    /** Returns the history from the notes of all processes. */
     fun history() = History((gone + nodes.values).flatMap(Node::events) + crashes)
 
     private fun await(seconds: Long, what: String, condition: () -> Boolean) {

@@ -10,15 +10,15 @@ import kotlin.concurrent.thread
 import kotlin.random.Random
 import kotlin.system.exitProcess
 
-/** Messages without an end that a node has at most; it sends some hundred a second. */
+/** The most messages without an end that a node has. A node sends some hundred messages a second. */
 private const val UNDER_WAY = 500L
 private const val LONGEST = 200
 private const val PAUSE_MILLIS = 1L
 
 /**
- * The program of one computer of a [Trial]: `SESSION NOTES CERTIFICATES NAME=ADDRESS:PORT…`, where CERTIFICATES is a folder or `-`. From
- * the line `send` on its standard input on it sends messages to all computers, also to those that are off, until the line `finish`; then it
- * waits for their ends, and ends with the input. It prints the computers in touch as they change.
+ * The program of one computer of a [Trial]: `SESSION NOTES CERTIFICATES NAME=ADDRESS:PORT…`, where CERTIFICATES is a folder or `-`. After
+ * the line `send` on its standard input, it sends messages to all computers, also to those that are off. After the line `finish`, it waits
+ * for the messages' ends, and ends with the input. It prints each change of the computers in touch.
  */
 fun main(args: Array<String>) {
     val (session, notes, certificates) = args
@@ -43,7 +43,7 @@ fun main(args: Array<String>) {
 
 private fun address(text: String) = InetSocketAddress(text.substringBeforeLast(':'), text.substringAfterLast(':').toInt())
 
-/** A killed program leaves all that it noted: each line is the system's before the next step. */
+/** Hands each line to the system before the next step, so that a killed program leaves all its notes. */
 private class NoteFile(file: File) {
     private val out = FileOutputStream(file, true)
 

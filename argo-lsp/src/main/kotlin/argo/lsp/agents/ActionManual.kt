@@ -33,6 +33,6 @@ internal object ActionManual {
 private val ROW = Regex("""\| `([a-z_]+)` \| (.+?) \| (.+) \|""")
 private val LINK = Regex("""\[([^\]]+)]\([^)]+\)""")
 
-/** The words "list of" and the list: up to a semicolon, or the items below. */
+/** Matches the words "list of" and the list behind them: options in the same sentence, or the items below. */
 private val LIST = Regex("""\blist\s+of\s((?:\s*`[a-z]+(?:\([^`]*\))?`(?:,|\s+or)?)+|(?:- (?:.+\n?)+))""")
 private val OPTION = Regex("""`(([a-z]+)(?:\([^`]*\))?)`(?:: ((?:.+\n?)(?: .+\n?)*))?""")

@@ -71,7 +71,7 @@ internal class Completions(private val project: Project, private val source: Sou
             item(symbol.functor, kind, "", arguments = place.literal.arguments.size, insert = call(place))
         }
 
-    /** Returns a call of a symbol. The arguments of one of its [places][place] are placeholders in it. */
+    /** Returns a call of the symbol at [place]. The arguments at [place] become placeholders. */
     private fun call(place: Occurrence): String {
         val arguments = place.literal.arguments.mapIndexed { at, argument -> "\${${at + 1}:${snippetText(textOf(argument.span, place))}}" }
         return place.symbol.functor + if (arguments.isEmpty()) "" else arguments.joinToString(", ", "(", ")")

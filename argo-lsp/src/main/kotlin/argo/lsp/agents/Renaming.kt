@@ -38,17 +38,26 @@ internal class Renaming(private val project: Project, private val source: Source
         val edits = placesOf(occurrence).groupBy({ (each, _) -> each.text.uri }) { (each, place) ->
             TextEdit(each.text.range(place.name), name)
         }
-        val left = leftBehind(occurrence).joinToString()
-        return Renamed(WorkspaceEdit(edits), "messages of other agents still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
+        val left = (sentByOthers(occurrence) + initialIn(occurrence)).joinToString()
+        return Renamed(WorkspaceEdit(edits), "other files still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
     }
 
     /** Returns the messages in other agents' programs that contain the name of [occurrence]. A renaming does not change them. */
-    private fun leftBehind(occurrence: Occurrence): List<String> {
+    private fun sentByOthers(occurrence: Occurrence): List<String> {
         val family = project.family(source)
         return project.sources.filter { it !in family }.flatMap { each ->
             each.occurrences.filter { it.isSent && it.symbol == occurrence.symbol }.map { place ->
                 "${each.file.fileName}:${each.program.lines.position(place.literal.span.start).line}"
             }
+        }
+    }
+
+    /** Returns the agents in project files whose options `beliefs` and `goals` contain the name. A renaming does not change them. */
+    private fun initialIn(occurrence: Occurrence): List<String> {
+        val agents = project.checked.agentsOf(source.file)
+        return project.checked.masFiles.flatMap { mas ->
+            mas.agents.filter { it in agents && it.initial.any { mention -> Occurrence.of(mention)?.symbol == occurrence.symbol } }
+                .map { "${mas.path.fileName}:${mas.lines.position(it.name.span.start).line}" }
         }
     }
 

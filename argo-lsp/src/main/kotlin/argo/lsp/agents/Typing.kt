@@ -5,10 +5,10 @@ import argo.check.syntax.Span
 import argo.check.syntax.Token
 import argo.check.syntax.TokenKind
 
-/** An open call around a place. [argument] is the argument at that place, counted from 0. */
+/** An open call around a place. [argument] is the number of the argument at the place, from 0. */
 internal data class OpenCall(val name: String, val argument: Int, val isInList: Boolean)
 
-/** The parts of a program. In each, other words are expected. */
+/** The parts of a program that differ in the words expected there. */
 internal enum class Region {
     /** Between components. */
     TOP,

@@ -6,7 +6,7 @@ package argo.lsp.filters
  * @property path the members around the place, the outermost first; `[]` for an item of an array
  * @property isName true if the place is for the name of a member, false if it is for a value
  * @property isQuoted whether the place is between quotes
- * @property begin the offset of the first character of the word there, behind its quote
+ * @property begin the offset of the first character of the word at the place, behind its quote
  */
 internal data class JsonPlace(val path: List<String>, val isName: Boolean, val isQuoted: Boolean, val begin: Int) {
     companion object {

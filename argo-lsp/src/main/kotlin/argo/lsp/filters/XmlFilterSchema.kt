@@ -16,7 +16,7 @@ internal object XmlFilterSchema {
         .use { DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(it).documentElement }
     private val root = schema.children("element").map(::element)
 
-    /** Returns the elements that may stand in the innermost of [open]; empty if an element of [open] may not stand in its predecessor. */
+    /** Returns the elements that may stand in the innermost of [open]; empty if [open] is no valid nesting. */
     fun elementsIn(open: List<String>): List<XmlElementKind> =
         open.fold(root) { known, name -> known.find { it.named.name == name }?.elements.orEmpty() }
 

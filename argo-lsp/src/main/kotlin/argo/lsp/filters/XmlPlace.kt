@@ -4,7 +4,7 @@ package argo.lsp.filters
  * A place in an XML document, which may be incomplete there.
  *
  * @property open the names of the elements around the place, the root first; a tag at the place does not count
- * @property begin the offset of the first character of the word there
+ * @property begin the offset of the first character of the word at the place
  */
 internal data class XmlPlace(val open: List<String>, val part: Part, val begin: Int) {
     /** The kind of text at a place. */

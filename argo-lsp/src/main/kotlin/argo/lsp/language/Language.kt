@@ -42,7 +42,7 @@ internal interface Language {
 
     fun symbols(text: Text): List<DocumentSymbol> = emptyList()
 
-    /** Returns the changes that lay [text] out. */
+    /** Returns the changes that give [text] its usual layout. */
     fun layout(text: Text): List<TextEdit> = emptyList()
 }
 

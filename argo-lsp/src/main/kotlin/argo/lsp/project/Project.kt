@@ -28,7 +28,7 @@ internal class Project(
     fun family(source: Source): List<Source> =
         listOf(source) + checked.partsOf(source.file).programs.filter { it !== source.agent }.map(::source)
 
-    /** Returns the programs of the file that an include names [name]. */
+    /** Returns the programs whose file an include of [name] may mean. */
     fun included(name: String): List<Source> = sources.filter { it.file.endsWith(name.substringAfterLast('/')) }
 
     private fun source(program: AgentProgram) =

@@ -23,7 +23,7 @@ import kotlin.io.path.writeText
 class AgentLanguageSpec : FunSpec({
     val project = tempdir().toPath()
     val uri = project.resolve("src/agt/robot.asl").toUri().toString()
-    project.resolve("robot.mas2j").writeText("MAS robot { agents: robot agentArchClass argo.Arch; base; aslSourcePath: \"src/agt\"; }")
+    project.resolve("robot.mas2j").writeText("MAS robot { agents: robot [beliefs=\"limit(20)\"] agentArchClass argo.Arch; base; aslSourcePath: \"src/agt\"; }")
     project.resolve("sketch").createDirectories().resolve("robot.ino").writeText(
         "void setup() {\n  javino.describe(F(\"dist(front|left, cm 0..400)\"));\n  javino.act[\"stop\"] = stop;\n}\n",
     )
@@ -122,12 +122,14 @@ class AgentLanguageSpec : FunSpec({
 
     test("a belief is renamed in all programs that are one, and messages of others that name it are told") {
         Editor().use { editor ->
-            val text = "{ include(\"base.asl\") }\n!drive.\n+!drive <- !rest.\n"
+            val text = "{ include(\"base.asl\") }\n!drive.\n+!drive : limit(20) <- !rest.\n"
             editor.open(uri, text)
             val renamed = editor.rename(uri, text.indexOf("rest"), "sleep")
             renamed.mapKeys { it.key.substringAfterLast('/') }.mapValues { it.value.size } shouldBe mapOf("robot.asl" to 1, "base.asl" to 1)
             editor.rename(uri, text.indexOf("drive"), "go").values.single().map { it.newText } shouldContainExactly listOf("go", "go")
             editor.messages.last() shouldContain "other.asl:1"
+            editor.rename(uri, text.indexOf("limit"), "most")
+            editor.messages.last() shouldContain "robot.mas2j:1"
         }
     }
 

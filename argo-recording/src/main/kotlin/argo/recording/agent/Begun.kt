@@ -21,13 +21,13 @@ internal class Begun {
 
     val numbers: Set<Int> get() = open.keys
 
-    /** Continues after [last] begun operations. The operations in [open] have not ended. */
+    /** Continues to number operations after [last]. The operations in [open] have not ended. */
     fun restore(last: Int, open: Map<Int, (End) -> Unit>) {
         this.last = last
         this.open.putAll(open)
     }
 
-    /** Adds an operation with the function that [completes][complete] it. Returns the operation's number. */
+    /** Adds an operation. [complete] is called with its end. Returns the operation's number. */
     fun begin(complete: (End) -> Unit): Int = (++last).also { open[it] = complete }
 
     /** Carries [end] out; returns false if no open operation has its number. */
@@ -50,11 +50,11 @@ internal class RecordedFailure(failure: CallFailure) : CommandFailure {
 
 /** An action whose outcome goes to [ended] instead of Jason's queue. */
 internal class KeptAction(action: ActionExec, private val ended: (ActionExec) -> Unit) : ActionExec(action.actionTerm, action.intention) {
-    /** Jason calls this for an outcome, and ignores the outcome if there is no intention. */
+    /** Jason calls this when it has an outcome. The result null makes Jason ignore the outcome. */
     override fun getIntention() = null.also { ended(this) }
 }
 
-/** Returns the texts of the arguments of [call] that have variables, with the values of [un], by their places. */
+/** Returns the arguments of [call] that have variables, as texts with the variables' values in [un], by their places. */
 internal fun bound(call: InternalCall, un: Unifier = call.un): Map<Int, String> {
     if (call.args.all { it.isGround }) return emptyMap() // most calls end here
     return buildMap { call.args.forEachIndexed { place, argument -> if (!argument.isGround) put(place, textOf(argument.capply(un))) } }

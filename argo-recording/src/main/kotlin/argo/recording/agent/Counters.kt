@@ -7,11 +7,11 @@ import java.util.concurrent.atomic.AtomicInteger
 
 /**
  * Jason's counters for all agents of a program: the numbers of variables, intentions, messages, suspended calls, `.at` and plans without a
- * name. A replay restores them, since names contain these numbers, and the order of Jason's maps depends on names.
+ * name. A replay restores these counters, since names contain the numbers, and the order of Jason's maps depends on names.
  */
 internal object Counters {
     private val known = Insides.run { listOf(variableCounter, intentionCounter, messageCounter, callCounter, atCounter, planCounter) }
-        .filter { it.isThere } // a version of Jason without one of them only gives other numbers
+        .filter { it.isThere } // a version of Jason that lacks a counter only gives other numbers
     private val all: List<AtomicInteger> = known.map { it[null] }
     private val ofIntentions = known.indexOf(Insides.intentionCounter)
     private val ofCalls = known.indexOf(Insides.callCounter)

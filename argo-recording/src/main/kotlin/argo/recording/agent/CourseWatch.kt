@@ -34,7 +34,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     /** Returns the number of [intention]; null: the agent has carried out no step of it. */
     fun numberOf(intention: Intention): Int? = numbers[intention]
 
-    /** Continues to count intentions from [intentions] on. The intentions that are there have these [numbers]. */
+    /** Continues to count intentions from [intentions] on. [numbers] are the numbers of the intentions that exist now. */
     fun restore(intentions: Int, numbers: Map<Intention, Int>) {
         this.intentions = intentions
         this.numbers.putAll(numbers)
@@ -64,7 +64,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return CourseNote(event?.triggerNow(), plan, step, ts.c.action?.termNow(), sent, prints.take(), ts.ag.bb.size())
     }
 
-    /** True if lines of plans may be missing, as Java is ending. */
+    /** True if Java is ending, so that lines of plans may be missing. */
     val missesPrints: Boolean get() = prints.isClosed
 
     fun close() = prints.close()
@@ -81,7 +81,7 @@ internal class CourseWatch(private val ts: TransitionSystem) {
     }
 
     private companion object {
-        /** The most cached places, since a program may make plans at run time. */
+        /** The largest number of cached places. A program that makes plans at run time could have any number. */
         const val MAX_CACHED = 10_000
     }
 }

@@ -2,7 +2,7 @@ package argo.recording.agent
 
 import jason.asSemantics.ArithFunction
 
-/** The relation between Jason's code, an internal action or a function, and the world outside of its agent. */
+/** How an internal action or a function of Jason depends on the world outside of its agent, or changes that world. */
 internal enum class Nature {
     /** No relation: the result follows from the agent, and nothing else changes. A replay carries the action out again. */
     PURE,

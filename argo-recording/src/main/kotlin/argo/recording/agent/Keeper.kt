@@ -10,7 +10,7 @@ import java.util.concurrent.ScheduledExecutorService
 import java.util.concurrent.ScheduledFuture
 import java.util.concurrent.TimeUnit
 
-/** Owns an agent's timers, and the work that other threads leave for it. Carries both out in the agent's cycles. A recorder or a replay. */
+/** Owns an agent's timers, and the work that other threads leave for it. Carries both out in the agent's cycles. */
 internal interface Keeper {
     /** Begins the agent's timer, which does [work] [delayNs] from now. [schedule] makes the scheduler call its argument at that time. */
     fun <V> timer(work: Callable<V>, delayNs: Long, schedule: (Callable<V>) -> ScheduledFuture<V>): ScheduledFuture<V>
@@ -34,13 +34,14 @@ internal interface Keeper {
             if (every > 1 && Insides.cyclesUnperceived[ts] < every) current = keeper
         }
 
-        /** Does [work] with [keeper] as the [current] one, before the agent's cycle has begun. */
+        /** Does [work] with [keeper] as the [current] one, before the agent senses in a cycle. */
         inline fun <T> within(keeper: Keeper, work: () -> T): T {
+            val around = current
             current = keeper
             try {
                 return work()
             } finally {
-                current = null
+                current = around
             }
         }
     }

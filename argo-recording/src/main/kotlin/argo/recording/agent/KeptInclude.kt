@@ -8,7 +8,7 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Handles the files that an agent includes, at its beginning or at run time. A recorder or a replay. */
+/** Handles the files that an agent includes, at its beginning or at run time. */
 internal fun interface Includes {
     /** Returns the content that [directive] includes into [outer]; null: none. [live] makes Jason find and read the file. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?

@@ -10,8 +10,8 @@ import jason.asSyntax.Term
 import jason.asSyntax.VarTerm
 
 /**
- * Returns a function that makes the [text] of [terms] later, on any thread. Makes the text at once if the terms may change. Terms may
- * change if [mayChange], and if a term contains a map, a set or a Java object, which Jason never copies.
+ * Returns a function that makes the [text] of [terms] later, on any thread. Makes the text at once if the terms may change: if [mayChange]
+ * is true, or if a term contains a map, a set or a Java object, which Jason never copies.
  */
 internal fun <T> laterText(terms: List<Term?>, mayChange: Boolean = false, text: () -> T): () -> T =
     if (mayChange || terms.any(::changes)) text().let { { it } } else text

@@ -23,7 +23,7 @@ internal class Mind(
     val pending: LinkedHashMap<String, Intention>,
     val pendingEvents: LinkedHashMap<String, Event>,
     val goalConditions: Int,
-    /** The event that was chosen last. A cycle without a choice keeps it. */
+    /** The event that was chosen last. A cycle without a choice keeps this event. */
     val event: Event?,
     val plan: Plan?,
     val intention: Intention?,

@@ -55,7 +55,7 @@ private class MindOutput(bytes: OutputStream, private val program: ProgramParts)
         one === program.agent -> AgentReference()
         one is InternalAction -> ActionReference(one.javaClass.name)
         one is ArithFunction -> FunctionReference(one.name)
-        one is Throwable -> null // Java writes its reason for a failure
+        one is Throwable -> null // if writing fails, Java writes the exception
         one is Method -> null // an object term caches a method of its object
         ProgramParts.mayBePart(one) -> program.numberOf(one)?.let(::PartReference) ?: allowed(one)
         else -> allowed(one)
@@ -74,7 +74,7 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     ObjectInputStream(ByteArrayInputStream(bytes)) {
     private val size = bytes.size.toLong()
     private var elements = 0L // elements of all arrays so far
-    private var replacement: Class<*>? = null // the class of the last object in place of a reference; the filter sees it too
+    private var replacement: Class<*>? = null // the class that last stood in for a reference; the filter sees it too
 
     init {
         enableResolveObject(true)
@@ -91,8 +91,8 @@ private class MindInput(bytes: ByteArray, private val program: ProgramParts, pri
     }
 
     /**
-     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So it may contain only terms and intentions,
-     * and no more than its bytes can describe.
+     * Returns the reason to refuse an object, or null. A stranger may have made the recording. So only terms and intentions are allowed,
+     * and no more than the bytes can describe.
      */
     private fun refusal(info: ObjectInputFilter.FilterInfo): String? = when {
         info.serialClass()?.let(::isAllowed) == false -> "it has an object of the class ${info.serialClass().name}"

@@ -29,8 +29,8 @@ internal class ProgramNames(text: String) {
     }
 
     /**
-     * The classes of functions and actions that Jason may instantiate when it reads the text. For those in blocks, Jason does not ask the
-     * agent.
+     * The classes of functions and actions that Jason may instantiate when it reads the text. In blocks Jason instantiates them without
+     * asking the agent.
      */
     val classes: Set<String> = tokens.indices.mapNotNullTo(LinkedHashSet()) { at ->
         argumentOf("register_function", at)

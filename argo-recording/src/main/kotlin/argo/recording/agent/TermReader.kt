@@ -241,7 +241,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
         return literal
     }
 
-    /** Adds the annotations in their written order. Jason would sort them, and cannot compare terms of every kind. */
+    /** Adds the annotations in their written order. Jason would sort annotations, and cannot compare terms of every kind. */
     private fun annotate(literal: Literal) {
         if (peek() == '[') literal.annotatedBy(list())
     }
@@ -357,7 +357,7 @@ internal class TermReader(private val text: String, private val agent: Agent? = 
             val type = then { PlanBody.BodyType.valueOf(word(Char::isLetter)) }
             val place = then(::place)
             val term = then { orNone(::next) }
-            if (place != null && term != null && term.srcInfo == null) term.srcInfo = place // copies of the step take it from there
+            if (place != null && term != null && term.srcInfo == null) term.srcInfo = place // the step's copies take their place from term
             val step = PlanBodyImpl(type, term, isTerm)
             step.srcInfo = place
             steps += step

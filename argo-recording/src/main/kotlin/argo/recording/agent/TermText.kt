@@ -13,7 +13,7 @@ import jason.asSyntax.parser.TokenMgrError
 /** Returns the text of [term] in a recording. [termOf] reads it back to the same term; see [TermWriter]. */
 internal fun textOf(term: Term): String = TermWriter().text(term)
 
-/** Returns the text of [literal] for a place that only a literal can have, such as a percept or a belief. */
+/** Returns the text of [literal] for a place where only a literal can stand, such as a percept or a belief. */
 internal fun literalText(literal: Literal): String = TermWriter().literalText(literal)
 
 internal fun triggerText(trigger: Trigger): String =
@@ -65,7 +65,7 @@ internal fun triggerOf(text: String): Trigger {
     return Trigger(operator, type, literalOf(rest.drop("$type".length)))
 }
 
-/** Reads a percept of a recording in format 1. Such a percept has strings in the boards' notation, which Jason's parser does not read. */
+/** Reads a percept of a recording in format 1. Its strings are in the boards' notation, which Jason's parser does not read. */
 private fun perceptOf(text: String): Literal? = try {
     if ('"' in text && "::" !in text) PerceptReader.read(text) else null
 } catch (_: PerceptSyntaxException) {

@@ -97,7 +97,7 @@ internal class WatchedActions private constructor(private val agent: Agent, priv
     }
 }
 
-/** Jason's functions for all agents. Terms that agents make from texts use them. */
+/** Jason's functions for all agents. Terms that agents make from texts use these functions. */
 internal object WatchedFunctions {
     /** Makes the functions that draw a number or read a clock ask the calling agent's watch, for the whole program. */
     @Synchronized

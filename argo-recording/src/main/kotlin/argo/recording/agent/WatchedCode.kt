@@ -61,7 +61,7 @@ internal fun <T> T.watch(ts: TransitionSystem): WatchedCode where T : Keeper, T 
 }
 
 /**
- * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. Such code is
+ * Asks [watch] about each call of an agent's internal actions and functions that read or change anything outside of the agent. This code is
  * the project's own, and Jason's inputs and effects by the table [JasonCode]. Jason looks an action up when it reads a program, so this
  * class changes the program's own terms.
  */

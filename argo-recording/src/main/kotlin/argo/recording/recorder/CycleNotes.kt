@@ -6,6 +6,7 @@ import argo.recording.CallFailure
 import argo.recording.Cycle
 import argo.recording.End
 import argo.recording.FilterChange
+import argo.recording.GivenOrder
 import argo.recording.Input
 import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
@@ -35,6 +36,7 @@ internal class CycleNotes(val ns: Long) {
     val calls = ArrayList<CallNote>()
     val filters = ArrayList<FilterChange>()
     var isChangedOutside = false
+    var orders: List<GivenOrder> = emptyList()
 
     /** The reason why no replay can have this cycle; null: none is known. */
     var refusal: Refusal? = null
@@ -42,10 +44,7 @@ internal class CycleNotes(val ns: Long) {
 
     var underWay: CallNote? = null
 
-    /**
-     * True if the cycle begins with work from earlier cycles. Only this field shows such a cycle if the work merely removes an ended
-     * intention.
-     */
+    /** True if the cycle begins with work from earlier cycles. Only this field shows the work if it merely removes an ended intention. */
     var isAtWork = false
 
     var isSending = false
@@ -61,12 +60,12 @@ internal class CycleNotes(val ns: Long) {
     fun end() = calls.forEach(CallNote::end)
 
     fun isNothing() = events.isEmpty() && percepts == null && mail.isEmpty() && ends.isEmpty() && calls.isEmpty() && critical.isEmpty() &&
-        filters.isEmpty() && !isChangedOutside && refusal == null
+        filters.isEmpty() && orders.isEmpty() && !isChangedOutside && refusal == null
 
     /** Returns the agent's input. Call this after the cycle. */
     fun input() = Input(
         events, snapshots, percepts?.change(), isOfSeveralBoards, boards, critical,
-        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces,
+        mail, ends, "$sleep", calls.map(CallNote::call), filters, isChangedOutside, eventPlaces, orders,
     )
 }
 
@@ -79,7 +78,7 @@ internal class PerceptNote(private val keep: Int, private val now: List<Literal>
     fun change() = PerceptChange(keep, texts(), keepLast)
 }
 
-/** A recorded cycle. The thread that stores it makes its texts. Immutable. */
+/** A recorded cycle. The thread that stores the cycle makes its texts. Immutable. */
 internal class CycleNote(
     val index: Long,
     val number: Int,
@@ -109,7 +108,7 @@ internal class CallNote(val name: String, args: Array<Term>, val isOfProject: Bo
     var failure: CallFailure? = null
     var number: Int? = null
 
-    /** Adds another answer to the call. Returns false and ignores the answer if a loop finds it in a later cycle. */
+    /** Adds another answer to the call. If a loop finds the answer in a later cycle, ignores it and returns false. */
     fun answered(answer: Map<Int, String>): Boolean = !hasEnded && answers.add(answer)
 
     fun sent(command: IssuedCommand) {

@@ -11,7 +11,7 @@ import java.util.IdentityHashMap
  * Collects the events that other threads put into an agent's queue at any time. Safe for use by several threads.
  *
  * Jason puts an event into the queue before it tells its listeners. So the agent may select another thread's event before this class knows
- * it. Therefore this class knows the agent's own events too: a selected event that is unknown comes from another thread.
+ * it. Therefore this class knows the agent's own events too: a selected event that this class does not know comes from another thread.
  *
  * @param waiting returns the events that wait in the agent; those that wait at the beginning are its own
  * @param isOwn returns true if the calling thread carries out a cycle of the agent
@@ -27,7 +27,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
     private var most = MANY
 
     @Transient
-    private val early = identitySet(emptyList()) // selected before Jason told this listener of them
+    private val early = identitySet(emptyList()) // events that were selected before Jason told this listener
 
     /** Collects [event] if another thread adds it. */
     @Synchronized
@@ -37,7 +37,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
 
     val size: Int @Synchronized get() = added.size
 
-    /** Returns true if a collected event is the addition of a belief in [beliefs]. The other thread has then added that belief, too. */
+    /** Returns true if a collected event is the addition of a belief in [beliefs]. Then the other thread has added that belief, too. */
     @Synchronized
     fun addBeliefs(beliefs: BeliefBase): Boolean = added.map { it.trigger }.any { !it.isGoal && it.isAddition && it.literal in beliefs }
 
@@ -53,7 +53,7 @@ internal class ForeignEvents(private val waiting: () -> Collection<Event>, priva
     @Synchronized
     fun takeSelected(event: Event): Boolean {
         val isForeign = event !in known && (added.removeIf { it === event } || event.isExternal.also { if (it) early += event })
-        if (known.size > most) { // an event may be selected again; past ones are forgotten now and then
+        if (known.size > most) { // an event may be selected again; past events are forgotten now and then
             known.retainAll(identitySet(waiting()))
             most = maxOf(MANY, 2 * known.size)
         }

@@ -81,7 +81,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             "this version of Jason has other fields ($other)"
         } catch (_: StackOverflowError) { // Java writes the elements of a list nested
             "a list in an intention was too long"
-        } catch (other: RuntimeException) { // a project's thread may change the agent; it must not be disturbed
+        } catch (other: RuntimeException) { // a thread of the project may change the agent meanwhile; the agent must go on
             "the agent was being changed ($other)"
         }
         if (cycle.ns < missingNs) return null

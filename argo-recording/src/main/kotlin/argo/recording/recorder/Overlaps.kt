@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicInteger
 import java.util.concurrent.atomic.AtomicLong
 
 /**
- * Detects overlapping cycles of recorded agents. In such cycles it is unknown which agent drew which number from Jason's counters. Any
- * thread may call.
+ * Detects overlapping cycles of recorded agents. In overlapping cycles it is unknown which agent drew which number from Jason's counters.
+ * Any thread may call.
  */
 internal object Overlaps {
     private val open = AtomicInteger()

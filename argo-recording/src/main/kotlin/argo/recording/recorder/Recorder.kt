@@ -5,6 +5,7 @@ import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
+import argo.hand.Order
 import argo.insides.Insides
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
@@ -37,6 +38,7 @@ import argo.recording.agent.callFailure
 import argo.recording.agent.complete
 import argo.recording.agent.evaluationFailure
 import argo.recording.agent.failureOf
+import argo.recording.agent.given
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
 import argo.recording.agent.triggerText
@@ -80,10 +82,16 @@ internal class Recorder(
     @Volatile
     private var isRefused = false
     private val filters = StoredFilters(agent.name, track::attach)
-    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // commands under way that a call in a cycle has sent
+    private val inCalls: MutableSet<Long> = ConcurrentHashMap.newKeySet() // numbers of commands under way that a call in a cycle has sent
 
     @Volatile
     private var inCycle: Thread? = null
+
+    @Volatile
+    private var unstored: Thread? = null // the thread of a cycle that the track has not got yet
+
+    @Volatile
+    private var isStopped = false
 
     private inner class Running(val ts: TransitionSystem, val code: WatchedCode) {
         val course = CourseWatch(ts)
@@ -109,6 +117,7 @@ internal class Recorder(
         agent.number = ts.agArch.cycleNumber
         agent.overlap = Overlaps.begin()
         inCycle = Thread.currentThread()
+        unstored = inCycle
         KeptInclude.current = this
         if (!Counters.isAt(agent.counters)) agent.counters = Counters.read().also { agent.now.counters = it }
         agent.now.isChangedOutside = agent.beliefs >= 0 && ts.ag.bb.size() != agent.beliefs
@@ -128,7 +137,7 @@ internal class Recorder(
             .filter { (number, place) -> place >= 0 && place != queue.size - events.size + number }
     }
 
-    /** Ends the agent's recording with a cycle that an error has ended. How that cycle would have gone on is not known. */
+    /** Ends the agent's recording with a cycle that an error has ended. Nobody knows how that cycle would have gone on. */
     private fun endOpenCycle(agent: Running) {
         finishCycle(agent, isEnding = true)
         log.severe("argo_record: an error ended cycle ${agent.number} of agent ${this.agent.name}; its recording ends there")
@@ -137,11 +146,12 @@ internal class Recorder(
 
     private fun end(agent: Running) {
         isRefused = true
+        unstored = null
         agent.ts.c.removeEventListener(agent.events)
         track.close()
     }
 
-    /** Notes that the recording of the agent ends with this cycle, if added code cannot be watched. */
+    /** If added code cannot be watched, notes that the recording of the agent ends with this cycle. */
     private fun noteUnknownCode(agent: Running) = try {
         agent.code.watchAdded()
     } catch (unknown: UnknownCodeException) {
@@ -151,9 +161,7 @@ internal class Recorder(
         log.severe("argo_record: ${unknown.message}$WITHOUT")
     }
 
-    /**
-     * Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are no reason, since a replay has them all.
-     */
+    /** Refuses the cycle if the project's thread has changed the agent's beliefs. Added events are allowed, since a replay has them all. */
     private fun refuseForeignBeliefs(agent: Running) {
         if (agent.now.isChangedOutside || agent.events.addBeliefs(agent.ts.ag.bb)) {
             agent.now.refuse("a thread of the project has changed what agent ${this.agent.name} believes")
@@ -218,6 +226,14 @@ internal class Recorder(
             it.code.included()
         }
         return live()
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
+        val agent = current() ?: return live().forEach(carryOut)
+        val orders = live()
+        if (orders.isEmpty()) return
+        agent.now.orders += orders.map(::given)
+        Keeper.within(this) { orders.forEach(carryOut) }
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -321,7 +337,7 @@ internal class Recorder(
         return schedule(Callable { null.also { inbox.put(Arrived(End(number, TIMER))) } })
     }
 
-    /** Takes [work]. Even in a replay, Jason's own classes leave their work themselves, except the end of a project's action. */
+    /** Takes [work]. Jason's own classes leave their work in a replay, too; only the end of a project's action is missing there. */
     override fun left(work: RunnableSerializable) {
         val type = work.javaClass
         val isOfProject = !JasonCode.isOwn(type) || type.name.startsWith(ConcurrentInternalAction::class.java.name)
@@ -368,7 +384,10 @@ internal class Recorder(
     }
 
     override fun cycleFinished() {
-        current()?.let { finishCycle(it, isEnding = !it.ts.agArch.isRunning) }
+        val agent = current() ?: return
+        finishCycle(agent, isEnding = !agent.ts.agArch.isRunning)
+        unstored = null
+        if (isStopped) leave()
     }
 
     private fun finishCycle(agent: Running, isEnding: Boolean) {
@@ -459,8 +478,15 @@ internal class Recorder(
         return true
     }
 
+    /** Leaves the recording, with the present cycle if the agent is stopped in the middle of one: its thread leaves then, after it. */
     override fun close() {
-        if (inCycle?.isAlive == false) running?.let(::endOpenCycle) // an error ended the cycle and the agent's thread
+        isStopped = true
+        if (unstored?.isAlive == true) return
+        if (inCycle != null) running?.let(::endOpenCycle) // an error ended the cycle and the agent's thread
+        leave()
+    }
+
+    private fun leave() {
         running?.course?.close()
         track.close()
     }

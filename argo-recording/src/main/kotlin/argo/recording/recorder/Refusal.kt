@@ -29,7 +29,7 @@ internal fun refusalOfClasses(ts: TransitionSystem): String? {
     }
 }
 
-/** Returns true if the calling thread is cloning an agent. Only the stack shows that; the clone does not. */
+/** Returns true if the calling thread is cloning an agent. Only the call stack shows that; the clone does not. */
 private fun isCloned() = StackWalker.getInstance(StackWalker.Option.RETAIN_CLASS_REFERENCE).walk { frames ->
     frames.anyMatch { it.className == LocalAgArch::class.java.name && it.descriptor == OF_CLONES && it.methodName == "createArchs" }
 }

@@ -17,8 +17,8 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
     private var agents = 0
 
     /**
-     * Closes a file when Java ends. Otherwise Ctrl-C would cost its last part. A ring is written only on request, not at the end of a
-     * program.
+     * Closes a file when Java ends. Otherwise the last part would be missing after Ctrl-C. A ring is written only on request, not at the
+     * end of a program.
      */
     private val farewell = if (sink is RecordingFile) Farewell(MAX_FAREWELL_MS, sink::close) else null
 
@@ -51,7 +51,7 @@ internal class SharedRecording private constructor(val sink: RecordSink, private
         }
     }
 
-    /** Removes an agent that ends. The last one closes the recording. */
+    /** Removes an agent that ends. The last agent closes the recording. */
     fun leave() = synchronized(OPEN) {
         if (--agents == 0) {
             OPEN -= key

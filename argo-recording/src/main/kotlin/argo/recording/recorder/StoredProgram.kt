@@ -69,7 +69,7 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
         sink.metadata(includeMetadata(agent, ++inclusions), values + file)
     }
 
-    /** Stores [source] if it is new, and returns the name of its attachment. A changed file is new. */
+    /** Stores [source] if it is new, and returns the name of its attachment. A file that has changed counts as new. */
     private fun attached(source: ProgramSource): String {
         val wanted = source.path?.takeIf(root::isParentOf)?.let { programName(agent, root.relativize(it)) }
             ?: "${programName(agent, Path.of("included"))}/${source.address.substringAfterLast('/')}"

@@ -39,7 +39,7 @@ internal class Track(
     private val marks = channel("mark", "argo.Mark", Mark.serializer())
     private val isClosed = AtomicBoolean()
 
-    /** The reasons of reported refusals. Of refusals for the project's code only the first is reported. */
+    /** The reasons of reported refusals. If several refusals are caused by the project's code, only the first is reported. */
     val told: MutableSet<String> = ConcurrentHashMap.newKeySet()
     private val isProjectTold = AtomicBoolean()
     private val offsetNs = TimeUnit.MILLISECONDS.toNanos(System.currentTimeMillis()) - nanos()

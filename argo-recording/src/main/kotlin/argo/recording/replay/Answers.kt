@@ -34,7 +34,7 @@ internal interface Answers {
     /** True if the agent has work although it rested in the recording. */
     val isHeldAwake: Boolean get() = false
 
-    /** Begins the agent of [inputs] at [start]; null: at the beginning of its program. The [timers] are running, by their numbers. */
+    /** Begins the agent of [inputs] at [start]; null: at its program's beginning. [timers] are the running timers, by their numbers. */
     fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>)
 
     fun next(cycle: Cycle)
@@ -47,7 +47,7 @@ internal interface Answers {
     /** Returns the result of [call]. [live] carries the call out. */
     fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any
 
-    /** Returns the value of the function [name] for [args]. [live] evaluates it. */
+    /** Returns the value of the function [name] for [args]. [live] evaluates the function. */
     fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double
 
     fun begun(work: BegunWork)
@@ -58,7 +58,7 @@ internal interface Answers {
     /** Returns the recorded message that corresponds to [mail], a message that the agent sends; null: none. */
     fun sent(mail: Mail): Mail?
 
-    /** Notes that a recorded text of the [what] is refused. The text replaces a term that no recording can contain. */
+    /** Notes that the text recorded for [what] is refused, since it replaces a term that no recording can contain. */
     fun refused(what: String, why: UnrecordableTerm)
 
     /** Call this at the end of the cycle. */
@@ -98,7 +98,7 @@ internal fun Call.valueOrFailure(): Double? {
     return value?.toDouble()
 }
 
-/** Gives [call] the result or failure of [recorded]. [suspending] surrounds the suspension of the intention. */
+/** Gives [call] the result or failure of [recorded]. The intention is suspended within [suspending]. */
 internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: () -> Unit) -> Unit = { it() }): Any {
     recorded.failure?.let { throw JasonException(it.message, if (it.error.isEmpty()) null else termOf(it.error)) }
     if (recorded.isBacktracking) return recorded.answers.map { answer -> call.un.clone().also { bind(call, it, answer) } }.iterator()

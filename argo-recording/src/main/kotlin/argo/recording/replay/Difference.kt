@@ -51,8 +51,8 @@ internal fun difference(recorded: Course, now: Course): Triple<String, String?, 
 }
 
 /**
- * Returns the comparable part of this replayed course of [cycle]. The result has no parts that the recording lacks, as when the agent or
- * Java was ending. Unless [isChecking] carries out the project's own actions, the result contains the recorded lines of these actions.
+ * Returns the comparable part of this replayed course of [cycle]. Parts that the recording lacks, because the agent or Java was ending, are
+ * missing in the result too. Unless [isChecking], the project's own actions do not run, and their lines are taken from the recording.
  */
 internal fun Course.asFarAs(cycle: Cycle, isChecking: Boolean): Course = when {
     cycle.isEnding -> asFarAs(cycle.course)
@@ -83,9 +83,9 @@ private fun described(step: Step) =
 private fun described(mail: Mail) = normal("${mail.performative}(${mail.receiver},${mail.content})")
 
 /**
- * Returns [text] without numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of all
- * agents. The place of a failure's code is a path on the recording machine, and missing in messages. A hash belongs to a Java object, such
- * as the iterator in the steps of a loop.
+ * Returns [text] without the numbers, places and hashes that do not depend on the agent. Jason numbers the variables, plans and messages of
+ * all agents. The place of failed code is a path on the recording machine, and is missing in messages. A hash belongs to a Java object,
+ * such as the iterator in the steps of a loop.
  */
 internal fun normal(text: String): String =
     if ('_' in text || "mid" in text || '@' in text) text.replace(NUMBERED, "$1").replace(CODE_PLACE, "$1").replace(OBJECT, "$1")

@@ -31,7 +31,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
         val input = cycle.input
         val ms = TimeUnit.NANOSECONDS.toMillis(cycle.ns)
         input.snapshots.forEach { boards.getOrPut(it.port) { Board(it.namespace) }.receive(it, ms) }
-        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // takes from all boards
+        val isDue = boards.values.map { it.takeDue(ms) }.any { it } // `map` first, so that every board takes
         input.percepts?.let { recorded = it.appliedTo(recorded) }
         if (input.percepts == null && !isDue) return null
         noteCritical()
@@ -47,7 +47,7 @@ internal class FilteredSenses(private val filter: PerceptionFilter) : Senses {
 
     override fun takeNewlyCritical(): List<Literal> = newlyCritical
 
-    /** A board whose percepts the agent believes in [namespace]; null: in the default one. */
+    /** A board whose percepts the agent believes in [namespace]; null: in the default namespace. */
     private inner class Board(private val namespace: String?) {
         private val session = MessageSession(::read).also { it.switchTo(filter) }
 

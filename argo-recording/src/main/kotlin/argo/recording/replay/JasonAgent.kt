@@ -72,7 +72,7 @@ private fun create(agent: Agent, infra: AgArch, settings: Settings, read: (Agent
     read(agent)
 }
 
-/** Reads the program in the file [source] as if it were at [address], as in annotations and errors of Jason. Null: at [source]. */
+/** Reads the program in the file [source]. Jason's annotations and errors then name [address] as its place; null: [source]. */
 private fun Agent.read(source: Path, address: String?) {
     if (address == null) return loadInitialAS("$source")
     Files.newInputStream(source).use { parseAS(it, shown(address)) }
@@ -87,7 +87,7 @@ private fun shown(address: String) = try {
     File(address).name
 }
 
-/** Makes Jason forget its selections, as in [cycles] cycles in which nothing happens. Cycles in which nothing happens are not recorded. */
+/** Makes Jason forget its selections, as it does in [cycles] cycles in which nothing happens. Such cycles are not recorded. */
 internal fun TransitionSystem.rest(cycles: Int) {
     if (cycles <= 0) return
     c.resetDeliberate()
@@ -123,7 +123,7 @@ private fun load(recorded: RecordedAgent, create: () -> Unit) = try {
     create()
 } catch (missing: LinkageError) {
     throw RecordingException("the program of agent ${recorded.name} cannot be loaded, since a class is missing or another: $missing")
-} catch (refused: Exception) { // Jason declares only this type
+} catch (refused: Exception) { // Jason declares no narrower type
     generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? RecordingException }?.let { throw it }
     val unreadable = generateSequence<Throwable>(refused) { it.cause }.firstNotNullOfOrNull { it as? ParseException }
     val why = unreadable?.let(::unreadableAt) ?: refused.message
@@ -152,7 +152,7 @@ internal fun <T> reading(settings: Map<String, String> = emptyMap(), read: () ->
     }
 }
 
-/** Refuses the class [name] of an agent unless it is [jasons], since the constructor of another class may do anything. */
+/** Refuses the class [name] of an agent unless it is Jason's own, [jasons]. The constructor of another class may do anything. */
 private fun requireJasons(recorded: RecordedAgent, name: String, jasons: String) {
     if (name != jasons) throw RecordingException("agent ${recorded.name} had the class $name, and a replay makes only $jasons")
 }
@@ -196,7 +196,7 @@ private class Infra(private val recorded: RecordedAgent) : AgArch() {
 internal class ReplayPlatform(override val boundary: Boundary) : Platform {
     override val clock: LineClock = LineClock.system()
 
-    /** Returns a thread that never runs. An agent starts one to close its ports, but has none here. */
+    /** Returns a thread that never runs. An agent starts a thread to close its ports, but has no ports here. */
     override fun start(name: String, run: () -> Unit) = Thread(run, name)
 
     override fun later(delayMs: Long, action: () -> Unit) = Unit

@@ -39,13 +39,13 @@ internal class NearestRecordedCalls(cycles: Sequence<Cycle>) {
 
     fun endOf(number: Int): Ended? = ended[number]
 
-    /** Returns the next call of [name] with [args], in their order; null: none is left. Returns each call once. */
+    /** Returns the calls of [name] with [args] one after the other, each once; null: none is left. */
     fun nextOf(name: String, args: List<String>): Made? =
         made[key(name, args)]?.firstOrNull { !it.isTaken }?.also { it.isTaken = true }
 
     /**
-     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]. Null: none
-     * is left there. Returns each call once.
+     * Returns the call of [name] with [args] in the cycle with [index], or else the nearest such call within [NEAR_NS] of [ns]; null: there
+     * is none, or each has been returned.
      */
     fun near(name: String, args: List<String>, index: Long?, ns: Long): Made? =
         around(name, args, ns).filter { !it.isTaken }.minByOrNull { distance(it, index, ns) }?.also { it.isTaken = true }

@@ -8,7 +8,7 @@ import java.nio.file.Path
 import kotlin.io.path.createTempDirectory
 
 /**
- * Writes the programs in [recording] to files in a temporary directory. [close] removes it; so does the end of Java, as by Ctrl-C.
+ * Writes the programs in [recording] to files in a temporary directory. [close] or the end of Java removes the directory.
  *
  * @throws RecordingException if a program would stand outside of the directory, or names a class that is no code of an agent
  */
@@ -22,7 +22,7 @@ internal class ProgramFiles(private val recording: Recording) : AutoCloseable {
         runCatching { extract(directory) }.onFailure { close() }.getOrThrow()
     }
 
-    /** Returns the program of [agent]. Throws [RecordingException] if the recording does not contain it. */
+    /** Returns the program of [agent]. Throws [RecordingException] if the recording lacks the program. */
     fun of(agent: String): Path {
         val source = recording.agents.getValue(agent).source
         if (source !in recording.program || !isProgram(source)) {

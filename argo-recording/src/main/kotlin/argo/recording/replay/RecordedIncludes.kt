@@ -15,8 +15,8 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * The files that [agent] of [recording] has included. A replay takes them from the recording instead of the disk. [beside] is a program in
- * place of the recorded one; included files are first looked for in its folder. Null: there is none.
+ * The files that [agent] of [recording] has included. A replay takes these files from the recording instead of the disk. [beside] is the
+ * user's own program in place of the recorded one, in whose folder included files are looked for first; null: none.
  */
 internal class RecordedIncludes(recording: Recording, private val agent: String, private val beside: Path? = null) : Includes {
     private val files = recording.includes(agent).groupBy { it.within to it.name }.mapValuesTo(HashMap()) { ArrayDeque(it.value) }
@@ -58,7 +58,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
         return Recording.Include("", name, "file:$file", Files.readAllBytes(file))
     }
 
-    /** Returns the recorded file for [name] in [within]. Between two inclusions the file may have changed. */
+    /** Returns the recorded file for [name] in [within]. A file that was included twice may have changed in between. */
     private fun recorded(name: String, within: String): Recording.Include {
         val all = files[within to name]
             ?: throw RecordingException("the recording of agent $agent does not hold the file $name that it includes")

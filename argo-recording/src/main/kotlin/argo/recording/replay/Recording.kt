@@ -59,7 +59,7 @@ class Recording(private val file: Path) : AutoCloseable {
     internal class Include(val within: String, val name: String, val address: String, val text: ByteArray?)
 
     /**
-     * Returns the files that [agent] has included, in their order.
+     * Returns the files that [agent] has included, in the order in which it included them.
      * @throws RecordingException if the recording lacks the content of a file
      */
     internal fun includes(agent: String): List<Include> = generateSequence(1) { it + 1 }
@@ -70,9 +70,7 @@ class Recording(private val file: Path) : AutoCloseable {
             Include(values["within"].orEmpty(), values["name"].orEmpty(), values["address"].orEmpty(), text)
         }.toList()
 
-    /**
-     * The unreadable parts of the file: one sentence for each of the first hundred, and one if there are more. The rest can be replayed.
-     */
+    /** One sentence for each unreadable part of the file; the 101st is about all others. The readable parts can be replayed. */
     val problems: List<String> get() = reader.problems
 
     private fun checkFormat() {
@@ -109,12 +107,12 @@ class Recording(private val file: Path) : AutoCloseable {
         return cycles(agent).filter { it.index > index }
     }
 
-    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null: there is none. Times count from it. */
+    /** The beginning of the first recorded cycle of any agent, in ns of the agents' clock; null: there is none. Times count from here. */
     val firstNs: Long? by lazy { agents.keys.mapNotNull { cycles(it).firstOrNull()?.ns }.minOrNull() }
 
     /**
      * Refuses [cycle] of [agent] if no replay can have it. Also refuses a cycle that does not directly follow the cycle with the index
-     * [last], 0 for none. A replay that [isCarryingOut] the project's code can have more cycles.
+     * [last], 0 for none. If [isCarryingOut], the replay carries out the project's code, so it can have more of the cycles.
      * @throws RecordingException if [cycle] is refused
      */
     internal fun requireNext(agent: String, cycle: Cycle, last: Long, isCarryingOut: Boolean = false) {
@@ -184,7 +182,7 @@ class Recording(private val file: Path) : AutoCloseable {
 }
 
 /**
- * A cycle that no replay can have. The replay of the [agent] ends before it.
+ * A cycle that no replay can have. The replay of the [agent] ends before this cycle.
  *
  * @property cycle Jason's number of the cycle
  * @property ns the beginning of the cycle, in ns of the agent's clock
@@ -203,8 +201,8 @@ data class RefusedCycle(val agent: String, val cycle: Int, val ns: Long, val why
 class RecordingException(message: String) : IOException(message)
 
 /**
- * Returns the exception for [failed], which has ended a replay. The exception is a refusal if a text is unreadable or a term is nested too
- * deep, otherwise [failed] itself.
+ * Returns the exception for [failed], which has ended a replay. If a text is unreadable or a term is nested too deep, this is a refusal,
+ * otherwise [failed] itself.
  */
 internal fun refusalOf(failed: Throwable): Throwable = when (failed) {
     is IllegalArgumentException -> RecordingException("a text of the recording cannot be read: ${failed.message}")

@@ -10,7 +10,7 @@ import argo.recording.agent.shownBeliefs
  *
  * A replay changes nothing outside of itself. The project's own internal actions and functions are not carried out: a replay uses their
  * recorded results. If [isChecking], a replay does carry them out and reports another result as a difference, but still uses the recorded
- * result. Unless [isChecking], a replay refuses an architecture of the project in place of `argo.Arch`.
+ * result. Unless [isChecking], a replay refuses an agent that has an architecture of the project in place of `argo.Arch`.
  *
  * An agent whose beginning is missing begins at its own first key frame, see [Recording.start]. The agents need no common key frame, since
  * an agent's recording contains all messages that the agent took afterwards.
@@ -33,7 +33,7 @@ class Replay(private val recording: Recording, private val isChecking: Boolean =
     /** The differences from the recording so far, in the order of the cycles. */
     val differences: List<Difference> get() = differing
 
-    /** The cycles found so far that no replay can have. Such a cycle ended the replay of its agent. */
+    /** The cycles found so far that no replay can have. Each of these cycles ended the replay of its agent. */
     val refusals: List<RefusedCycle> get() = refusing
 
     var cyclesRun = 0L

@@ -3,6 +3,7 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Perception
+import argo.hand.Order
 import argo.observing.CommandFailure
 import argo.recording.Call
 import argo.recording.Course
@@ -24,6 +25,7 @@ import argo.recording.agent.contentOf
 import argo.recording.agent.literalOf
 import argo.recording.agent.literalText
 import argo.recording.agent.mailOf
+import argo.recording.agent.orderOf
 import argo.recording.agent.triggerOf
 import argo.recording.agent.watch
 import jason.JasonException
@@ -84,7 +86,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     fun next(cycle: Cycle) {
         this.cycle = cycle
-        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed them
+        Counters.write(cycle.counters?.takeIf { answers.isAsRecorded } ?: counters) // another agent may have changed Jason's counters
         sleep = ArrayDeque(if (answers.isAsRecorded) cycle.input.sleep.toList() else emptyList())
         answers.next(cycle)
         cycle.input.events.forEachIndexed { number, text ->
@@ -106,6 +108,11 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
         guarded(ts) { code.apply { watchAdded() } }
         Keeper.within(this) { answers.carryOut(cycle) }
         Keeper.begin(this, ts)
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
+        if (cycle.input.orders.isEmpty()) return
+        Keeper.within(this) { cycle.input.orders.map(::orderOf).forEach(carryOut) }
     }
 
     override fun perceive(live: () -> Perception): Perception {

@@ -90,7 +90,7 @@ internal class Restoration(
         Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
 
-    /** Returns a set of [percepts] that iterates in their order, if one is found. The order depends on the capacity of the set. */
+    /** Returns a set of [percepts] with the order of the list, if one is found. The order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {
         val enough = generateSequence(SMALLEST) { it * 2 }.first { it * LOAD >= frame.mostPercepts }
         val sizes = listOf(enough) + generateSequence(SMALLEST) { it * 2 }.takeWhile { it <= LARGEST && it <= enough * SMALLEST }

@@ -12,7 +12,7 @@ internal interface Senses {
     /** Returns the agent's percepts in [cycle], a recorded or additional one; null: nothing has changed. */
     fun perceive(cycle: Cycle): List<Literal>?
 
-    /** Returns the percepts of the last perception that meet critical rules and are new. */
+    /** Returns the new percepts of the last perception that meet critical rules. */
     fun takeNewlyCritical(): List<Literal>
 }
 
@@ -32,9 +32,7 @@ internal class RecordedSenses : Senses {
         return percepts
     }
 
-    /**
-     * Returns the literal of a percept. Reads each text only once, like the recorded agent, since Jason copies literals that it believes.
-     */
+    /** Returns the literal of a percept. Reads each text only once, like the recorded agent: Jason copies literals that it believes. */
     private fun perceptOf(text: String): Literal {
         if (known.size >= MAX_KNOWN) known.clear()
         return known.getOrPut(text) { literalOf(text) }

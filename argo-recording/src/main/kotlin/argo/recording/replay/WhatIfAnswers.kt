@@ -51,7 +51,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
 
     override val isHeldAwake get() = left.isNotEmpty()
 
-    /** The time of the first end outside of recorded cycles, in ns; null: there is none. */
+    /** The time of the first end that is due outside of recorded cycles, in ns; null: there is none. */
     val nextDueNs: Long? get() = due.filter { it.index == null }.minOfOrNull { it.ns }
 
     override fun begin(inputs: ReplayedInputs, start: KeyFrame?, timers: Map<Int, Callable<*>>) {
@@ -206,7 +206,7 @@ internal class WhatIfAnswers(private val recorded: NearestRecordedCalls, private
         private const val ACT = "argo.act"
         private const val RANDOM = ".random"
 
-        /** The most recorded messages that are kept as answers to later messages of the agent. */
+        /** The largest number of recorded messages that are kept for comparison with later messages of the agent. */
         private const val MOST_UNANSWERED = 1000
 
         /** The actions whose answers are true only about the time of the question. */

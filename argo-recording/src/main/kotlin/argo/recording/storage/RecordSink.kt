@@ -42,7 +42,7 @@ interface RecordSink : AutoCloseable {
     /** Waits until everything offered before is stored, or storing has ended. */
     fun flush()
 
-    /** Stores everything offered before, and ends the recording. May be called twice. Later records are not stored. */
+    /** Stores everything offered before, and ends the recording. Records offered later are not stored. May be called twice. */
     override fun close()
 }
 

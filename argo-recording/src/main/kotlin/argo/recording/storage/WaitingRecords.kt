@@ -55,7 +55,7 @@ abstract class QueuedSink internal constructor(maxWaitingBytes: Long) : RecordSi
 
     final override fun flush() = waiting.flush()
 
-    /** Refuses all later records, since nothing more can be stored. Tells [warn] so in a [sentence]. */
+    /** Refuses all later records, since nothing more can be stored. Passes [sentence], which says so, to [warn]. */
     internal fun giveUp(sentence: String, warn: (String) -> Unit) {
         trouble = sentence
         warn(sentence)
@@ -130,13 +130,13 @@ internal class WaitingRecords(private val maxBytes: Long) {
         return waiting.also { waiting = ArrayList() }
     }
 
-    /** Refuses later records. The waiting ones can still be taken. */
+    /** Refuses later records. Records that wait can still be taken. */
     fun close() = lock.withLock {
         isClosed = true
         changed.signalAll()
     }
 
-    /** Refuses later records and drops the waiting ones, since nothing can be written any more. */
+    /** Refuses later records and drops those that wait, since nothing can be written any more. */
     fun giveUp() {
         close()
         while (take(0) {}) continue

@@ -27,7 +27,7 @@ data class Answer(
  * @property percept the percept that the agent perceives in the replay
  * @property replaced the recorded percept in whose place [percept] stands; null: [percept] is additional
  * @property from the beginning of the first cycle in which the agent perceives [percept], in seconds
- * @property until the beginning of the last such cycle, which is the cycle of the command, in seconds
+ * @property until the beginning of the command's cycle, the last one in which the agent perceives [percept], in seconds
  * @property isSent whether the agent still sends the command
  * @property commands the agent's commands from [from] to [until]
  * @property recorded the recorded commands from [from] to [until]
@@ -59,14 +59,14 @@ data class NotAnswer(val agent: String, val command: String, val seconds: Double
  * A plan that would have issued a command.
  *
  * @property context the plan's context; null: it has none
- * @property step the step that issues the command or, of a plan [above], that leads to it
+ * @property step the step that issues the command; in a plan in [above], the step that leads to that plan
  * @property stepLine the line of [step]
  * @property event the last event for which the plan was relevant; null: there was none
  * @property seconds the beginning of the cycle in which the agent chose [event], since the first cycle
  * @property conditions the parts of the plan's context at [event], up to the part that failed
  * @property chosen the plan that the agent chose instead; null: none
  * @property missed percepts that did not reach the agent, but would have triggered the plan or made its context true
- * @property above if there was no [event], the plans that would have caused one
+ * @property above if [event] is null, the plans that would have caused such an event
  */
 @Serializable
 data class UnchosenPlan(

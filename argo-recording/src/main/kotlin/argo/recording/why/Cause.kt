@@ -19,10 +19,10 @@ sealed interface Cause {
  * A message of a board, with its percepts.
  *
  * @property number counts the messages of boards that the agent perceived, from 1
- * @property port the port by which it came
+ * @property port the port by which the message came
  * @property namespace the namespace in which its percepts are believed; null: the default namespace
  * @property seconds the time of the message's last byte
- * @property cycle Jason's number of the cycle in which the agent perceived it
+ * @property cycle Jason's number of the cycle in which the agent perceived the message
  * @property texts the percepts as they came off the line
  * @property kept the percepts that the filter let through; null: all
  */
@@ -79,7 +79,7 @@ data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: St
 @SerialName("message")
 data class MessageCause(val sender: String, val performative: String, val content: String, val seconds: Double) : Cause
 
-/** A goal or a belief of the agent's beginning. */
+/** A goal or a belief that the agent had at its beginning. */
 @Serializable
 @SerialName("beginning")
 data class BeginningCause(val text: String, val file: String? = null, val line: Int? = null) : Cause
@@ -119,7 +119,7 @@ data class StepCause(
  * @property seconds the beginning of the cycle of the choice
  * @property cycle Jason's number of the cycle of the choice
  * @property conditions the parts of the plan's context with their values at the choice
- * @property again the number of times that the plan had called itself before, as its last step
+ * @property again how often the plan had called itself before, each time as its last step
  */
 @Serializable
 @SerialName("plan")
@@ -149,7 +149,7 @@ data class PlanCause(
 @Serializable
 data class Condition(val text: String, val value: String, val holds: Boolean = true, val causes: List<Cause> = emptyList())
 
-/** Returns all percepts among this cause and its own causes. The percept whose event is at the root comes first. */
+/** Returns all percepts among this cause and its own causes. The percept whose event is the root comes first. */
 fun Cause.percepts(): List<PerceptCause> = (listOfNotNull(this as? PerceptCause) + causes.flatMap { it.percepts() }).distinct()
 
 /** Returns all frames among the causes of this cause. */

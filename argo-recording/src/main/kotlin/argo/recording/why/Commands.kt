@@ -50,8 +50,8 @@ internal class Commands(
     }
 
     /**
-     * Removes and returns the computer's reflex whose command has ended with [end]. The reflex and [end] were recorded at about the same
-     * time.
+     * Removes and returns the reflex, sent by the computer, whose command has ended with [end]. The reflex and [end] were recorded at about
+     * the same time.
      */
     private fun MutableList<ReflexEnd>.take(end: CommandEnd): ReflexEnd? =
         filter { !it.isByBoard && it.command == end.text && abs(it.ns - end.ns) < SAME_NS }.minByOrNull { abs(it.ns - end.ns) }

@@ -32,7 +32,7 @@ internal class Flips(private val cause: StepCause, private val had: (Literal, Pe
     }.distinct().sortedBy { (value, place) -> abs(value - (literal.getTerm(place) as NumberTerm).solve()) }
         .map { (value, place) -> literal.copy().apply { setTerm(place, NumberTermImpl(value)) } }
 
-    /** The pairs of numbers that the conditions behind the command compare, in both orders. */
+    /** The pairs of numbers that conditions of the command's plans compare, each pair in both orders. */
     private val limits = conditions(cause).flatMap { comparedIn(it.value) }.distinct()
 
     private fun conditions(of: Cause): List<Condition> = when (of) {

@@ -27,7 +27,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     }
 
     /**
-     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], the others
+     * Notes that the agent perceives [percepts] in the cycle with this [number] at [ns]. New percepts come from [snapshots], all others
      * stay.
      */
     fun perceived(percepts: Collection<Literal>, snapshots: List<PerceivedSnapshot>, number: Int, ns: Long) {
@@ -57,7 +57,7 @@ internal class PerceptOrigins(private val secondsOf: (Long) -> Double, private v
     /** Returns the last departure of a percept that [matches]; null: none is known. */
     fun lastGone(matches: (Literal) -> Boolean): PerceptCause? = gone.values.lastOrNull { matches(literalOf(it.belief)) }
 
-    /** Returns the kept percepts of [snapshot] in the form of beliefs, each with its text. */
+    /** Returns the percepts of [snapshot] that the filter kept, in the form of beliefs, each with its text. */
     private fun keysOf(snapshot: PerceivedSnapshot): Map<String, String> = (snapshot.kept ?: snapshot.texts).mapNotNull { text ->
         believed(text, snapshot.namespace)?.let { keyOf(it) to text }
     }.toMap()
@@ -86,7 +86,7 @@ internal class Frames(private val secondsOf: (Long) -> Double) {
     private val newest = HashMap<String, Pair<Long, Int>>()
     private var count = 0
 
-    /** Returns the frame of [snapshot], the next message, which the agent perceived in Jason's cycle number [cycle]. */
+    /** Returns the frame of [snapshot], the next message. The agent perceived that message in Jason's cycle number [cycle]. */
     fun of(snapshot: PerceivedSnapshot, cycle: Int): Frame {
         val known = newest[snapshot.port]?.takeIf { (receivedNs, _) -> receivedNs == snapshot.receivedNs }
         val number = known?.second ?: ++count

@@ -26,8 +26,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Returns the percepts of a message that meet critical rules of the filter of the board on [port], each with its rule: those of [kept]
-     * for rules that are smoothed, else those of [texts].
+     * Returns the percepts of a message that meet critical rules of the filter for [port], each with its rule. Smoothed rules look at
+     * [kept], all others at [texts].
      */
     fun critical(port: String, texts: List<String>, kept: List<String>): List<CriticalPercept<String>> {
         val filter = of(port)?.filter?.takeIf { it.critical.isNotEmpty() } ?: return emptyList()
@@ -36,8 +36,8 @@ internal class RecordedFilters(private val files: Map<String, ByteArray>) {
     }
 
     /**
-     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. The percepts
-     * before, by which rates hold back and smoothing rules choose, are not known here.
+     * Explains why the filter of the board on [port] keeps or drops [text]; null: there is no filter. Rates and smoothing rules also depend
+     * on earlier percepts, which are not known here.
      */
     fun explain(port: String, text: String): Explanation? = of(port)?.explain(text, 0)
 

@@ -10,10 +10,10 @@ import argo.recording.ReflexEnd
  * @param filters the filters at the beginning of the first of these cycles
  */
 internal class ReflexFrames(private val cycles: List<Cycle>, private val filters: RecordedFilters, private val clock: RecordingClock) {
-    /** Returns the cause of [reflex]. The port of the reflex's [command] may be known. */
+    /** Returns the cause of [reflex], whose command is [command]. */
     fun cause(command: RecordedCommand, reflex: ReflexEnd): ReflexCause {
         val all = percepts(command, reflex)
-        // The newest frame up to the command, or the next one: an agent may take a board's report shortly before the frame.
+        // The newest frame up to the command, or else the next: an agent may take a board's report shortly before the frame.
         val frame = all.lastOrNull { it.seconds <= command.seconds } ?: all.firstOrNull { it.seconds - command.seconds <= LATE_S }
         return ReflexCause(reflex.rule, reflex.isByBoard, reflex.failure?.message, frame)
     }

@@ -28,8 +28,8 @@ import java.util.WeakHashMap
 
 /**
  * Follows an agent in its replay. A trace finds the causes of events, the chosen plans and their conditions, and the beliefs and commands
- * of steps. Stands around the [inputs] of the agent, and changes nothing. [taken] is called when the agent has taken an event from the
- * queue, before it looks for a plan.
+ * of steps. A trace passes the agent's [inputs] on unchanged. [taken] is called when the agent has taken an event from the queue, before it
+ * looks for a plan.
  */
 internal class Trace(
     private val inputs: ReplayedInputs,
@@ -139,7 +139,7 @@ internal class Trace(
         }
     }
 
-    /** Assigns the steps of the branches of `|&|` and `|||`, into which an intention splits, to the plan with the operator. */
+    /** Where an intention splits into the branches of `|&|` or `|||`, assigns their steps to the plan with that operator. */
     private fun adoptSplit() {
         val (means, adopted) = splitting ?: return
         splitting = null
@@ -213,7 +213,7 @@ internal class Trace(
         step = stepOf(means, adopted)?.also { note(means, body, it) }
     }
 
-    /** Returns the plan of [means], which the agent adopted before the replay begins. The cause of that plan is not known. */
+    /** Returns the plan of [means]. The agent adopted that plan before the replay begins, so its cause is not known. */
     private fun earlier(means: IntendedMeans): Adopted? = start?.let { begin ->
         val trigger = means.trigger.let { normal("${it.operator}${it.type}${keyOf(it.literal)}") }
         val cause = UnknownCause(trigger, BEFORE)
@@ -243,7 +243,7 @@ internal class Trace(
         if (body.bodyType !in NOTING) return
         val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
         val key = normal(keyOf(literal))
-        notes.remove(key) // the newest note comes last
+        notes.remove(key) // so that the newest note comes last
         notes[key] = step
     }
 

@@ -58,7 +58,7 @@ internal class Trial(
     }
 }
 
-/** The recorded percepts. From the cycle with the index [from] on, they pass through [changed]. */
+/** Perceives the recorded percepts. From the cycle with the index [from] on, the agent gets them changed by [changed]. */
 internal class AlteredSenses(private val from: Long, private val changed: (List<Literal>) -> List<Literal>) : Senses {
     private val recorded = RecordedSenses()
 

@@ -25,7 +25,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     val commands: List<RecordedCommand> = commandsOf.values.flatMap { it.all }.sortedBy { it.seconds }
 
     /**
-     * Explains why [command] was issued. For a reflex it does not search for other values of percepts.
+     * Explains why [command] was issued. If the command is a reflex, does not search for other values of percepts.
      *
      * @param isTrying whether to search for another value of a percept with which the agent would not have issued the command
      * @throws RecordingException if the agent cannot be replayed up to the command, or its course differs from the recorded one
@@ -64,7 +64,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Explains why [agent] did not issue the command of [question] up to its time, or to the end of the recording.
+     * Explains why [agent] did not issue the command of [question] up to the question's time, or else to the end of the recording.
      * @throws RecordingException like [answer]
      */
     fun not(agent: String, question: Question): NotAnswer {
@@ -91,7 +91,7 @@ class Why(private val recording: Recording) : AutoCloseable {
         return trace.issued.getOrNull(replayedBefore(command))?.cause
     }
 
-    /** Replays the agent with [percept] in place of [of]; null: the agent perceived just [percept]. */
+    /** Replays the agent with [percept] in place of [of]. Returns null if the agent perceived just [percept]. */
     private fun had(command: RecordedCommand, percept: Literal, of: PerceptCause?): Had? {
         val cycles = cyclesOf(command.agent)
         if (of?.belief == keyOf(percept)) return null

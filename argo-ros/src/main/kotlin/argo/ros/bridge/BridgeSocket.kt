@@ -35,7 +35,7 @@ internal interface BridgeListener {
     /** The bridge has answered a [Bridge.ping], so it has read everything that was sent before the ping. */
     fun answered() = isAlive()
 
-    /** A message was dropped unread. [what] describes it. */
+    /** A message was dropped unread. [what] describes the message. */
     fun dropped(what: String)
 
     /** The connection is gone, for [reason]. May be called more than once. */
@@ -161,7 +161,7 @@ internal class BridgeSocket private constructor(private val client: HttpClient, 
         private const val CONNECTING_S = 3L
         private const val CLOSING_MS = 1_000L
 
-        /** The longest message that is read, in characters. A longer one is dropped. */
+        /** The longest message that is read, in characters. Longer messages are dropped. */
         const val MAX_LENGTH = 4 * 1024 * 1024
         private const val KEPT_LENGTH = 64 * 1024
 

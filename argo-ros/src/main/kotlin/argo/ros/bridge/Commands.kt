@@ -56,11 +56,11 @@ internal class Commands(
     private class Pending(val rule: CommandRule, val text: String, val message: Outgoing, val outcome: CompletableFuture<Answer>)
 
     private val pending = ConcurrentHashMap<String, Pending>()
-    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // the goal of each rule whose feedback came last
+    private val progressing = ConcurrentHashMap<CommandRule, Pending>() // for each rule the goal that gave feedback last
     private val session = "argo-${UUID.randomUUID()}" // each command's id begins with it, which excludes answers to other clients
     private val number = AtomicLong()
 
-    /** Returns the first messages to the bridge: a publisher needs subscribers before its first command, a result a subscription. */
+    /** Returns the first messages to the bridge. These announce commands, so that subscribers come in time, and subscribe to results. */
     fun announcements(): List<String> = rules.flatMap { rule ->
         when {
             rule.kind == Kind.TOPIC -> listOf(advertisement(rule.target, rule.type))
@@ -81,7 +81,7 @@ internal class Commands(
         return rules.find { it.name == functor && it.parameters.size == command.arguments.size }
     }
 
-    /** Returns true unless the command [text] is only published; one that the mapping does not have is refused when it is sent. */
+    /** Returns true unless the command [text] is only published. An unknown command also counts, and is refused when it is sent. */
     fun answers(text: String): Boolean = ruleOf(GroundTerm.ofOrNull(text) as? GroundTerm.Structure)?.kind != Kind.TOPIC
 
     fun send(text: String, options: SendOptions): SentCommand {
@@ -157,7 +157,7 @@ internal class Commands(
         }
     }
 
-    /** Fails [entry], since its goal has reached no server. A server that appears later is not to begin the goal. */
+    /** Fails [entry], since its goal has reached no server. A server that appears later must not begin the goal. */
     private fun lost(id: String, entry: Pending, reason: String) {
         if (entry.outcome.isDone) return
         val hasLeft = !entry.message.withdraw()

@@ -11,12 +11,12 @@ import kotlinx.serialization.json.JsonPrimitive
  * at once.
  *
  * @param wanted the frames whose poses will be asked for
- * @param warn takes a sentence if two of these have been unconnected for [LIMIT_NANOS]
+ * @param warn takes a sentence if two wanted frames have been unconnected for [LIMIT_NANOS]
  */
 internal class FrameTree(private val wanted: List<Frames>, private val warn: (String) -> Unit) {
     private class Frame(val parent: String, val transform: Transform, val trueNanos: Long, val isStatic: Boolean)
 
-    /** The pose of a frame in another: [json], as a message, was true at [trueNanos], by the platform's clock. */
+    /** The pose of a frame in another one. [json] is its message. The pose was true at [trueNanos], by the platform's clock. */
     class Pose(val json: JsonObject, val trueNanos: Long)
 
     private val frames = HashMap<String, Frame>()
@@ -65,7 +65,7 @@ internal class FrameTree(private val wanted: List<Frames>, private val warn: (St
     /** Warns of frames that are not connected, however short the time. */
     fun explain() = wanted.filter { pose(it, begunNanos ?: 0) == null }.forEach(::tellApart)
 
-    /** Returns the frames from [name] upwards, but the topmost; nodes may publish a circle, which ends it. */
+    /** Returns the frames from [name] upwards, without the topmost. If nodes have published a circle, stops after one round. */
     private fun wayFrom(name: String): List<Frame> {
         val seen = HashSet<String>()
         return generateSequence(frames[name]) { frame -> frames[frame.parent]?.takeIf { seen.add(frame.parent) } }.toList()
@@ -103,7 +103,7 @@ internal class Transform private constructor(private val move: List<Double>, pri
 
     private fun rotated(v: List<Double>) = product(product(q, v + 0.0), opposite()).take(W)
 
-    /** This as a message: x, y, z, the yaw in rad, and the rotation as a quaternion. */
+    /** The transform as a message: x, y, z, the yaw in rad, and the rotation as a quaternion. */
     val json: JsonObject
         get() {
             val rotation = JsonObject(AXES.zip(q.map { JsonPrimitive(it) }).toMap())

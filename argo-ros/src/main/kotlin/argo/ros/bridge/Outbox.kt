@@ -28,7 +28,7 @@ internal class Outgoing(val text: String, val isUrgent: Boolean = false, val fun
     fun withdraw(): Boolean = synchronized(this) { (!hasBegun).also { isWithdrawn = it } }
 }
 
-/** A later command has replaced a waiting one. */
+/** A later command has replaced the waiting command. */
 internal class Replaced : Exception()
 
 /** The connection was closed before the message went out. */
@@ -79,7 +79,7 @@ internal class Outbox(private val write: (String) -> CompletableFuture<*>) : Aut
         }
     }
 
-    /** Fails all waiting messages. No message goes out after that. */
+    /** Fails all waiting messages. After this call no message goes out. */
     override fun close() {
         val left = lock.withLock {
             isClosed = true

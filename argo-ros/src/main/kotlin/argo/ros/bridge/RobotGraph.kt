@@ -10,8 +10,8 @@ import java.util.concurrent.CompletableFuture
 import java.util.concurrent.ConcurrentHashMap
 
 /**
- * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands that have no effect without such nodes. Safe for use
- * by several threads.
+ * Asks `rosapi` for the other nodes in the robot's graph. Warns of topics and commands that have no effect without other nodes. Safe for
+ * use by several threads.
  */
 internal class RobotGraph(
     private val mapping: Mapping,
@@ -21,7 +21,7 @@ internal class RobotGraph(
 ) {
     private val askedNanos = ConcurrentHashMap<String, Long>() // time of the last question, by the commands' topic
 
-    /** Compares the mapping's types with those of existing topics, and looks for its actions. */
+    /** Compares the mapping's types with those of existing topics, and looks for the mapping's actions. */
     fun check() {
         val topics = (mapping.percepts - mapping.poses.toSet()).map { it.topic to it.type } + mapping.commands.mapNotNull(::topicOf)
         topics.distinct().forEach { (topic, type) -> compareType(topic, type) }
@@ -31,7 +31,7 @@ internal class RobotGraph(
         }
     }
 
-    /** Warns if nobody serves the service of [rule], or one of another type. */
+    /** Warns if nobody serves the service of [rule], or its type is another one. */
     private fun lookForService(rule: CommandRule) {
         if ("/_" in rule.target) return // hidden, so that rosapi does not show it
         api.ask("/rosapi/service_type", mapOf("service" to rule.target)).thenAccept { answer ->
@@ -102,7 +102,7 @@ internal class RobotGraph(
         return askedNanos.compute(topic) { _, before -> if (before == null || now - before >= AGAIN_NANOS) now else before } == now
     }
 
-    /** Does [work] if `rosapi` shows an action's topics but no server. A client too creates such topics. */
+    /** Does [work] if `rosapi` shows an action's topics but no server. An action's client creates these topics, too. */
     private fun ifMissing(rule: CommandRule, work: () -> Unit) {
         val isShown = if (isRos2Action(rule.type)) CompletableFuture.completedFuture("") else typeOf("${rule.target}/goal")
         isShown.thenCompose { type ->

@@ -24,8 +24,8 @@ import java.util.concurrent.TimeUnit
 import java.util.concurrent.TimeoutException
 
 /**
- * The types of the robot's topics, services and actions, as `rosapi` describes them. Checks a mapping against them. Safe for use by several
- * threads.
+ * The types of the robot's topics, services and actions, as `rosapi` describes them. Checks a mapping against these types. Safe for use by
+ * several threads.
  *
  * @param warn takes the reasons for which a topic or a command can have no effect
  * @param tell takes the reason if the mapping cannot be checked
@@ -157,7 +157,7 @@ internal class RobotTypes(
             "its type is dropped there without a report, and ages count from the arrival"
         val NOTHING = Scope { Value.None("there is none") }
 
-        /** The reason for a type if `rosapi` of ROS 2 answers without a description. */
+        /** The reason in the warning about a type for which `rosapi` of ROS 2 answers without a description. */
         const val UNKNOWN = "it is not described"
 
         /** Parts of a bridge's messages about a type that it does not have. */

@@ -24,7 +24,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
     private val calls = ConcurrentHashMap<String, CompletableFuture<Answer>>()
     private val number = AtomicLong()
 
-    /** True if it has answered a question. */
+    /** True if `rosapi` has answered a question. */
     @Volatile
     var isThere = false
         private set
@@ -57,7 +57,7 @@ internal class RosApi(private val clock: LineClock, private val send: (Outgoing)
 
     /** @param reason the bridge's reason; empty: it gives none */
     class NotKnown(reason: String) : Exception(reason) {
-        /** True if there is no such service, as when `rosapi` does not run. */
+        /** True if the called service does not exist, as when `rosapi` does not run. */
         val isMissing: Boolean get() = MISSING in message.orEmpty()
     }
 

@@ -14,8 +14,8 @@ import argo.ros.mapping.asTerm
 
 /**
  * The subscription to a topic. [throttleMs] is the least time between two messages from the bridge, in ms. The bridge keeps the newest
- * [queueLength] messages for that time. With 1, no message comes older, and skipped messages cost no time here. With 0 and no least time,
- * the bridge sends each message at once.
+ * [queueLength] messages for that time. With 1, no message waits behind another, and skipped messages cost no time here. With 0 and no
+ * least time, the bridge sends each message at once.
  */
 internal data class Subscription(val topic: String, val type: String, val throttleMs: Int, val queueLength: Int = 1)
 
@@ -49,7 +49,7 @@ internal fun dropsAll(filter: PerceptionFilter, percept: Expression.Compound): B
  * form are not held back.
  */
 private fun everyMs(filter: PerceptionFilter, percept: Expression.Compound): Long? {
-    val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // those look at each percept
+    val others = filter.critical.map { it.rule } + filter.smoothing.map { it.rule } // these rules look at each percept
     if (filter.mode != PerceptionFilter.Mode.DROP || others.any { isFor(it, percept) }) return null
     return filter.rules.filter { isFor(it, percept) && isAlwaysMet(it, percept) }
         .mapNotNull { it.rate?.takeIf { rate -> rate.deadbands.isEmpty() }?.everyMs }.maxOrNull()?.coerceAtMost(Int.MAX_VALUE.toLong())

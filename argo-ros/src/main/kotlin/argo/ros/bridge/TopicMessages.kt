@@ -116,7 +116,7 @@ internal class TopicMessages(
         return BoardMessage(seen.keys.joinToString("") { "$it;" }, received, seen, eventText)
     }
 
-    /** Takes the next event; null: there is none, or it equals the last one, so that a message without it must come between them. */
+    /** Takes the next event; null: none. Between two equal events one call returns null, so that both events count. */
     private fun nextEvent(): Made? {
         val next = events.firstOrNull()?.takeIf { it.text != lastEvent }
         lastEvent = next?.text
@@ -160,7 +160,7 @@ internal class TopicMessages(
     }
 
     private companion object {
-        /** The most reasons reported for each rule. A message's numbers in them could make many. */
+        /** The most reasons reported for each rule. Reasons contain values of messages, so there could be any number. */
         const val MAX_TOLD = 3
 
         /** The most events that wait for the sensing thread. */

@@ -16,7 +16,7 @@ internal class BridgeAddress(val ros: RosAddress, val credentials: Credentials) 
 
         /**
          * Reads `HOST:PORT`, also in the form of an agent's port, `ros://HOST:PORT#NAME`. Reads the token from the file `NAME.ros.token`,
-         * as for such a port.
+         * as for an agent's port.
          *
          * @throws RefusedAddress with the reason
          */

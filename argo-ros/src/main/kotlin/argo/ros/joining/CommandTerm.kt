@@ -16,7 +16,7 @@ internal class RefusedRequest(message: String) : Exception(message)
 
 /**
  * Returns the command for the action [name] with the arguments in [request]: the field `arguments` or `data`, or two numbers of a Twist.
- * Without these it has no arguments.
+ * Without these fields the command has no arguments.
  *
  * @param actions the participant's actions; null: they are not known
  * @throws RefusedRequest if the result is no command, or not among [actions]

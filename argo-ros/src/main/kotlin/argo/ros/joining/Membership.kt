@@ -169,7 +169,7 @@ internal class Membership(
         fun leave() {
             if (end == null) {
                 offers.takeAllBack()
-                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the others
+                val last = Outgoing(operation("unadvertise", "topic" to "/${participant.name}/percepts")) // the bridge ends the rest
                 bridge.send(last)
                 try {
                     last.left.get(CLOSING_MS, TimeUnit.MILLISECONDS)

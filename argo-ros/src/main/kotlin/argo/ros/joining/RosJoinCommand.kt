@@ -65,7 +65,7 @@ internal class RosJoinCommand : ToolCommand() {
         return 0
     }
 
-    /** Puts the board called [name] into the graph. Closing the result takes the board out. */
+    /** Puts the board called [name] into the graph. Closing the result takes the board out of the graph. */
     private fun join(name: String, port: String, bridge: BridgeAddress): AutoCloseable {
         val warn = OnceEach { tell("/$name: $it") }
         val topics = Topics(warn)

@@ -46,7 +46,7 @@ internal sealed interface Condition : Expression {
         }
     }
 
-    /** Several conditions. [decisive] is the value that one of them decides it by: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
+    /** Several conditions. A single one with the value [decisive] decides: [Value.FALSE] for `and`, [Value.TRUE] for `or`. */
     data class Several(val decisive: Value, val operands: List<Expression>) : Condition {
         override val parts get() = operands
 

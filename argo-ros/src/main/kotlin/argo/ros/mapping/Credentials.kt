@@ -1,9 +1,9 @@
 package argo.ros.mapping
 
 /**
- * What a bridge or a server in front of it may want to know of its clients.
+ * The credentials of a client, for a bridge or a server in front of the bridge.
  *
  * @property token shown as `Authorization: Bearer …`; null: none
- * @property secret known to the bridge too, which `rosbridge_server` of ROS 1 has with `authenticate`; null: none
+ * @property secret shared with the bridge, as with the parameter `authenticate` of `rosbridge_server` in ROS 1; null: none
  */
 internal class Credentials(val token: String? = null, val secret: String? = null)

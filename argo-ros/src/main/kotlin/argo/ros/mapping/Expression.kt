@@ -4,7 +4,7 @@ import kotlinx.serialization.json.JsonObject
 
 /** An expression over the fields of a message or the arguments of a command. A [Scope] contains their values. */
 internal sealed interface Expression {
-    /** The expressions within this one. */
+    /** The expressions within this expression. */
     val parts: List<Expression> get() = emptyList()
 
     /** Returns the value; [Value.None] if a field has none, or if it does not suit the calculation. */

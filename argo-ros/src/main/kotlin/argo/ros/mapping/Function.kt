@@ -31,14 +31,14 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
     companion object {
         fun of(name: String): Function? = entries.find { it.written == name }
 
-        /** Functions of other languages, with those that take their place here; null: there is none. */
+        /** Names of functions in other languages, each with the function to use here; null: there is none. */
         val FOREIGN: Map<String, Function?> = mapOf(
             "count" to LEN, "length" to LEN, "size" to LEN, "average" to MEAN, "avg" to MEAN, "minimum" to MIN, "maximum" to MAX,
             "degrees" to DEG, "int" to FLOOR, "tan" to null, "atan" to null, "atan2" to null, "pow" to null, "rad" to null,
             "radians" to null, "median" to null,
         )
 
-        /** Returns the function that [name], which is none, probably means; null: it may be a literal. */
+        /** Returns the function that the unknown [name] probably means; null: [name] may be a literal. */
         fun meant(name: String): Function? =
             FOREIGN[name] ?: entries.find { it.written.length >= SHORTEST_SLIP && isNear(name, it.written) }
     }
@@ -47,7 +47,7 @@ internal enum class Function(val taken: String, val of: (List<Value>) -> Value?)
 private const val A_NUMBER = "a number"
 private const val NUMBERS = "a list with numbers, or several numbers"
 
-/** In shorter names a slip is not told from another word: `pos` is no `cos`. */
+/** Words near a shorter name are not taken for slips of it: `pos` may be no `cos`. */
 private const val SHORTEST_SLIP = 4
 
 private fun ofNumber(work: (Double) -> Double): (List<Value>) -> Value? = { it.singleOrNull()?.number()?.let(work)?.let(Value::of) }

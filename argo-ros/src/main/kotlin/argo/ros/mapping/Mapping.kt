@@ -60,7 +60,7 @@ internal data class Frames(val parent: String, val child: String) {
  * @property type the type of the topic's messages, the service or the action, as written
  * @property fields the fields of the message, request or goal, by their paths
  * @property withinMs the time that the outcome may take, in ms
- * @property answer the answer to the agent, by the fields of the response or result; null: the list of all of these
+ * @property answer the answer to the agent, made of fields of the response or result; null: the list of all its fields
  * @property feedback the percept of the feedback of an action while its goal is under way; null: none
  */
 internal class CommandRule(

@@ -34,7 +34,7 @@ internal data class FieldType(val name: String, val length: Int) {
  * A type of messages, as a robot describes it with all types in it. Immutable.
  *
  * @property name the type, as the mapping writes it
- * @property constants the values of its constants, and of those of the types in it
+ * @property constants the values of the type's constants, and of the constants of types within it
  */
 internal class MessageType private constructor(
     val name: String,
@@ -95,7 +95,7 @@ internal class MessageType private constructor(
     /**
      * Returns [value] in the form for the field at [path].
      *
-     * @throws Unfit if there is no such field, or it cannot have this value; ROS would drop the whole message
+     * @throws Unfit if there is no such field, or the field cannot have [value]; ROS would drop the whole message
      */
     fun fit(path: Path, value: JsonElement): JsonElement {
         val type = typeAt(path) ?: return value

@@ -55,8 +55,8 @@ internal fun PerceptRule.perceptIn(scope: Scope): Value = when (val truth = cond
 private val NO_PERCEPT = Value.Text("")
 
 /**
- * Refuses names that were meant as fields: an atom without quotes stands before the first field, as `f` in `dist(f, range)`, and no field
- * is a functor.
+ * Refuses names that were meant as fields: atoms without quotes behind the first field, unlike `f` in `dist(f, range)`, and functors with a
+ * field's name.
  */
 private fun checkAtoms(rule: PerceptRule, reader: ExpressionReader, type: String, known: Set<String>) {
     val fields = known.joinToString(", ")

@@ -70,5 +70,5 @@ internal class MessageScope(
 
 private val CONSTANT = Regex("[A-Z][A-Z0-9_]+")
 
-/** Returns the constant of a type that [path] may name; null: it names none, as constants are in capital letters. */
+/** Returns the constant of a type that [path] may name; null: [path] names none, since a constant's name is in capital letters. */
 internal fun constantIn(path: Path): String? = (path.singleOrNull() as? Step.Name)?.name?.takeIf(CONSTANT::matches)

@@ -14,11 +14,11 @@ internal sealed interface Step {
     }
 
     /**
-     * A sector of a list: the items from [from] on, up to the one before [to]; null: all on that side. Negative numbers count from the end.
-     * A sector that ends before it begins goes on at the beginning of the list. The steps behind it are taken in each of its items.
+     * A sector of a list: the items from [from] on, up to the one before [to]; null: no limit on that side. Negative numbers count from the
+     * end. A sector that ends before it begins goes on at the beginning of the list. Further steps of the path apply to each of its items.
      */
     data class Sector(val from: Int?, val to: Int?) : Step {
-        /** Returns its places in a list of [size] items; null: the list is too short. */
+        /** Returns the places of the sector in a list of [size] items; null: the list is too short. */
         fun indicesIn(size: Int): List<Int>? {
             val (start, end) = listOf(from ?: 0, to ?: size).map { if (it < 0) size + it else it }
             return when {

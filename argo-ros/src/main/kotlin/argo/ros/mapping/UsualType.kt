@@ -1,7 +1,7 @@
 package argo.ros.mapping
 
 /**
- * A message type with fields that ARGO knows. Rules on it have a short form, and other names in them are atoms.
+ * A message type with fields that ARGO knows. Rules on such a type have a short form, and all names but its fields are atoms.
  *
  * @property percept the default arguments of a percept
  * @property command the fields for a command's arguments, in their order; empty: there is no short form
@@ -49,7 +49,7 @@ internal class UsualType(val fields: Set<String>, val percept: List<String>, val
 
         val names: Set<String> get() = TYPES.keys
 
-        /** The pose of a frame in another one. */
+        /** The type of the pose of a frame in another frame. */
         val FRAME_POSE = UsualType(setOf("x", "y", "z", "yaw", "rotation"), emptyList(), emptyList())
     }
 }

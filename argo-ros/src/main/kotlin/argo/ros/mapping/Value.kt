@@ -58,7 +58,7 @@ internal const val MAX_ITEMS = 1_000
 /** From this number on, a double cannot hold every whole number; Jason's numbers are doubles. */
 private const val EXACT = 9007199254740992.0
 
-/** Whole numbers up to this one are written without a fraction. No integer of ROS is larger. */
+/** Whole numbers up to this number are written without a fraction. No integer of ROS is larger. */
 private const val MAX_INTEGER = 18446744073709551615.0
 
 /** Returns the text of this value as an argument of a percept, or the reason why an agent cannot have it. */
@@ -83,7 +83,7 @@ private fun listOf(array: JsonArray): Value {
 /** Returns [message] as the list of its fields, each a literal with the field's name and value. */
 private fun fieldsOf(message: JsonObject): Value = terms(message.map { (name, value) -> value to functorOf(name) })
 
-/** Returns the list of [items], each within the functor behind it, unless that is empty. */
+/** Returns the list of [items], each as the argument of its functor, or alone if the functor is empty. */
 private fun terms(items: List<Pair<JsonElement, String>>): Value {
     val terms = items.map { (item, functor) ->
         val value = Value.of(item)
@@ -110,7 +110,7 @@ private const val UNREADABLE = "\u0000"
 /** The length of the longest text in a list or a message, which are often unread; a text that a rule names may be longer. */
 private const val MAX_TEXT = 10_000
 
-/** An item or a field that is infinite or no number: an atom, so that the others keep their places. */
+/** The atom in place of an item or a field that is infinite or no number, so that the others keep their places. */
 private val NOT_MEASURED = Value.Symbol("null")
 
 /** Returns this value's number, rounded to a double; null: it is no number. */

@@ -23,7 +23,7 @@ import jason.asSyntax.NumberTerm
 import jason.asSyntax.StringTerm
 import jason.asSyntax.Term
 
-/** The form of a rule as an argument, [usage]. [make] returns the rule for its arguments, or null if it does not accept them. */
+/** A kind of rule, written as [usage]. [make] returns the rule for the given arguments, or null if it does not accept them. */
 private class RuleText(val usage: String, val make: (List<Term>) -> Rule?)
 
 private fun plain(usage: String, make: () -> Rule) = RuleText(usage) { if (it.isEmpty()) make() else null }

@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit
 
 /** The known facts about a board. */
 internal interface Description {
-    /** Returns them in words, the kind of the board first. */
+    /** Returns the facts in words, the kind of the board first. */
     fun lines(): List<String>
 
     /** Returns the members of its JSON object. */
@@ -25,7 +25,7 @@ internal interface Description {
  * @property actions `ledOn`, `speed/1` with an argument, and a star in place of 1 for any number of arguments; null: the board does not
  *   describe itself
  * @property described the board's answer to the question for the kinds of its percepts
- * @property lost the number of the sketch's actions without room in the board's memory
+ * @property lost the number of actions of the sketch for which the board's memory has no room
  * @property rules the number of critical rules that fit on the board; null: the board speaks version 1
  */
 internal class BoardDescription(

@@ -24,7 +24,7 @@ internal class DescribedKinds(val description: PerceptDescription?) {
         }
 
     companion object {
-        /** The answer of a board that is not asked. */
+        /** The answer of a board that nobody has asked. */
         val NONE = DescribedKinds(PerceptDescription(emptyList(), emptyList()))
 
         /** Asks the board on [link], and waits [timeoutMs] ms at most. */

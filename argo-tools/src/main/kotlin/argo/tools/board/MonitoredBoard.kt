@@ -8,7 +8,7 @@ import javino.link.Link
 
 /** A board whose messages `monitor` shows. */
 internal interface MonitoredBoard {
-    /** True if it is asked for each message; false: it sends them itself. */
+    /** True if the board is asked for each message; false: it sends messages by itself. */
     val isAsked: Boolean
 
     /** Its protocol, in words. */
@@ -38,7 +38,7 @@ internal class JavinoBoard(private val link: Link, override val isAsked: Boolean
     override fun kinds() = DescribedKinds.of(link, timeoutMs)
 }
 
-/** A board behind another [link] than a line, such as a robot that speaks ROS, which sends its messages at an interval. */
+/** A board whose [link] is no line, such as a robot that speaks ROS. Such a board sends its messages at an interval. */
 internal class LinkedBoard(private val link: BoardLink, intervalMs: Int, private val timeoutMs: Int) : MonitoredBoard {
     override val isAsked get() = false
     override val speaks = link.port.substringBefore(':')

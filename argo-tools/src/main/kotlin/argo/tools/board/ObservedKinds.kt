@@ -12,9 +12,9 @@ import java.util.Optional
  * beyond [MAX_KINDS], count only as [others].
  */
 internal class ObservedKinds {
-    private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // functor and arguments, by functor and number of arguments
+    private val kinds = LinkedHashMap<String, Pair<String, List<Argument>>>() // each kind's functor and arguments, by `functor/arity`
 
-    /** The number of percepts of further kinds. */
+    /** The number of percepts of all other kinds. */
     var others = 0L
         private set
 

@@ -68,7 +68,7 @@ internal class PortsCommand : DataCommand() {
 
     private fun present() = SerialPorts.list().joinToString { it.name() }.ifEmpty { "none" }
 
-    /** Returns true if the system has no such device. A file or a folder is no device. */
+    /** Returns true if the system has no device of this name. A file or a folder is no device. */
     private fun isMissing(path: String) = SerialPorts.list().none { it.path() == path } && listOf(path, "/dev/$path").none(::isDevice)
 
     private fun isDevice(path: String) = try {

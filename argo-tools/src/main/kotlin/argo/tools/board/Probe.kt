@@ -15,7 +15,7 @@ import javino.link.StrayBytes
  * The result of probing a port, in words.
  *
  * @property answers true if a Javino board answers; null: unknown
- * @property description null: it was not requested, or there is none
+ * @property description the board's description; null: not requested, or there is none
  */
 internal data class ProbedBoard(
     val result: String,

@@ -16,7 +16,7 @@ internal class RawMonitor(private val line: Transport, private val out: PrintWri
     private var lines = 0
     private var bytes = 0L
 
-    /** Runs until it is interrupted, or [count] lines or [seconds] are over; null: no such limit. Returns the exit status. */
+    /** Runs until it is interrupted, for at most [count] lines and [seconds]; null: no such limit. Returns the exit status. */
     fun run(count: Int?, seconds: Int?): Int {
         try {
             while (lines < (count ?: Int.MAX_VALUE) && (seconds == null || ms() < TimeUnit.SECONDS.toMillis(seconds.toLong()))) read()

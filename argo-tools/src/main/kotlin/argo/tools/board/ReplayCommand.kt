@@ -114,7 +114,7 @@ internal class ReplayCommand : JasonCommand() {
         return replayed.let { if (board.loop) it.repeated() else it }.let { if (board.inTurn) it.inTurn() else it }
     }
 
-    /** Calls [serve] with the name of the port. With the option --link, that is the link's name, and the link exists while [serve] runs. */
+    /** Calls [serve] with the name of the port. With the option --link, this is a symbolic link that exists while [serve] runs. */
     private fun linked(pair: PseudoTerminals, serve: (String) -> Int): Int {
         val link = board.link ?: return serve(pair.computer().path)
         making(link) { Files.createSymbolicLink(it, pair.computer().toPath()) }
@@ -142,7 +142,7 @@ internal class ReplayCommand : JasonCommand() {
         return ExitStatus.DONE
     }
 
-    /** Waits until the far end is open, before a board starts that sends unasked. Returns at once if the system does not reveal that. */
+    /** Waits until a program has opened the port, for a board that sends unasked. Returns at once if the system does not show it. */
     private fun awaitListener(pair: PseudoTerminals) {
         if (!Files.isDirectory(Path.of("/proc/self/fd"))) return
         while (SerialPorts.holders(pair.computer().path).none { "socat" !in it }) TimeUnit.MILLISECONDS.sleep(POLL_MS)

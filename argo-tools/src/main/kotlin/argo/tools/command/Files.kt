@@ -46,7 +46,7 @@ private fun folderOf(file: Path): Path = file.toAbsolutePath().normalize().paren
 /**
  * Checks that [file] is a regular file, since reading a pipe without a writer never ends.
  *
- * @throws ToolException if [file] is not
+ * @throws ToolException if [file] is no regular file
  */
 fun requireFile(file: Path) {
     if (!Files.exists(file)) throw ToolException("there is no file $file")

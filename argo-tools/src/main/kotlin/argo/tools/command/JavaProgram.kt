@@ -15,7 +15,7 @@ internal fun java(arguments: List<String>): ProcessBuilder {
     return ProcessBuilder(listOf(java, "--enable-native-access=ALL-UNNAMED") + arguments)
 }
 
-/** Waits until this process has ended, and returns its exit status. If this program ends, it also ends the process. */
+/** Waits until this process has ended, and returns its exit status. The end of this program also ends the process. */
 internal fun Process.awaitEnd(): Int {
     val ending = Thread {
         destroy()

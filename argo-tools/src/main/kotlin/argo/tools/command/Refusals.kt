@@ -12,10 +12,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Makes the commands of this line report failures in words, with exit status 1. For wrong arguments they refer to the help, with exit
- * status 2.
+ * Makes the commands of this line report failures in words, with exit status 1. For wrong arguments the commands refer to the help, with
+ * exit status 2.
  *
- * @param kind a word for such a command: `command`, `sample`
+ * @param kind a word for each command of this line: `command`, `sample`
  */
 fun CommandLine.refusingInWords(kind: String): CommandLine = this
     .registerConverter(Int::class.java) { wholeNumber(it, String::toIntOrNull) }
@@ -73,5 +73,5 @@ fun CommandSpec.requireWithin(option: String, value: Int, range: IntRange, unit:
     if (value !in range) refuse("$option is from ${range.first} to ${range.last}${if (unit.isEmpty()) "" else " $unit"}, not $value")
 }
 
-/** Refuses a call without one of the subcommands. Each of these is a [kind]. */
+/** Refuses a call without one of the subcommands. [kind] is the word for a subcommand. */
 fun CommandSpec.refuseWithout(kind: String): Nothing = refuse("name a $kind: ${subcommands().keys.joinToString()}")

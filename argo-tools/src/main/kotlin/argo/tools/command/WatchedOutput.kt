@@ -4,7 +4,7 @@ import java.io.FilterOutputStream
 import java.io.IOException
 import java.io.OutputStream
 
-/** Records why a write to [target] failed. Neither a [java.io.PrintWriter] nor `System.out` reports that. */
+/** Records why a write to [target] failed. Neither a [java.io.PrintWriter] nor `System.out` reports the reason. */
 internal class WatchedOutput(private val target: OutputStream) : FilterOutputStream(target) {
     /** The first failure; null: none. */
     var trouble: IOException? = null

@@ -10,7 +10,7 @@ internal class Examination(private val machine: Machine) {
     private val linux = machine.system.startsWith("Linux")
     private val windows = machine.system.startsWith("Windows")
 
-    /** Makes all checks and returns their results. Also probes boards if [probe] is given, which opens the port of a name. */
+    /** Makes all checks and returns their results. If [probe] is given, also probes boards; [probe] opens the port of a name. */
     fun findings(probe: ((String) -> ProbedBoard)? = null): List<Finding> =
         listOf(java()) + boards(probe) + listOfNotNull(modemManager(), brltty(), socat())
 

@@ -126,7 +126,7 @@ internal class ExploreCommand : ToolCommand() {
         /** The exit status of the exploration's program if it has found a run that breaks a rule. */
         const val FOUND_THERE = 4
 
-        /** The other exit statuses of the exploration's program. With these, the program has printed the reason itself. */
+        /** The exit statuses with which the exploration's program has printed the reason itself. */
         val TOLD = setOf(ExitStatus.DONE, CommandLine.ExitCode.USAGE, NOTHING_KNOWN)
     }
 }

@@ -56,7 +56,7 @@ private fun wordsOfTwo(project: ProjectName) = mapOf(
     "WRITE" to "Write the ports into `$AGENT`: `boards([port(ttyACM0,[as(eyes)]), port(ttyACM1,[as(lamp)])]).`",
 )
 
-/** The versions for a new project. The same versions stand in pom.xml. */
+/** The versions for a new project. The pom.xml of ARGO has the same versions. */
 internal const val JASON_VERSION = "3.2.1"
 internal const val KOTLIN_VERSION = "2.4.10"
 internal const val KOTEST_VERSION = "6.2.4"

@@ -73,7 +73,7 @@ internal class AgentReplay(
         }
     }
 
-    /** Does [work]. Returns the reason if it could not be finished; null: it was finished. */
+    /** Does [work]. Returns the reason if [work] could not be finished; null: it was finished. */
     private fun stopping(work: () -> Unit): String? = try {
         work()
         null

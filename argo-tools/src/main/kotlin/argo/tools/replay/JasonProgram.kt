@@ -16,7 +16,7 @@ internal fun hasJason(): Boolean = try {
 }
 
 /**
- * Options of a Java machine for a program that runs for seconds. Such a program ends before better compilation pays, and needs no threads
+ * Options of a Java machine for a program that runs for seconds. A short program ends before better compilation pays, and needs no threads
  * for garbage collection. A Java machine ignores unknown options among these.
  */
 internal val QUICK_START = listOf("-XX:+IgnoreUnrecognizedVMOptions", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC")

@@ -30,7 +30,7 @@ internal abstract class SampleProgramCommand(private val module: String, private
         return runJava(listOf("-Dargo.command=${spec.root().name()}", "-cp", classPath, "$module.MainKt") + words + arguments)
     }
 
-    /** Prints help if the samples are [missing], which otherwise list their options themselves. */
+    /** Prints help if the samples are [missing]. If they are there, they list their options themselves. */
     private fun help(missing: ToolException): Int {
         spec.commandLine().usage(spec.commandLine().out)
         spec.commandLine().out.println("\nIts options cannot be listed: ${missing.message}")

@@ -33,7 +33,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         return routes?.respond(path, parameters) ?: HttpResponse.message(409, "the lanes are older than those of another page; press Now")
     }
 
-    /** Takes the present recording, for one page at a time: many pages cost no more memory. */
+    /** Takes the present recording, for one page at a time, so that many pages cost no more memory than one. */
     @Synchronized
     private fun taken(): HttpResponse {
         val recording = try {
@@ -56,7 +56,7 @@ internal class LiveTimeline(private val agent: String) : AgentLanes {
         HttpResponse.message(500, "the recording of agent $agent cannot be read: ${trouble.message ?: trouble}")
 
     private companion object {
-        /** The time that the timeline covers. A longer timeline would cost the robot's computer time and memory. The recording has more. */
+        /** The time that the timeline covers. The recording has more, but a longer timeline would cost the computer time and memory. */
         val LAST: Duration = Duration.ofMinutes(2)
         const val REMEDY = "write argo_record=\"last(5)\" beside argo_view in the .mas2j, which keeps the last five minutes in memory"
     }

@@ -8,7 +8,7 @@ import argo.recording.Step
  * such links.
  */
 internal class PlanLinks {
-    /** A plan that was chosen for an event and has made no step yet. [intention] is its intention, if that existed by then. */
+    /** A plan that was chosen for an event and has made no step yet. [intention] is the plan's intention; null: none existed yet. */
     private class Chosen(val event: Int, val plan: Place, val intention: Int?)
 
     private val waiting = ArrayDeque<Chosen>()

@@ -1,0 +1,30 @@
+package argo.hand
+
+/**
+ * An order of a person to an agent. The agent carries it out at the beginning of a reasoning cycle, between two steps of its intentions.
+ * Its texts are in Jason's notation. Immutable.
+ */
+sealed interface Order {
+    /**
+     * Has the agent believe [literal], as a step `+literal` of a plan does; `-+literal` takes the place of beliefs that differ only in their
+     * arguments. Without a source the belief gets `source(self)`, like the agent's own, so that its plans can change it.
+     */
+    data class Believe(val literal: String) : Order
+
+    /** Has the agent forget each belief that unifies with [literal]; if it names a source, only the belief of that source. */
+    data class Forget(val literal: String) : Order
+
+    /** Has the agent begin [goal], `!goal` or `goal`, as an intention of its own. */
+    data class Begin(val goal: String) : Order
+
+    /** Has the agent drop each intention and event with an achievement goal that unifies with [goal], like `.drop_desire`. */
+    data class Drop(val goal: String) : Order
+}
+
+/**
+ * The outcome of an [Order].
+ *
+ * @property refusal the reason for which the agent has refused the order, for a person; the agent is unchanged. Null: it is carried out
+ * @property told further lines for the person
+ */
+data class Outcome(val refusal: String?, val told: List<String> = emptyList())

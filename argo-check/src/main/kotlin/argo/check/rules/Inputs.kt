@@ -1,0 +1,78 @@
+package argo.check.rules
+
+import argo.check.project.Mention
+import argo.check.project.Role
+import argo.check.syntax.Belief
+import argo.check.syntax.EventKind
+import argo.check.syntax.ListTerm
+import argo.check.syntax.Literal
+import argo.check.syntax.Node
+import argo.check.syntax.Operation
+import argo.check.syntax.Plan
+import argo.check.syntax.Term
+import argo.check.syntax.Variable
+import argo.check.syntax.withDescendants
+
+/**
+ * The arguments that need a value: all plans for the goal, or all rules for the literal, compare the argument, calculate with it, or have
+ * a list in its place.
+ *
+ * @param clauses the plans, beliefs and rules of a project
+ * @param believed how many mentions each literal has that make it a belief, by its indicator; the heads of rules are such mentions
+ */
+internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
+    private val ofGoals = common(
+        clauses.filterIsInstance<Plan>().filter { it.trigger.kind == EventKind.ACHIEVE && it.trigger.operator == "+" }
+            .mapNotNull { plan -> (plan.trigger.term as? Literal)?.let { it to plan.context } },
+    ) { true }
+
+    private val ofRules = common(
+        clauses.filterIsInstance<Belief>().mapNotNull { rule -> (rule.head as? Literal)?.let { it to rule.condition } },
+    ) {
+        it.size == believed[it.first().first.indicator] && it.any { (_, condition) -> condition != null }
+    }
+
+    /** Returns the indices from 0 of the arguments of [use] that need a value. */
+    fun of(use: Mention): Set<Int> = when (use.role) {
+        Role.POSTED -> ofGoals[use.literal.indicator]
+        Role.READ -> ofRules[use.literal.indicator]
+        else -> null
+    }.orEmpty()
+
+    private fun common(heads: List<Pair<Literal, Term?>>, areAll: (List<Pair<Literal, Term?>>) -> Boolean): Map<String, Set<Int>> =
+        heads.groupBy { it.first.indicator }.filterValues(areAll).mapValues { (_, same) -> comparedOf(same) + listOf(same) }
+
+    private fun comparedOf(same: List<Pair<Literal, Term?>>): Set<Int> = same.map { (head, condition) ->
+        val compared = condition?.let(::comparedIn).orEmpty()
+        indicesOf(head) { it is Variable && it.name.text in compared }
+    }.reduce(Set<Int>::intersect)
+
+    /** Of several arguments that are lists, one may be made from the other. */
+    private fun listOf(same: List<Pair<Literal, Term?>>): Set<Int> =
+        same.map { (head, _) -> indicesOf(head) { it is ListTerm } }.reduce(Set<Int>::intersect).takeIf { it.size == 1 }.orEmpty()
+
+    private fun indicesOf(head: Literal, isWanted: (Term) -> Boolean): Set<Int> =
+        head.arguments.indices.filter { isWanted(head.arguments[it]) }.toSet()
+
+    /** Returns the variables that [condition] compares or calculates with, before anything in it binds them. */
+    private fun comparedIn(condition: Term): Set<String> {
+        val bound = HashSet<String>()
+        val compared = HashSet<String>()
+        for (node in condition.withDescendants()) {
+            when {
+                node is Operation && node.isOf("|") -> return emptySet()
+                node is Operation && isComparison(node) -> compared += variablesOf(node) - bound
+                node is Literal || node is Operation && node.isOf("=") -> bound += variablesOf(node)
+            }
+        }
+        return compared
+    }
+
+    private fun isComparison(node: Operation) = node.isArithmetic || node.operators.all { it.text in COMPARISONS }
+
+    private fun variablesOf(node: Node) = node.withDescendants().filterIsInstance<Variable>().map { it.name.text }.toSet()
+
+    private companion object {
+        val COMPARISONS = setOf("<", "<=", ">", ">=", "==", "\\==")
+    }
+}

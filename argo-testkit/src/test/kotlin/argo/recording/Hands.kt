@@ -1,0 +1,24 @@
+package argo.recording
+
+import argo.Arch
+import argo.hand.Order
+import argo.hand.Outcome
+import argo.observing.ObservedAgent
+import argo.testkit.TestAgent
+import io.kotest.matchers.nulls.shouldNotBeNull
+import kotlin.time.Duration.Companion.milliseconds
+
+/** The agent as its observers see it. */
+internal val TestAgent.observed: ObservedAgent
+    get() = generateSequence(ts.agArch) { it.nextAgArch }.filterIsInstance<Arch>().first().observed
+
+/** Gives the agent [order], and returns the outcome when the agent has told it. */
+internal fun TestAgent.ordered(order: Order): Outcome {
+    var outcome: Outcome? = null
+    mas.open {
+        observed.order(order) { outcome = it }
+        mas.time.settle()
+    }
+    after(20.milliseconds)
+    return outcome.shouldNotBeNull()
+}

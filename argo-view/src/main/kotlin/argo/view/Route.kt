@@ -1,0 +1,48 @@
+package argo.view
+
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.TimeUnit
+
+/** Responds to requests for one path by [respond], if they use [method]. */
+internal class Route(val method: String, val respond: (Request) -> HttpResponse) {
+    companion object {
+        /** The longest request body that is read, in bytes. */
+        const val MAX_BYTES = 10_000
+
+        /** The time for which a request waits for an agent, in s. */
+        const val MAX_WAIT_S = 3L
+
+        fun get(respond: (Request) -> HttpResponse) = Route("GET", respond)
+
+        /** Makes a route for requests whose body is a [T] in JSON. */
+        inline fun <reified T> post(crossinline respond: (T) -> HttpResponse) = Route("POST") { request ->
+            refusal(request) ?: try {
+                respond(Json.decodeFromString<T>(request.body.decodeToString()))
+            } catch (wrong: SerializationException) {
+                HttpResponse.message(400, "the request cannot be read: ${wrong.message.orEmpty().lineSequence().first()}")
+            }
+        }
+
+        fun refusal(request: Request): HttpResponse? = when {
+            request.type?.substringBefore(';')?.trim() != HttpResponse.JSON -> // an HTML form cannot send JSON
+                HttpResponse.message(415, "the request must be JSON, of type ${HttpResponse.JSON}")
+            request.body.size > MAX_BYTES -> HttpResponse.message(413, "the request is longer than $MAX_BYTES bytes")
+            else -> null
+        }
+
+        /**
+         * Has an agent do something, and returns its answer. If there is none for [MAX_WAIT_S] s, since the agent's thread is busy or does
+         * not run yet, responds with [later].
+         */
+        fun awaited(
+            later: String = "asked for; the agent does it in its next reasoning cycle, which has not come for $MAX_WAIT_S s",
+            ask: (answer: (HttpResponse) -> Unit) -> Unit,
+        ): HttpResponse {
+            val answer = CompletableFuture<HttpResponse>()
+            ask(answer::complete)
+            return answer.completeOnTimeout(HttpResponse.message(202, later), MAX_WAIT_S, TimeUnit.SECONDS).join()
+        }
+    }
+}
