@@ -2,22 +2,23 @@ package experiment.delegation
 
 import experiment.ContinuationException
 import experiment.analysis.Source
+import experiment.program
 import experiment.report.Provenance
 import io.kotest.assertions.throwables.shouldThrow
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.engine.spec.tempdir
 import io.kotest.matchers.collections.shouldBeEmpty
-import io.kotest.matchers.collections.shouldContain
-import io.kotest.matchers.collections.shouldContainExactlyInAnyOrder
 import io.kotest.matchers.collections.shouldHaveSize
 import io.kotest.matchers.doubles.plusOrMinus
-import io.kotest.matchers.doubles.shouldBeGreaterThan
 import io.kotest.matchers.nulls.shouldNotBeNull
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain
 import io.kotest.matchers.string.shouldNotContain
 import jason.asSyntax.ASSyntax
 import javino.LineClock
+import java.io.PrintWriter
+import java.io.StringWriter
+import java.nio.file.Path
 import java.time.Instant
 import kotlin.io.path.appendText
 import kotlin.io.path.readText
@@ -131,7 +132,7 @@ class DelegationSpec : FunSpec({
     }
 
     context("the records") {
-        fun records(path: java.nio.file.Path) = DelegationRecords(path)
+        fun records(path: Path) = DelegationRecords(path)
 
         test("they hold the runs for a continuation, without a line that was cut off") {
             val directory = tempdir().toPath().resolve("x")
@@ -163,6 +164,22 @@ class DelegationSpec : FunSpec({
             val other = tempdir().toPath()
             other.resolve("runs.jsonl").writeText("no settings\n")
             shouldThrow<ContinuationException> { records(other).settings() }.message shouldContain "does not begin with settings"
+        }
+    }
+
+    listOf(
+        "--quick delegation" to "options of the experiment on delegation stand behind its name, not --quick",
+        "delegation --jobs 0" to "--jobs is from 1 to 256, not 0",
+        "delegation --slowdown 0.5" to "--slowdown is from 1 to 1000, not 0.5",
+        "delegation --slowdown 2 --out /dev/null" to "cannot be written to",
+        "delegation --out PRESENT --seed 4" to "holds the plan quick with --seed 3 and --slowdown 5.0",
+    ).forEach { (arguments, why) ->
+        test("$arguments is refused in words") {
+            val present = tempdir().toPath().also { directory -> DelegationRecords(directory).use { it.open(settings) } }
+            val printed = StringWriter()
+            val words = arguments.replace("PRESENT", "$present --quick").split(' ').toTypedArray()
+            PrintWriter(printed, true).let { program().setOut(it).setErr(it).execute(*words) } shouldBe 2
+            "$printed" shouldContain why
         }
     }
 
