@@ -7,10 +7,11 @@ import argo.boundary.Live
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
 import argo.hand.Hand
-import argo.hand.Order
+import argo.hand.Reloading
 import argo.observing.AgentObserver
 import argo.observing.ObservedAgent
 import argo.observing.Observers
+import argo.observing.Order
 import argo.perception.DeletedPercepts
 import argo.perception.EnvironmentPercepts
 import argo.perception.ReasoningQueues
@@ -33,7 +34,7 @@ import java.util.logging.Logger
  *     agents: robot agentArchClass argo.Arch;
  *
  * and its agents use the internal actions `argo.port`, `argo.ports`, `argo.limit`, `argo.percepts`, `argo.act`, `argo.can`,
- * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain` and `argo.record`. The architecture has three kinds of options.
+ * `argo.change_filter`, `argo.age`, `argo.skew`, `argo.explain`, `argo.record` and `argo.reload`. The architecture has three kinds of options.
  * `[argo_sensing=fresh]` (the default), `every` or `in_cycle` is the policy by which snapshots of the sensors are handed over.
  * `argo_percepts=4096` is the most percepts of a board that are believed at once. Other options belong to observers, such as
  * `argo_view=8080` to the live view.
@@ -72,6 +73,10 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
     internal lateinit var hand: Hand
         private set
 
+    /** Reads the program anew. Available from [init] on. */
+    internal lateinit var reloading: Reloading
+        private set
+
     internal lateinit var policy: SensingPolicy
         private set
 
@@ -100,6 +105,7 @@ open class Arch @JvmOverloads constructor(private val platform: Platform = Platf
         val queues = ReasoningQueues(::isQueueStanding, { ts.c.runningIntentions }) { ts.c.events }
         boards = AgentBoards(agName, options.policy, options.maxPercepts, platform, waker, log, queues) { observing }
         hand = Hand(log, waker::wake)
+        reloading = Reloading(ts, boards, hand, ::perceiveThrough)
         observed = ObservedArch(this, waker, platform)
         observing = Observers(options.observers.open(observed), log, platform.clock::nanos)
         boundary = platform.boundary ?: observers.filterIsInstance<Boundary>().firstOrNull() ?: Live

@@ -6,11 +6,12 @@ import argo.acting.requireCommand
 import argo.calls.ArgumentException
 import argo.calls.wrongArgument
 import argo.filters.PerceptionFilter
-import argo.hand.Order
-import argo.hand.Outcome
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.Order
+import argo.observing.Outcome
+import argo.observing.SeveralComputers
 import argo.perception.filterNames
 import argo.perception.filterOf
 import argo.platform.Platform
@@ -38,6 +39,9 @@ internal class ObservedArch(
     override val circumstance: Circumstance get() = arch.ts.c
     override val reasoning: TransitionSystem get() = arch.ts
     override val printed: Logger get() = arch.ts.logger
+
+    private val infrastructure = architectures(arch.ts).filterIsInstance<SeveralComputers>().firstOrNull()
+    override val computers get() = infrastructure?.computers.orEmpty()
 
     override fun nanos() = platform.clock.nanos()
 
@@ -79,6 +83,8 @@ internal class ObservedArch(
         }
     }
 
+    override fun reload(done: (Outcome) -> Unit) = arch.reloading.reload(emptySet(), done)
+    override fun sources() = arch.reloading.sources()
     override fun order(order: Order, done: (Outcome) -> Unit) = arch.hand.give(order, done)
 
     override fun wake() = waker.wake { true }

@@ -31,6 +31,7 @@ private val BENCHMARKS: Map<String, (file: File, more: List<String>) -> Any> = m
     "ros" to { _, _ -> ros() },
     "explore" to { _, more -> explored(more.firstOrNull()) },
     "record" to { _, _ -> recorded() },
+    "reload" to { _, _ -> reloaded() },
     "fleet" to { _, rows -> fleet(rows) },
     "boards-reactions" to { file, _ -> stopThree(file) },
 )
@@ -56,7 +57,7 @@ fun main(args: Array<String>) {
         in APART -> println(APART.getValue(name)(rest).joinToString(" "))
         BOARD_HOST -> hostBoards(rest)
         else -> {
-            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|fleet")
+            System.err.println("usage: ./argo bench latency|stops|boards|filters|realtime|bounds|faults|soak|tls|ros|explore|record|reload|fleet")
             exitProcess(2)
         }
     }

@@ -70,6 +70,9 @@ internal class Board(val term: Term, port: OpenPort, private val agent: AgentBoa
     @Volatile
     private var ownFilter: OwnFilter? = former?.ownFilter
 
+    /** The filter that was chosen for only this board; null: none was, or everything is kept. */
+    val chosenFilter: PerceptionFilter? get() = ownFilter?.filter
+
     /** The board's filter; null: everything is kept. Any thread may read. */
     val filter: PerceptionFilter? get() = ownFilter.let { if (it == null) agent.filter else it.filter }
 

@@ -1,7 +1,7 @@
 package argo.boundary
 
-import argo.hand.Order
 import argo.observing.CommandFailure
+import argo.observing.Order
 import jason.asSemantics.ActionExec
 import jason.asSemantics.Message
 import jason.asSemantics.TransitionSystem

@@ -1,6 +1,8 @@
 package argo.hand
 
 import argo.boundary.CompletionInbox
+import argo.observing.Order
+import argo.observing.Outcome
 import jason.RevisionFailedException
 import jason.asSemantics.TransitionSystem
 import java.util.logging.Level
@@ -38,6 +40,7 @@ internal class Hand(private val log: Logger, wake: (seen: () -> Boolean) -> Unit
             is Order.Forget -> ts.forget(order.literal)
             is Order.Begin -> ts.begin(order.goal)
             is Order.Drop -> ts.drop(order.goal)
+            is Order.Reload -> ts.reload(order)
         }
     } catch (refused: OrderRefusedException) {
         Outcome(refused.message)

@@ -1,5 +1,7 @@
 package argo.hand
 
+import argo.observing.Order
+import argo.observing.Outcome
 import argo.platform.Plans
 import jason.asSemantics.Circumstance
 import jason.asSemantics.Intention

@@ -2,14 +2,13 @@ package argo.observing
 
 import argo.filters.CriticalRule
 import argo.filters.PerceptionFilter
-import argo.hand.Order
-import argo.hand.Outcome
 import jason.asSemantics.Circumstance
 import jason.asSemantics.TransitionSystem
 import jason.bb.BeliefBase
 import javino.PerceptKind
 import javino.link.SendOptions
 import javino.wire.BoardAction
+import java.nio.file.Path
 import java.util.logging.Logger
 
 /** The interface of an agent for its observers. Any thread may use it unless a member says otherwise. */
@@ -45,6 +44,9 @@ interface ObservedAgent {
 
     /** The log to which the agent's plans print with `.print`. Jason's reports about the agent go there too. */
     val printed: Logger
+
+    /** The computers of the agent's system; empty: it is on one computer. */
+    val computers: List<ObservedComputer> get() = emptyList()
 
     /** Returns the time of the agent's clock in ns. The clock never goes back. */
     fun nanos(): Long
@@ -92,6 +94,15 @@ interface ObservedAgent {
 
     /** Has the agent carry [order] out at the beginning of its next cycle. Then its thread calls [done] once, with the outcome. */
     fun order(order: Order, done: (Outcome) -> Unit)
+
+    /**
+     * Reads the agent's program and its active filters anew, on the calling thread, and has the agent exchange what has changed, like
+     * `argo.reload`. Then calls [done] once: on the calling thread if anything cannot be read, else on the agent's thread.
+     */
+    fun reload(done: (Outcome) -> Unit)
+
+    /** Returns the files that [reload] reads: the program, the files that it includes, and filters; empty: none is on a disk. */
+    fun sources(): List<Path>
 
     /** Makes the agent run a reasoning cycle soon. */
     fun wake()

@@ -16,6 +16,9 @@ import java.nio.file.Path
 internal fun filterOf(agent: Agent, name: String): PerceptionFilter =
     finderOf(agent).find(name)
 
+/** Returns the file on a disk in which [filterOf] finds the filter; null: it is in none. */
+internal fun filterPath(agent: Agent, name: String): Path? = finderOf(agent).path(name)
+
 internal fun filterNames(agent: Agent): List<String> = finderOf(agent).names()
 
 private fun finderOf(agent: Agent) = FilterFinder(projectDirectories(agent), agent.javaClass.classLoader)

@@ -28,6 +28,9 @@ class Plans private constructor(val library: Any) {
         plans.forEach { call(ADD, library, it) }
     }
 
+    /** True if a plan is for the state of a goal: `^!goal[state(S)]`. */
+    val hasMetaEvents: Boolean get() = call(HAS_META_EVENTS, library) as Boolean
+
     companion object {
         private val OF_AGENT: Method = Agent::class.java.getMethod("getPL")
         private val OF_PLAN: Method = Plan::class.java.getMethod("getSubPlans")
@@ -35,10 +38,25 @@ class Plans private constructor(val library: Any) {
         private val ALL = TYPE.getMethod("getPlans")
         private val HAS_CANDIDATE = TYPE.getMethod("hasCandidatePlan", Trigger::class.java)
         private val CLEAR = TYPE.getMethod("clear")
+        private val HAS_META_EVENTS = TYPE.getMethod("hasMetaEventPlans")
+        private val SET_OF_AGENT: Method = Agent::class.java.getMethod("setPL", TYPE)
         private val ADD = TYPE.getMethod("add", Plan::class.java)
 
         /** Returns the plans of [agent]. */
         fun of(agent: Agent): Plans = Plans(checkNotNull(call(OF_AGENT, agent)))
+
+        /** Has [read] add plans to [agent], and returns them. The agent keeps the plans that it had. */
+        fun readInto(agent: Agent, read: () -> Unit): List<Plan> {
+            val before = of(agent)
+            val empty = TYPE.getConstructor().newInstance()
+            call(SET_OF_AGENT, agent, empty)
+            try {
+                read()
+            } finally {
+                call(SET_OF_AGENT, agent, before.library)
+            }
+            return Plans(empty).all
+        }
 
         /** Returns the plans within [plan]; null: it has none. */
         fun within(plan: Plan): Plans? = call(OF_PLAN, plan)?.let(::Plans)

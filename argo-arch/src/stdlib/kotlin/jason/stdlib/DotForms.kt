@@ -37,3 +37,6 @@ class skew : argo.skew()
 
 /** `.record(…)`: see [argo.record]. */
 class record : argo.record()
+
+/** `.reload(…)`: see [argo.reload]. */
+class reload : argo.reload()

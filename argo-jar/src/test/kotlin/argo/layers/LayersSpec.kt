@@ -52,6 +52,8 @@ class LayersSpec : FunSpec({
                 "argo.perception", "argo.sensing", "argo.acting", "argo.connecting", "argo.calls", "argo.platform", "argo.links",
                 "argo.observing",
             ),
+        "argo.hand" to
+            listOf("argo.boards", "argo.perception", "argo.platform", "argo.boundary", "argo.insides", "argo.observing"),
     )
 
     val lines = arrayOf("javino", "javino.link", "javino.wire")
@@ -168,9 +170,11 @@ class LayersSpec : FunSpec({
             noClasses().that().resideInAPackage("argo.fleet.node").should()
                 .dependOnClassesThat(productBut("argo.fleet.node", "argo.fleet.cluster").or(packages("jason.."))).check(product)
         }
-        test("know of the rest how messages are written, and what a tool is") {
+        test("know of the rest how messages are written, what live views see, and what a tool is") {
             noClasses().that().resideInAPackage("argo.fleet..").should()
-                .dependOnClassesThat(productBut("argo.fleet..", "argo.recording.agent", "argo.tools.command", "javino.tcp")).check(product)
+                .dependOnClassesThat(
+                    productBut("argo.fleet..", "argo.observing", "argo.recording.agent", "argo.tools.command", "javino.tcp"),
+                ).check(product)
         }
         test("know JGroups in the cluster only, and are known by nobody") {
             noClasses().that().resideOutsideOfPackage("argo.fleet.cluster").should()

@@ -113,9 +113,26 @@ data class Mail(
 /** An order of a person. */
 @Serializable
 data class GivenOrder(
-    @Holds("its kind: believe, forget, begin or drop")
+    @Holds("its kind: believe, forget, begin, drop or reload")
     val kind: String,
     @Holds("the belief or goal, as the person wrote it")
+    val text: String = "",
+    @Holds("of a reload: the program, and behind it each file that it includes")
+    val files: List<GivenFile> = emptyList(),
+    @Holds("of a reload: the addresses of files that the program included before")
+    val gone: Set<String> = emptySet(),
+)
+
+/** A file of a program that an agent was given at a reload. */
+@Serializable
+data class GivenFile(
+    @Holds("the address of the file that includes it; empty: the program itself does")
+    val within: String,
+    @Holds("its name in the directive include; empty: it is the program itself")
+    val name: String,
+    @Holds("its address, as Jason names it")
+    val address: String,
+    @Holds("its content")
     val text: String,
 )
 

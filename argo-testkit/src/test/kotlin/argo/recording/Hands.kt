@@ -1,11 +1,13 @@
 package argo.recording
 
 import argo.Arch
-import argo.hand.Order
-import argo.hand.Outcome
 import argo.observing.ObservedAgent
+import argo.observing.Order
+import argo.observing.Outcome
+import argo.platform.Plans
 import argo.testkit.TestAgent
 import io.kotest.matchers.nulls.shouldNotBeNull
+import jason.asSyntax.Plan
 import kotlin.time.Duration.Companion.milliseconds
 
 /** The agent as its observers see it. */
@@ -21,4 +23,10 @@ internal fun TestAgent.ordered(order: Order): Outcome {
     }
     after(20.milliseconds)
     return outcome.shouldNotBeNull()
+}
+
+/** The plans that agents have. */
+internal object Programs {
+    /** Returns the plans of [agent], without Jason's own for messages. */
+    fun plansOf(agent: TestAgent): List<Plan> = Plans.of(agent.ts.ag).all.filter { it.sourceFile != "kqmlPlans.asl" }
 }

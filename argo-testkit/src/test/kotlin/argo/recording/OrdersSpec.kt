@@ -1,6 +1,6 @@
 package argo.recording
 
-import argo.hand.Order
+import argo.observing.Order
 import argo.recording.replay.Recording
 import argo.testkit.TestAgent
 import argo.testkit.agentOf

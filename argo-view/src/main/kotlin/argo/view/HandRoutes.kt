@@ -1,8 +1,8 @@
 package argo.view
 
-import argo.hand.Order
-import argo.hand.Outcome
 import argo.observing.ObservedAgent
+import argo.observing.Order
+import argo.observing.Outcome
 import kotlinx.serialization.Serializable
 
 /** Responds to the buttons that order [agent] to believe or intend something. Safe for use by several threads. */

@@ -1,8 +1,8 @@
 package argo.view
 
-import argo.hand.Order
-import argo.hand.Outcome
 import argo.observing.ObservedAgent
+import argo.observing.Order
+import argo.observing.Outcome
 import io.kotest.core.spec.style.FunSpec
 import io.kotest.matchers.shouldBe
 import io.kotest.matchers.string.shouldContain

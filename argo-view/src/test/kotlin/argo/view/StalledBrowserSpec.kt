@@ -1,11 +1,11 @@
 package argo.view
 
 import argo.filters.PerceptionFilter
-import argo.hand.Order
-import argo.hand.Outcome
 import argo.observing.CommandFailure
 import argo.observing.ObservedAgent
 import argo.observing.ObservedPort
+import argo.observing.Order
+import argo.observing.Outcome
 import argo.observing.WatchedRule
 import io.kotest.assertions.nondeterministic.eventually
 import io.kotest.core.spec.style.FunSpec
@@ -93,6 +93,8 @@ internal object Nobody : ObservedAgent {
     override fun perceiveThrough(filter: PerceptionFilter?, done: () -> Unit) = done()
     override fun perceive(open: Boolean, done: () -> Unit) = done()
     override fun order(order: Order, done: (Outcome) -> Unit) = done(Outcome(null))
+    override fun reload(done: (Outcome) -> Unit) = done(Outcome(null))
+    override fun sources() = emptyList<java.nio.file.Path>()
     override fun wake() = Unit
     override fun wakeUntil(seen: () -> Boolean) = Unit
 }

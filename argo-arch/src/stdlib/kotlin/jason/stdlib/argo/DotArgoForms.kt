@@ -37,3 +37,6 @@ class skew : argo.skew()
 
 /** `.argo.record(…)`: see [argo.record]. */
 class record : argo.record()
+
+/** `.argo.reload(…)`: see [argo.reload]. */
+class reload : argo.reload()

@@ -3,26 +3,31 @@ package argo.check.rules
 /** The names of ARGO's internal actions and of their errors. */
 internal object ArgoActions {
     /** The names of the actions, without a package or a dot. */
-    val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record")
+    val NAMES = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "change_filter", "explain", "record", "reload")
 
     /** The names that programs may write with only a dot in front. */
     val DOT_NAMES = NAMES + "filter"
 
     /** The actions that need `argo.Arch`. */
-    val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record")
+    val OF_BOARDS = setOf("port", "ports", "limit", "percepts", "act", "age", "skew", "can", "record", "reload")
 
     val ERRORS = setOf(
         "wrong_arguments", "not_argo", "no_such_port", "port_busy", "port_permission", "port_failed", "too_many_ports", "no_port",
         "port_gone", "port_timeout", "act_refused", "act_failed", "act_unconfirmed", "act_timeout", "act_replaced", "no_answer",
         "other_answer", "no_vocabulary", "not_perceived", "unknown_board", "not_recording", "ambiguous_action", "no_such_filter",
-        "bad_filter",
+        "bad_filter", "bad_program",
+    )
+
+    /** The errors of `.send`, `.broadcast` and `.kill_agent` in a fleet of several computers. */
+    private val FLEET_ERRORS = setOf(
+        "no_agent", "unreachable", "overloaded", "not_sendable", "not_readable", "moved", "not_sender", "not_killed", "refused",
     )
 
     val JASON_ERRORS = setOf(
         "no_relevant", "no_applicable", "no_option", "constraint_failed", "ia_failed", "action_failed", "internal_action", "unknown",
         "wrong_arguments",
-        "deadline_reached", "testing_goal_failed", "no_agent",
-    )
+        "deadline_reached", "testing_goal_failed", "receiver_not_found",
+    ) + FLEET_ERRORS
 
     /**
      * Returns the name of the ARGO action that a call such as `.argo.port` names, in upper or lower case; null: the call names no such

@@ -47,7 +47,7 @@ internal object ArgumentOrderRules : Rule {
         return if (first.length == second.length && at != null && first[at] + 1 == second[at]) MIN_PLANS else 0
     }
 
-    /** A plan may mean both ways, and look up a string by another argument. */
+    /** Reports swapped arguments, with less certainty unless [isLikely]: a plan may mean both orders, or look up a string. */
     private fun tell(literal: OpenLiteral, index: Int, isLikely: Boolean, report: Report) = report.add(
         "argument-order", if (isLikely) Level.WARNING else Level.HINT, literal.placeOf(index),
         "arguments ${index + 1} and ${index + 2} of ${literal.mention.literal.indicator} stand the other way round elsewhere in the " +
@@ -90,7 +90,7 @@ internal object ArgumentOrderRules : Rule {
             columns[text].isOfVariablesButOne && columns[variable].isOfStringsButOne
     }
 
-    /** Returns true if several atoms are numbered like [argument] in the column [there], and none is [here]. */
+    /** Returns true if the column [there] has several atoms numbered like [argument], and the column [here] has no other. */
     private fun isNumberedLike(argument: Argument, here: Column, there: Column): Boolean {
         val stem = argument.stem ?: return false
         return here.stemsLike(stem) == 1 && there.stemsLike(stem) >= MIN_PLANS
@@ -116,7 +116,7 @@ internal object ArgumentOrderRules : Rule {
         return if (here.kindsLike(kind, argument) > 0) AGAINST else if (there.kindsLike(kind, neighbour) > 0) ALIKE else 0
     }
 
-    /** So many times more often must something stand in another place for that to be its place. */
+    /** An argument belongs in another place only if it is found there this many times as often. */
     private const val MANY = 5
     private const val MAX = 1_000_000
     private const val AGAINST = -10

@@ -103,7 +103,7 @@ internal class Column {
     /** True if all arguments but one are strings. */
     val isOfStringsButOne: Boolean get() = size > 1 && strings == size - 1
 
-    /** Returns how many other arguments than [own], which is one of this column, are of [kind]. */
+    /** Returns how many arguments of this column other than [own] are of [kind]. */
     fun kindsLike(kind: String, own: Argument): Int = kinds.getOrDefault(kind, 0) - if (own.kind == kind) 1 else 0
 }
 

@@ -6,7 +6,7 @@ import argo.check.syntax.Component
 import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
-/** Variables without a value in an argument of a goal or a rule that needs one: see [Inputs]. */
+/** Finds variables without a value in arguments of goals or rules that need a value: see [Inputs]. */
 internal object InputRules : Rule {
     override fun check(scene: Scene, report: Report) {
         scene.program.program.components.flatMap(::clauses).forEach { clause(it, scene, report) }

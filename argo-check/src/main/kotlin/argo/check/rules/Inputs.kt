@@ -14,11 +14,11 @@ import argo.check.syntax.Variable
 import argo.check.syntax.withDescendants
 
 /**
- * The arguments that need a value: all plans for the goal, or all rules for the literal, compare the argument, calculate with it, or have
- * a list in its place.
+ * Finds the arguments that need a value. All plans for the goal, or all rules for the literal, compare such an argument, calculate with it,
+ * or have a list in its place.
  *
  * @param clauses the plans, beliefs and rules of a project
- * @param believed how many mentions each literal has that make it a belief, by its indicator; the heads of rules are such mentions
+ * @param believed the number of mentions that make a literal a belief, by the literal's indicator; the heads of rules count too
  */
 internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
     private val ofGoals = common(
@@ -47,7 +47,7 @@ internal class Inputs(clauses: List<Node>, believed: Map<String, Int>) {
         indicesOf(head) { it is Variable && it.name.text in compared }
     }.reduce(Set<Int>::intersect)
 
-    /** Of several arguments that are lists, one may be made from the other. */
+    /** Returns the argument that is a list. With several lists none needs a value, since one may be made from another. */
     private fun listOf(same: List<Pair<Literal, Term?>>): Set<Int> =
         same.map { (head, _) -> indicesOf(head) { it is ListTerm } }.reduce(Set<Int>::intersect).takeIf { it.size == 1 }.orEmpty()
 

@@ -46,7 +46,7 @@ internal object VariableRules : Rule {
         }.toMap()
     }
 
-    /** Returns [argument] and, if it is a list, what it lists. */
+    /** Returns [argument] and, if it is a list, its items. */
     private fun members(argument: Term): List<Term> = if (argument is ListTerm) argument.items + argument else listOf(argument)
 
     private const val WHY = "it is bound for nothing, or unbound where it is used"

@@ -19,7 +19,7 @@ import kotlin.io.path.visitFileTree
 internal class FilterDirectory(private val directory: Path, private val boundary: Path, private val foreignFiles: Boolean) : FilterPlace {
 
     override fun find(name: String): PerceptionFilter? {
-        val (fileName, format) = FilterFormat.candidates(name).find { (it, _) -> directory.resolve(it).isRegularFile() } ?: return null
+        val (fileName, format) = candidate(name) ?: return null
         val file = directory.resolve(fileName)
         val real = file.toRealPath()
         if (!real.startsWith(boundary.toRealPath())) {
@@ -28,6 +28,10 @@ internal class FilterDirectory(private val directory: Path, private val boundary
         }
         return real.inputStream().use { format.read(it, file.toString(), FilterFormat.bareName(name)) }
     }
+
+    private fun candidate(name: String) = FilterFormat.candidates(name).find { (it, _) -> directory.resolve(it).isRegularFile() }
+
+    override fun path(name: String): Path? = candidate(name)?.let { (fileName, _) -> directory.resolve(fileName) }
 
     override fun names(): List<String> =
         filesUnder(directory, if (foreignFiles) 1 else DEPTH).filter { !foreignFiles || isFilter(it) }.map(FilterFormat::bareName)

@@ -48,6 +48,9 @@ class FilterFinder(projectDirectories: List<Path>, classLoader: ClassLoader) {
      */
     fun names(): List<String> = places.flatMap(FilterPlace::names).distinct().sorted()
 
+    /** Returns the file on a disk that [find] reads for [name]; null: there is none. */
+    fun path(name: String): Path? = places.firstNotNullOfOrNull { it.path(name) }
+
     private fun requireInside(name: String) {
         val problem = nameProblem(FilterFormat.bareName(name)) ?: return
         throw FilterNotFoundException("'$name' cannot be a filter's name: $problem. ${existing()}")

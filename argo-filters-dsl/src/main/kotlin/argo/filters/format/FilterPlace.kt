@@ -5,6 +5,7 @@ import argo.filters.FilterProvider
 import argo.filters.PerceptionFilter
 import java.net.JarURLConnection
 import java.net.URL
+import java.nio.file.Path
 import java.util.ServiceConfigurationError
 import java.util.ServiceLoader
 import kotlin.io.path.isRegularFile
@@ -14,6 +15,9 @@ import kotlin.io.path.toPath
 internal interface FilterPlace {
     /** Returns the filter called [name]; null if there is none. The caller has checked that [name] does not lead out of the place. */
     fun find(name: String): PerceptionFilter?
+
+    /** Returns the file that [find] reads for [name]; null: it reads none on a disk. */
+    fun path(name: String): Path? = null
 
     /** Returns the names of the place's filters, for messages; empty if the place cannot be listed. */
     fun names(): List<String>

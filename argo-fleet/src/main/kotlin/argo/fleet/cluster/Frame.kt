@@ -23,7 +23,7 @@ internal sealed interface Frame {
      * @property taken pieces before this one have been taken by the listener, or left out as failed
      * @property arrived pieces before this one have arrived; the next one that is awaited
      * @property isRepeatWanted whether a later piece came first
-     * @property refusals why messages among those taken were refused, by their last pieces
+     * @property refusals why messages among those taken were refused, as [Refused.line], by their last pieces
      */
     class Acknowledgement(
         val taken: Long,

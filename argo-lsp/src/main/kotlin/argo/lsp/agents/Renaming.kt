@@ -42,7 +42,7 @@ internal class Renaming(private val project: Project, private val source: Source
         return Renamed(WorkspaceEdit(edits), "other files still name ${occurrence.symbol}: $left".takeIf { left.isNotEmpty() })
     }
 
-    /** Returns the messages in other agents' programs that contain the name of [occurrence]. A renaming does not change them. */
+    /** Returns the messages in other agents' programs that contain the name of [occurrence]. A renaming does not change these messages. */
     private fun sentByOthers(occurrence: Occurrence): List<String> {
         val family = project.family(source)
         return project.sources.filter { it !in family }.flatMap { each ->
@@ -52,7 +52,7 @@ internal class Renaming(private val project: Project, private val source: Source
         }
     }
 
-    /** Returns the agents in project files whose options `beliefs` and `goals` contain the name. A renaming does not change them. */
+    /** Returns the agents in project files whose options `beliefs` and `goals` contain the name. A renaming does not change the options. */
     private fun initialIn(occurrence: Occurrence): List<String> {
         val agents = project.checked.agentsOf(source.file)
         return project.checked.masFiles.flatMap { mas ->

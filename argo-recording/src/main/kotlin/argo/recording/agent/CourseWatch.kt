@@ -75,6 +75,9 @@ internal class CourseWatch(private val ts: TransitionSystem) {
         return StepNote(numbers.getOrPut(intention) { ++intentions }, intention.size(), placeOf(means.plan), body)
     }
 
+    /** Forgets the places of plans, which a reload may have changed. */
+    fun forgetPlaces() = places.clear()
+
     fun placeOf(plan: Plan): Place {
         if (places.size >= MAX_CACHED) places.clear()
         return places.getOrPut(plan) { placeIn(plan) }

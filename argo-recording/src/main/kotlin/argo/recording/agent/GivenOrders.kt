@@ -1,12 +1,15 @@
 package argo.recording.agent
 
-import argo.hand.Order
+import argo.observing.Order
+import argo.observing.ProgramFile
+import argo.recording.GivenFile
 import argo.recording.GivenOrder
 
 private const val BELIEVE = "believe"
 private const val FORGET = "forget"
 private const val BEGIN = "begin"
 private const val DROP = "drop"
+private const val RELOAD = "reload"
 
 /** Returns [order] as a recording contains it. */
 internal fun given(order: Order): GivenOrder = when (order) {
@@ -14,6 +17,9 @@ internal fun given(order: Order): GivenOrder = when (order) {
     is Order.Forget -> GivenOrder(FORGET, order.literal)
     is Order.Begin -> GivenOrder(BEGIN, order.goal)
     is Order.Drop -> GivenOrder(DROP, order.goal)
+    is Order.Reload -> GivenOrder(
+        RELOAD, files = order.files.map { GivenFile(it.within, it.name, it.address, it.text) }, gone = order.gone,
+    )
 }
 
 /**
@@ -25,5 +31,6 @@ internal fun orderOf(given: GivenOrder): Order = when (given.kind) {
     FORGET -> Order.Forget(given.text)
     BEGIN -> Order.Begin(given.text)
     DROP -> Order.Drop(given.text)
+    RELOAD -> Order.Reload(given.files.map { ProgramFile(it.within, it.name, it.address, it.text) }, given.gone)
     else -> throw IllegalArgumentException("a recording holds the order ${given.kind}, which this version of ARGO does not know")
 }

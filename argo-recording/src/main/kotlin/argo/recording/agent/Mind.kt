@@ -10,6 +10,7 @@ import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
 import jason.asSyntax.LogicalFormula
 import jason.asSyntax.Plan
+import jason.asSyntax.Rule
 import jason.asSyntax.Term
 import jason.asSyntax.Trigger
 import java.io.Serializable
@@ -33,6 +34,8 @@ internal class Mind(
     val numbers: ArrayList<Int>,
     /** The agent's plans; null: those of its program. */
     val plans: ArrayList<Plan>?,
+    /** The rules that the agent has got at run time, by their places among its beliefs; null: none. */
+    val rules: HashMap<Int, Rule>? = null,
 ) : Serializable {
     private companion object {
         const val serialVersionUID = 1L

@@ -24,7 +24,18 @@ internal class ProgramParts(val agent: Agent) {
         rules.forEach(::note)
     }
 
+    private val places = plans.map { it.srcInfo }
+
     val size: Int get() = parts.size
+
+    /** Forgets the plans whose lines a reload has changed. They are then no parts of the program. */
+    fun forgetMoved() = plans.indices.filter { plans[it].srcInfo !== places[it] }.forEach { forget(plans[it]) }
+
+    private fun forget(plan: Plan) {
+        numbers -= plan
+        generateSequence(plan.body) { it.bodyNext }.forEach(numbers::remove)
+        Plans.within(plan)?.all?.forEach(::forget)
+    }
 
     private fun visit(plans: Plans) {
         note(plans.library)
@@ -43,7 +54,8 @@ internal class ProgramParts(val agent: Agent) {
 
     fun part(number: Int): Any = parts[number]
 
-    fun hasPlans(): Boolean = Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] } }
+    fun hasPlans(): Boolean =
+        Plans.of(agent).all.let { now -> now.size == plans.size && now.indices.all { now[it] === plans[it] && now[it] in numbers } }
 
     companion object {
         fun mayBePart(one: Any): Boolean = one is Plan || one is PlanBody || Plans.isLibrary(one) || one is Rule

@@ -48,6 +48,9 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         if (WaitEvents.timeout[wait] == TimeUnit.NANOSECONDS.toMillis(delayNs)) timers[number] = Timer(wait, ns + delayNs)
     }
 
+    /** Notes that the agent's program has been exchanged. Key frames then have the plans and rules that differ from the program's. */
+    fun reloaded() = program.forgetMoved()
+
     fun ended(number: Int) {
         timers -= number
     }
@@ -122,11 +125,12 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         val beliefs = ArrayList<Literal>(ts.ag.bb.size())
         val places = IdentityHashMap<Literal, Int>()
         val rules = HashMap<Int, Int>()
+        val added = HashMap<Int, Rule>()
         for (belief in ts.ag.bb) {
             val place = beliefs.size
             if (belief is Rule) {
-                rules[place] = program.rules.indexOfFirst { it === belief }
-                if (rules[place] == -1) throw NotSerializableException("a rule had been added at run time")
+                val known = program.rules.indexOfFirst { it === belief }
+                if (known == -1) added[place] = belief else rules[place] = known
                 beliefs += belief
             } else {
                 if (!belief.isGround) throw NotSerializableException("the belief $belief had variables")
@@ -135,7 +139,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             }
         }
         val percepts = ts.ag.bb.percepts.asSequence().mapNotNull(places::get).toList()
-        val mind = bytesOf(mind(), program)
+        val mind = bytesOf(mind(added.takeIf { it.isNotEmpty() }), program)
         if (mind.size > MAX_MIND_BYTES) throw NotSerializableException("its events and intentions took more than $MAX_MIND_BYTES bytes")
         val frame = KeyFrame(
             cycle.index, cycle.number, cycle.ns, null, emptyList(), rules, percepts, maxOf(mostPercepts, percepts.size), emptyList(),
@@ -145,7 +149,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
         return KeyFrameNote(frame, beliefs, perceived, mind)
     }
 
-    private fun mind(): Mind {
+    private fun mind(added: HashMap<Int, Rule>?): Mind {
         val c = ts.c
         val listening = c.listeners.filter(WaitEvents::isWait)
         val numbers = timers.entries.associateTo(IdentityHashMap()) { (number, timer) -> timer.wait to number }
@@ -159,7 +163,7 @@ internal class KeyFrames(private val ts: TransitionSystem, private val course: C
             Insides.isAtomicSuspended[c], LinkedHashMap(c.pendingIntentions), LinkedHashMap(c.pendingEvents),
             Insides.goalConditions[c], c.selectedEvent, c.selectedOption?.plan, c.selectedIntention, ArrayList(waits),
             ArrayList(intentions), intentions.mapTo(ArrayList()) { course.numberOf(it) ?: 0 },
-            if (program.hasPlans()) null else ArrayList(Plans.of(ts.ag).all),
+            if (program.hasPlans()) null else ArrayList(Plans.of(ts.ag).all), added,
         )
     }
 

@@ -3,15 +3,18 @@ package argo.recording.recorder
 import argo.boundary.Boundary
 import argo.boundary.CompletionInbox
 import argo.boundary.InternalCall
+import argo.boundary.Overlaps
 import argo.boundary.Perception
 import argo.filters.PerceptionFilter
-import argo.hand.Order
+import argo.insides.Includes
 import argo.insides.Insides
+import argo.insides.KeptInclude
 import argo.observing.AgentObserver
 import argo.observing.CommandFailure
 import argo.observing.EndedReflex
 import argo.observing.IssuedCommand
 import argo.observing.ObservedAgent
+import argo.observing.Order
 import argo.observing.PerceivedMessage
 import argo.observing.RuleWatcher
 import argo.recording.CallFailure
@@ -24,11 +27,9 @@ import argo.recording.agent.Begun
 import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
-import argo.recording.agent.Includes
 import argo.recording.agent.JasonCode
 import argo.recording.agent.Keeper
 import argo.recording.agent.KeptAction
-import argo.recording.agent.KeptInclude
 import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
 import argo.recording.agent.WatchedCode
@@ -234,6 +235,15 @@ internal class Recorder(
         if (orders.isEmpty()) return
         agent.now.orders += orders.map(::given)
         Keeper.within(this) { orders.forEach(carryOut) }
+        orders.filterIsInstance<Order.Reload>().forEach { reloaded(agent, it) }
+    }
+
+    private fun reloaded(agent: Running, order: Order.Reload) {
+        order.files.firstNotNullOfOrNull { foreignDirective(it.text) }?.let { agent.now.refuse(it, isOfProject = false) }
+        agent.code.included()
+        noteUnknownCode(agent)
+        agent.course.forgetPlaces()
+        agent.keyFrames.reloaded()
     }
 
     override fun perceive(live: () -> Perception): Perception = live().also { perception ->
@@ -267,12 +277,12 @@ internal class Recorder(
 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         val agent = current() ?: return live(call.un)
-        val note = CallNote(call.name, call.args, code != WatchedKind.OUTSIDE)
+        val note = CallNote(call.name, call.args, code.isOfProject)
         agent.now.calls += note
         val around = agent.now.underWay
         agent.now.underWay = note
         try {
-            return noting(note, call, if (code == WatchedKind.OUTSIDE) live(call.un) else ofProject(agent, call, code, live))
+            return noting(note, call, if (code.isOfProject) ofProject(agent, call, code, live) else live(call.un))
         } catch (failed: JasonException) {
             note.failure = callFailure(failed)
             throw failed

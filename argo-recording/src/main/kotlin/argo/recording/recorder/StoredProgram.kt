@@ -1,18 +1,13 @@
 package argo.recording.recorder
 
-import argo.recording.agent.KeptInclude
+import argo.hand.ProgramSource
+import argo.insides.KeptInclude
 import argo.recording.agent.ProgramNames
 import argo.recording.includeMetadata
 import argo.recording.programName
 import argo.recording.storage.RecordSink
-import jason.asSemantics.Agent
 import jason.asSyntax.directives.DirectiveProcessor
-import jason.runtime.SourcePath
-import java.io.FileNotFoundException
 import java.io.IOException
-import java.net.MalformedURLException
-import java.net.URI
-import java.net.URL
 import java.nio.file.Path
 
 /**
@@ -41,19 +36,13 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 
     private fun findIncluded(source: ProgramSource, outer: String?, all: MutableList<Inclusion>, seen: MutableSet<String>) {
         val names = ProgramNames(source.text)
-        names.directives.forEach(::requireJasons)
+        foreignDirective(source.text)?.let { throw IOException(it) }
         for (included in names.includes) {
             val within = outer.takeUnless { included.isInBlock }
             val file = ProgramSource.included(included.name, within, KeptInclude.sourcePath)
             all += Inclusion(within.orEmpty(), included.name, file)
             if (file != null && seen.add(file.address)) findIncluded(file, file.address, all, seen)
         }
-    }
-
-    private fun requireJasons(directive: String) {
-        if (directive in JASONS_DIRECTIVES) return
-        val type = DirectiveProcessor.getDirective(directive)?.javaClass ?: return // the term only looks like a directive
-        throw IOException("the project's class ${type.name} reads its directive $directive")
     }
 
     /**
@@ -85,64 +74,14 @@ internal class StoredProgram(private val agent: String, main: ProgramSource, pri
 private val JASONS_DIRECTIVES =
     setOf("include", "register_function", "namespace", "dg", "bdg", "ebdg", "bc", "smc", "rc", "omc", "mg", "sga")
 
+/** Returns the reason for which no replay can read the program [text]: the project's code reads a directive. Null: none does. */
+internal fun foreignDirective(text: String): String? = (ProgramNames(text).directives - JASONS_DIRECTIVES).firstNotNullOfOrNull { directive ->
+    val type = DirectiveProcessor.getDirective(directive)?.javaClass // null: the term only looks like a directive
+    type?.let { "the project's class ${it.name} reads its directive $directive" }
+}
+
 private fun Path.isParentOf(file: Path) = file.startsWith(this)
 
 private fun commonDirectory(directories: List<Path>): Path =
     directories.reduceOrNull { one, other -> generateSequence(one) { it.parent }.firstOrNull(other::startsWith) ?: one }
         ?: Path.of("").toAbsolutePath()
-
-/** A file of a program: its address for Jason, and its content. */
-internal class ProgramSource(val address: String, val bytes: ByteArray) {
-    val text: String get() = bytes.decodeToString()
-
-    /** The path of the file; null: it is in a jar, on the class path or on another computer. */
-    val path: Path? by lazy { pathOf(address) }
-
-    companion object {
-        /**
-         * Reads the file at [address].
-         * @throws IOException if it cannot be read
-         */
-        fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
-
-        /**
-         * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
-         * [outer] is the address of the including file; null: the agent's program, at its beginning.
-         */
-        fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
-            val found = sourcePath.fixPath(name)
-            val paths = SourcePath().apply {
-                if (outer != null) addParentInPath(outer)
-                addAll(sourcePath)
-            }
-            return try {
-                at(if (outer == null) found else paths.fixPath(found))
-            } catch (_: IOException) {
-                null
-            }
-        }
-
-        private fun open(address: String) = when {
-            address.startsWith(SourcePath.CRPrefix) ->
-                Agent::class.java.getResourceAsStream(address.removePrefix(SourcePath.CRPrefix)) ?: throw FileNotFoundException(address)
-            else -> try {
-                URL(address).openStream()
-            } catch (_: MalformedURLException) {
-                URL("file:$address").openStream()
-            }
-        }
-
-        private fun pathOf(address: String): Path? = try {
-            when {
-                address.startsWith("file:/") -> Path.of(URI(address))
-                address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
-                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further left
-                else -> Path.of(address)
-            }?.toAbsolutePath()?.normalize()
-        } catch (_: java.net.URISyntaxException) {
-            null
-        } catch (_: IllegalArgumentException) {
-            null
-        }
-    }
-}

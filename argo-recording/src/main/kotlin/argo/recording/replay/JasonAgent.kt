@@ -2,12 +2,13 @@ package argo.recording.replay
 
 import argo.Arch
 import argo.boundary.Boundary
+import argo.hand.unreadableAt
 import argo.insides.Insides
+import argo.insides.KeptInclude
 import argo.links.BoardLink
 import argo.platform.Platform
 import argo.recording.RecordedAgent
 import argo.recording.agent.Counters
-import argo.recording.agent.KeptInclude
 import jason.architecture.AgArch
 import jason.asSemantics.Agent
 import jason.asSemantics.Message

@@ -1,7 +1,7 @@
 package argo.recording.replay
 
-import argo.recording.agent.Includes
-import argo.recording.agent.KeptInclude
+import argo.insides.Includes
+import argo.insides.KeptInclude
 import jason.asSemantics.Agent
 import jason.asSyntax.Atom
 import jason.asSyntax.Pred
@@ -27,6 +27,8 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
     val watch = LateWatch(isCarryingOut = !isOfRecordedProgram)
 
     var running: Agent? = null
+
+    override fun agent() = GuardedAgent(watch)
 
     private var isInRecorded = false // whether a recorded file is being read
 
@@ -67,7 +69,7 @@ internal class RecordedIncludes(recording: Recording, private val agent: String,
 
     /** Reads [text] as Jason's `include` reads a file; null: it cannot be read, and Jason goes on without it. */
     private fun read(text: ByteArray, address: String, namespace: Atom): Agent? = try {
-        GuardedAgent(watch).apply {
+        agent().apply {
             initAg()
             aslSrc = address
             val parser = as2j(text.inputStream())

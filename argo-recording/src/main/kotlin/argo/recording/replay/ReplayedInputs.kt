@@ -3,8 +3,8 @@ package argo.recording.replay
 import argo.boundary.Boundary
 import argo.boundary.InternalCall
 import argo.boundary.Perception
-import argo.hand.Order
 import argo.observing.CommandFailure
+import argo.observing.Order
 import argo.recording.Call
 import argo.recording.Course
 import argo.recording.Cycle
@@ -14,6 +14,7 @@ import argo.recording.agent.CallWatch
 import argo.recording.agent.Counters
 import argo.recording.agent.CourseWatch
 import argo.recording.agent.Keeper
+import argo.recording.agent.ProgramNames
 import argo.recording.agent.ProgramParts
 import argo.recording.agent.RecordedFailure
 import argo.recording.agent.UnknownCodeException
@@ -112,7 +113,17 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
 
     override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) {
         if (cycle.input.orders.isEmpty()) return
-        Keeper.within(this) { cycle.input.orders.map(::orderOf).forEach(carryOut) }
+        val orders = cycle.input.orders.map(::orderOf).filter { answers.isOfRecordedProgram || it !is Order.Reload }
+        orders.filterIsInstance<Order.Reload>().flatMap { it.files }.flatMap { ProgramNames(it.text).classes }.forEach(GuardedAgent::requireCode)
+        Keeper.within(this) { orders.forEach(carryOut) }
+        if (orders.none { it is Order.Reload }) return
+        guarded(ts) {
+            code.apply {
+                included()
+                watchAdded()
+            }
+        }
+        course.forgetPlaces()
     }
 
     override fun perceive(live: () -> Perception): Perception {
@@ -164,7 +175,7 @@ internal class ReplayedInputs(private val answers: Answers, private val senses: 
     override fun call(call: InternalCall, code: WatchedKind, live: (Unifier) -> Any): Any {
         if (!isAsking) return reading("result of ${call.name}") { answers.call(call, code, live) } ?: false
         val recorded = asked(call.name, call.args)
-        return if (recorded == null || recorded.failure != null || call.suspend != null) false else answer(recorded, call)
+        return if (recorded == null || recorded.failure != null || recorded.number != null) false else answer(recorded, call)
     }
 
     override fun evaluate(name: String, args: Array<Term>, isOfProject: Boolean, live: () -> Double): Double {

@@ -19,6 +19,7 @@ import jason.asSemantics.Option
 import jason.asSemantics.TransitionSystem
 import jason.asSemantics.Unifier
 import jason.asSyntax.Literal
+import jason.asSyntax.Rule
 import jason.bb.DefaultBeliefBase
 import jason.util.RunnableSerializable
 import java.io.ByteArrayInputStream
@@ -50,11 +51,10 @@ internal class Restoration(
         if (frame.parts != program.size) refuse("the program has ${program.size} plans and steps, and had ${frame.parts}")
         val counters = Counters.read()
         try {
-            believe()
             val packed = ByteArrayInputStream(Base64.getDecoder().decode(frame.mind))
             val mind = InflaterInputStream(packed).use { it.readNBytes(MAX_MIND_BYTES + 1) }
             if (mind.size > MAX_MIND_BYTES) refuse("it holds more than $MAX_MIND_BYTES bytes")
-            return intend(mindOf(mind, program, code))
+            return mindOf(mind, program, code).also(::believe).let(::intend)
         } catch (refused: RecordingException) {
             throw refused
         } catch (broken: Exception) {
@@ -80,15 +80,18 @@ internal class Restoration(
             "the key frame at cycle ${frame.number} cannot be read: it is damaged, or of another version of Jason ($why)",
         )
 
-    private fun believe() {
+    private fun believe(mind: Mind) {
         val bb = ts.ag.bb as DefaultBeliefBase
         val own = ts.ag.bb.filter { it.isRule }
         bb.clear()
         if (!isProgram) own.forEach { bb.add(1, it) }
-        val believed = frame.beliefs.mapIndexed { place, text -> frame.rules[place]?.let(program.rules::get) ?: literalOf(text) }
+        val believed = frame.beliefs.mapIndexed { place, text -> ruleAt(place, mind) ?: literalOf(text) }
         believed.forEach { if (isProgram || !it.isRule) bb.add(1, it) }
         Insides.percepts[bb] = ordered(frame.percepts.map { bb.contains(believed[it]) ?: refuse("a percept is missing") })
     }
+
+    /** Returns the rule at this [place] among the beliefs; null: there is none. */
+    private fun ruleAt(place: Int, mind: Mind): Rule? = frame.rules[place]?.let(program.rules::get) ?: mind.rules?.get(place)
 
     /** Returns a set of [percepts] with the order of the list, if one is found. The order depends on the capacity of the set. */
     private fun ordered(percepts: List<Literal>): HashSet<Literal> {

@@ -9,6 +9,7 @@ import kotlinx.serialization.Serializable
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
  * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
  * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
+ * @property sent if a message is at the root, the sendings that led to it, in recordings that were given, the nearest first
  * @property had the counterfactuals: the agent's commands with another percept, if the question has one, or the search found one
  */
 @Serializable
@@ -19,6 +20,29 @@ data class Answer(
     val frame: Frame? = null,
     val frames: List<Frame> = emptyList(),
     val had: List<Had> = emptyList(),
+    val sent: List<SentCause> = emptyList(),
+)
+
+/**
+ * The sending of a message, in the recording of its sender.
+ *
+ * @property file the recording
+ * @property agent the sender
+ * @property seconds when it was sent, since the first cycle of that recording
+ * @property delayMs the time until the receiver took it, in ms, by the clocks of both recordings as they were found to differ; null: that
+ *   is not known
+ * @property clock how the clock of that recording differs from the first one's, in words; null: both are of one program
+ * @property cause the step that sent it; null: it was not found, for the reason [trouble]
+ */
+@Serializable
+data class SentCause(
+    val file: String,
+    val agent: String,
+    val seconds: Double,
+    val delayMs: Double? = null,
+    val clock: String? = null,
+    val cause: StepCause? = null,
+    val trouble: String? = null,
 )
 
 /**

@@ -74,10 +74,31 @@ data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: St
     override val depth: Int = 1 + causes.size
 }
 
-/** A message of another agent. */
+/**
+ * A message of another agent.
+ *
+ * @property id the message's name
+ * @property seconds the beginning of the cycle in which the agent took it
+ */
 @Serializable
 @SerialName("message")
-data class MessageCause(val sender: String, val performative: String, val content: String, val seconds: Double) : Cause
+data class MessageCause(
+    val sender: String,
+    val performative: String,
+    val content: String,
+    val seconds: Double,
+    val id: String = "",
+) : Cause
+
+/**
+ * An order of a person to the agent.
+ *
+ * @property kind `believe`, `forget`, `begin`, `drop` or `reload`
+ * @property text the belief or goal, as the person wrote it; empty: the order has none
+ */
+@Serializable
+@SerialName("order")
+data class OrderCause(val kind: String, val text: String, val seconds: Double) : Cause
 
 /** A goal or a belief that the agent had at its beginning. */
 @Serializable

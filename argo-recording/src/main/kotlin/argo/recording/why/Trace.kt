@@ -2,10 +2,12 @@ package argo.recording.why
 
 import argo.boundary.Boundary
 import argo.boundary.Perception
+import argo.observing.Order
 import argo.recording.Cycle
 import argo.recording.KeyFrame
 import argo.recording.Place
 import argo.recording.agent.fileName
+import argo.recording.agent.given
 import argo.recording.agent.literalOf
 import argo.recording.agent.placeIn
 import argo.recording.replay.RecordedAnswers
@@ -49,6 +51,10 @@ internal class Trace(
     val percepts = PerceptOrigins(clock::seconds) { port, text -> filters.explain(port, text)?.toString() }
 
     val issued = ArrayList<Issued>()
+
+    /** The steps that sent the messages of the last cycle, by the messages' names. */
+    var sent: Map<String, StepCause> = emptyMap()
+        private set
 
     /** The plan that the agent chose for the last event that was [taken]; null: none so far. */
     var chosen: PlanCause? = null
@@ -96,7 +102,21 @@ internal class Trace(
         option = ts.c.selectedOption
         selected = ts.c.selectedIntention
         step = null
-        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns)) }
+        cycle.input.mail.mapTo(mail) { MessageCause(it.sender.orEmpty(), it.performative, it.content, clock.seconds(cycle.ns), it.id) }
+    }
+
+    override fun orders(live: () -> List<Order>, carryOut: (Order) -> Unit) = inputs.orders(live) { order ->
+        carryOut(order)
+        val cause = given(order).run { OrderCause(kind, text, clock.seconds(cycle.ns)) }
+        notice { cause }
+        if (order is Order.Believe) believed(order)?.let { note(it, cause) }
+    }
+
+    /** Returns the belief that a person set; null: the agent has refused the order. */
+    private fun believed(order: Order.Believe): Literal? = try {
+        literalOf(order.literal.trim().removePrefix("-+").removePrefix("+")).capply(Unifier()) as Literal
+    } catch (_: IllegalArgumentException) {
+        null
     }
 
     override fun perceive(live: () -> Perception): Perception = inputs.perceive(live).also { perception ->
@@ -152,6 +172,7 @@ internal class Trace(
         adoptSplit()
         notice { event -> step ?: UnknownCause(shown(event), "what added it was not seen") }
         event?.let(origins::remove)
+        sent = step?.let { by -> cycle.course.mail.associate { it.id to by } }.orEmpty()
         answers.repeated.flatMap { it.commands }.forEach { issue(it.port, it.text) }
         ts.c.action?.let { issue(null, normal("${it.actionTerm}")) }
         filters.changed(cycle.input.filters)
@@ -241,10 +262,13 @@ internal class Trace(
 
     private fun note(means: IntendedMeans, body: PlanBody, step: StepCause) {
         if (body.bodyType !in NOTING) return
-        val literal = body.bodyTerm.capply(means.unif) as? Literal ?: return
-        val key = normal(keyOf(literal))
+        note(body.bodyTerm.capply(means.unif) as? Literal ?: return, step)
+    }
+
+    private fun note(belief: Literal, cause: Cause) {
+        val key = normal(keyOf(belief))
         notes.remove(key) // so that the newest note comes last
-        notes[key] = step
+        notes[key] = cause
     }
 
     private fun originOf(belief: Literal): Cause = when {

@@ -1,5 +1,7 @@
 package argo.recording.why
 
+import argo.observing.Order
+import argo.recording.ordered
 import argo.recording.recorded
 import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
@@ -88,7 +90,24 @@ class WhySpec : FunSpec({
                 after(1.seconds)
             },
         ) { answer("go(3)") }
-        answer.cause.shouldNotBeNull().root() shouldBe MessageCause("boss", "achieve", "go(3)", answer.command.seconds)
+        val message = answer.cause.shouldNotBeNull().root() as MessageCause
+        message.copy(id = "") shouldBe MessageCause("boss", "achieve", "go(3)", answer.command.seconds)
+    }
+
+    test("a person set a belief, and began a goal") {
+        val answer = whyOf(
+            "!start.\n+!start <- argo.port(ttyACM0).\n+!go(N) : limit(L) & N < L <- argo.act(go(N)).",
+            drive = {
+                after(1.seconds)
+                ordered(Order.Believe("limit(20 + 10)"))
+                ordered(Order.Begin("!go(3)"))
+                after(1.seconds)
+            },
+        ) { answer("go(3)") }
+        val plan = answer.cause.shouldNotBeNull().plan
+        plan.event.shouldBeInstanceOf<OrderCause>().run { kind to text } shouldBe ("begin" to "!go(3)")
+        plan.conditions.first().causes.single().shouldBeInstanceOf<OrderCause>().run { kind to text } shouldBe
+            ("believe" to "limit(20 + 10)")
     }
 
     test("the condition that failed, with its value") {

@@ -10,10 +10,12 @@ import argo.recording.why.Had
 import argo.recording.why.MessageCause
 import argo.recording.why.Missed
 import argo.recording.why.NotAnswer
+import argo.recording.why.OrderCause
 import argo.recording.why.PerceptCause
 import argo.recording.why.PlanCause
 import argo.recording.why.ReflexCause
 import argo.recording.why.Sender
+import argo.recording.why.SentCause
 import argo.recording.why.StepCause
 import argo.recording.why.UnchosenPlan
 import argo.recording.why.UnknownCause
@@ -31,9 +33,19 @@ internal class WhyText {
         val cause = answer.cause ?: answer.reflex
         cause?.let { explain(it, 1) }
         if (cause == null) line(1, unseen(command.by))
+        answer.sent.forEach(::sent)
         answer.frame?.let { line(1, "that frame was ${ms(command.seconds - it.seconds)} old when the command was sent") }
         answer.had.forEach { lines += had(it, command.text) }
         return lines
+    }
+
+    /** The sending of a message, by the clock of its own recording, with which `replay` shows it. */
+    private fun sent(sending: SentCause) {
+        val took = sending.delayMs?.let { ", %.1f ms before it was taken".format(it) }.orEmpty()
+        val clock = sending.clock?.let { "; compared with the first recording, its clock is $it" }.orEmpty()
+        lines += "${at(sending.seconds)} of ${sending.file}  agent ${sending.agent} sent it$took$clock"
+        sending.cause?.let { explain(it, 1) }
+        sending.trouble?.let { line(1, "why is not known: $it") }
     }
 
     private fun sender(answer: Answer): String {
@@ -72,6 +84,14 @@ internal class WhyText {
             is MessageCause -> line(
                 depth, "because agent ${cause.sender} had sent ${cause.performative} ${cause.content}, taken at ${at(cause.seconds)}",
             )
+            is OrderCause -> {
+                val what = when (cause.kind) {
+                    "believe" -> "a person set ${cause.text}"
+                    "begin" -> "a person began ${cause.text}"
+                    else -> "a person ordered: ${cause.kind} ${cause.text}".trim()
+                }
+                line(depth, "because $what at ${at(cause.seconds)}")
+            }
             is BeginningCause -> {
                 val place = cause.line?.let { " (${cause.file}:$it)" }.orEmpty()
                 line(depth, "because the program begins with ${cause.text}$place; no percept began it")

@@ -50,6 +50,21 @@ class RecordingCommandSpec : FunSpec({
         )
     }
 
+    test("the messages of several recordings are in one order, and without messages of agents by the clock of each") {
+        val other = tempfile(suffix = ".mcap").toPath()
+        McapWriter(FileChannel.open(other, StandardOpenOption.WRITE)).use { writer ->
+            writer.message(writer.channel("/other", writer.schema("Other", "{}")), 7 * SECOND + SECOND / 4, 0, "{}".encodeToByteArray())
+        }
+        argo("recording", "$file", "$other", "--messages", "--until", "0.6") shouldBe Output(
+            0,
+            "    0.000 s  $file  /robot/cycle  {\"cycle\":0}\n    0.250 s  $other  /other  {}\n" +
+                "    0.500 s  $file  /robot/cycle  {\"cycle\":1}\n",
+            "$other: no message of agents connects it with $file, so its times are those of its own clock\n",
+        )
+        argo("recording", "$file", "$other").out.lines().count { "written by argo" in it } shouldBe 2
+        argo("recording", "$file", "$other", "--file", "x").err shouldContain "--file goes with one recording, not with 2"
+    }
+
     test("recording --json is data") {
         val json = Json.parseToJsonElement(argo("recording", "$file", "--json").out).jsonObject
         json.getValue("messages").jsonPrimitive.int shouldBe 5

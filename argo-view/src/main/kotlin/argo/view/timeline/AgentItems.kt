@@ -3,6 +3,8 @@ package argo.view.timeline
 import argo.recording.Call
 import argo.recording.CommandEnd
 import argo.recording.Cycle
+import argo.recording.GivenOrder
+import argo.recording.Mail
 import argo.recording.PerceivedSnapshot
 import argo.recording.Sent
 import argo.recording.Step
@@ -11,7 +13,7 @@ import argo.recording.Step
  * Makes the items of one agent from its cycles, in order, and links each item with its recorded causes.
  *
  * @param agent the place of the agent among those of the recording
- * @param zeroNs the beginning of the recording, in ns of the agents' clock
+ * @param zeroNs the beginning of the timeline, in ns of the agent's clock
  * @param items takes the items of all agents
  * @param outcomes the outcomes of the agent's commands, by their numbers
  */
@@ -28,17 +30,40 @@ internal class AgentItems(
     private val perceptsOf = HashMap<String, Int>()
     private var lastMail = HashMap<String, Int>()
 
+    /** The steps that sent messages, by the messages' names. */
+    val sent = HashMap<String, Int>()
+
+    /** The items of messages that came, each with the message. */
+    val taken = ArrayList<Pair<Int, Mail>>()
+
     fun add(cycle: Cycle) {
+        cycle.input.orders.forEach { ordered(cycle, it) }
         perceive(cycle)
         cycle.input.mail.forEach { mail ->
             val text = "${mail.performative} of ${mail.sender ?: "nobody"}: ${mail.content}"
-            mail.sender?.let { sender -> lastMail[sender] = add(cycle.ns, Lane.EVENTS, text, listOf("a message that came in")) }
+            mail.sender?.let { sender ->
+                val id = add(cycle.ns, Lane.EVENTS, text, listOf("a message that came in"))
+                lastMail[sender] = id
+                taken += id to mail
+            }
         }
         cycle.input.ends.forEach { end -> if (end.failure != null) stepsOfCalls[end.number]?.let { plans.failed = it } }
         cycle.course.event?.let { chosen(cycle, it) }
         val step = cycle.course.step?.let { stepped(cycle, it) }
+        if (step != null) cycle.course.mail.forEach { sent[it.id] = step }
         cycle.input.calls.forEach { called(cycle, it, step) }
         cycle.course.printed.forEach { add(cycle.ns, Lane.PRINTED, it, causes = listOfNotNull(step)) }
+    }
+
+    private fun ordered(cycle: Cycle, order: GivenOrder) {
+        val files = order.files.map { it.address.substringAfterLast('/') }
+        val text = "${order.kind} ${order.text}${files.joinToString()}"
+        val id = add(cycle.ns, Lane.EVENTS, text, listOf("an order of a person", "cycle ${cycle.number}"))
+        val subject = order.text.trimStart('-', '+', '!')
+        when (order.kind) {
+            "begin" -> beliefSteps[GOAL_SIGN + functor(subject)] = id
+            "believe", "forget" -> beliefSteps[functor(subject)] = id
+        }
     }
 
     private fun perceive(cycle: Cycle) {
@@ -75,7 +100,8 @@ internal class AgentItems(
         val source = SOURCE.find(trigger)?.groupValues?.get(1)
         return when {
             source == "percept" -> perceptsOf[bare(literal)].takeIf { trigger.startsWith('+') } ?: lastPercepts
-            source == null || source == "self" -> beliefSteps[functor(literal)]
+            source == null || source == "self" ->
+                beliefSteps[if (literal.startsWith(GOAL_SIGN)) GOAL_SIGN + functor(literal.drop(1)) else functor(literal)]
             else -> lastMail[source]
         }
     }
@@ -124,6 +150,7 @@ internal class AgentItems(
     private companion object {
         const val NANOS = 1e9
         const val MOST_SHOWN = 4
+        const val GOAL_SIGN = "!"
         val GOAL = Regex("^[+-][!?]")
         val SOURCE = Regex("source\\(([^()]*)\\)")
 

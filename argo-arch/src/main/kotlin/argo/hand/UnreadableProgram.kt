@@ -1,4 +1,4 @@
-package argo.recording.replay
+package argo.hand
 
 import jason.asSyntax.parser.ParseException
 

@@ -1,4 +1,4 @@
-package argo.hand
+package argo.observing
 
 /**
  * An order of a person to an agent. The agent carries it out at the beginning of a reasoning cycle, between two steps of its intentions.
@@ -19,7 +19,25 @@ sealed interface Order {
 
     /** Has the agent drop each intention and event with an achievement goal that unifies with [goal], like `.drop_desire`. */
     data class Drop(val goal: String) : Order
+
+    /**
+     * Has the agent exchange its program for the one in [files]: the plans and rules that differ. Plans that it has got at run time stay, and
+     * its intentions finish the plans that they have begun.
+     *
+     * @property files the program, and behind it each file that it includes, as they were read
+     * @property gone the addresses of files that the program included before
+     */
+    data class Reload(val files: List<ProgramFile>, val gone: Set<String> = emptySet()) : Order
 }
+
+/**
+ * A file of a program.
+ *
+ * @property within the address of the file that includes it; empty: the program itself does
+ * @property name its name in the directive `include`; empty: it is the program itself
+ * @property address its address, as Jason names it in plans and errors
+ */
+data class ProgramFile(val within: String, val name: String, val address: String, val text: String)
 
 /**
  * The outcome of an [Order].

@@ -1,6 +1,5 @@
-package argo.recording.agent
+package argo.insides
 
-import argo.insides.Insides
 import jason.asSemantics.Agent
 import jason.asSyntax.Pred
 import jason.asSyntax.StringTerm
@@ -8,17 +7,20 @@ import jason.asSyntax.directives.DirectiveProcessor
 import jason.asSyntax.directives.Include
 import jason.runtime.SourcePath
 
-/** Handles the files that an agent includes, at its beginning or at run time. */
-internal fun interface Includes {
+/** Handles the files that an agent includes, at its beginning, at run time or at a reload. */
+interface Includes {
     /** Returns the content that [directive] includes into [outer]; null: none. [live] makes Jason find and read the file. */
     fun include(directive: Pred, outer: Agent, live: () -> Agent?): Agent?
+
+    /** Returns a new agent, which reads an included file. */
+    fun agent(): Agent = Agent()
 }
 
 /**
  * Replaces Jason's directive `include`, which the action `.include` calls too. Asks the calling thread's [current] handler; without one,
  * Jason's own directive does the work.
  */
-internal class KeptInclude private constructor(private val below: Include) : Include() {
+class KeptInclude private constructor(private val below: Include) : Include() {
     override fun process(directive: Pred, outer: Agent?, inner: Agent?): Agent? {
         val includes = CURRENT.get()
         return if (outer == null || includes == null) below.process(directive, outer, inner)

@@ -1,0 +1,128 @@
+package argo.hand
+
+import argo.observing.Order
+import argo.observing.Outcome
+import argo.platform.Plans
+import jason.JasonException
+import jason.asSemantics.GoalListenerForMetaEvents
+import jason.asSemantics.TransitionSystem
+import jason.asSyntax.Literal
+import jason.asSyntax.Plan
+import jason.asSyntax.PredicateIndicator
+import jason.asSyntax.Rule
+import jason.bb.BeliefBase
+
+/** Exchanges the program of the agent, see [Order.Reload]. Throws [OrderRefusedException]; the agent is then unchanged. */
+internal fun TransitionSystem.reload(order: Order.Reload): Outcome {
+    val files = order.files.mapTo(HashSet(order.gone)) { it.address }
+    val beliefs = ArrayList<Literal>()
+    val library = Plans.of(ag)
+    val before = library.all.toList()
+    val read = Plans.readInto(ag) {
+        try {
+            ProgramReading(ag) { within, name -> order.files.first { it.within == within && it.name == name } }.read(order.files.first())
+        } finally {
+            beliefs += ag.initialBels
+            ag.initialBels.clear()
+            ag.initialGoals.clear()
+        }
+    }
+    read.fileless(order.files.first().address, ag.aslSrc)
+    val plans = ExchangedPlans(before, read) { it.sourceFile in files }
+    try {
+        if (plans.now != before) library.replaceBy(plans.now)
+    } catch (refused: JasonException) { // such as a label that a plan has which was added at run time
+        library.replaceBy(before)
+        throw OrderRefusedException(refused.message.orEmpty())
+    }
+    if (library.hasMetaEvents) addGoalListener(GoalListenerForMetaEvents(this)) // Jason adds it once
+    val rules = ExchangedRules(ag.bb, beliefs.mapNotNull(::ruleOf)) { it.srcInfo?.srcFile in files }
+    return Outcome(null, listOf(plans.told()) + rules.exchange())
+}
+
+/**
+ * Notes that the plans without a file stand in the program at [address]. Jason does not note that for plans that its patterns make, or notes
+ * [source], the agent's `aslSrc`.
+ */
+internal fun List<Plan>.fileless(address: String, source: String) =
+    filter { it.sourceFile.isEmpty() || it.sourceFile == source }.forEach { it.sourceFile = address }
+
+/** Returns the rule that Jason makes of [belief]; null: it stays a belief. */
+private fun ruleOf(belief: Literal): Rule? = when {
+    belief is Rule -> belief
+    belief.isGround -> null
+    else -> Rule(belief, Literal.LTrue)
+}?.apply { if (!hasSource()) addAnnot(BeliefBase.TSelf) }
+
+/**
+ * The plans of an agent before and after its program is exchanged. Plans that are alike stay, with their labels.
+ *
+ * @param before all plans of the agent
+ * @param read the plans of the new program
+ * @param isOfProgram returns true for those of its plans that the program had
+ */
+private class ExchangedPlans(before: List<Plan>, read: List<Plan>, isOfProgram: (Plan) -> Boolean) {
+    private val left = before.filter(isOfProgram).groupByTo(HashMap(), ::keyOf)
+    private val old = before.count(isOfProgram)
+    private val program = read.map { plan -> takeLike(plan) ?: plan }
+    private val isNew = read.zip(program).count { (one, other) -> one === other }
+
+    /** All plans of the agent, in their order: the program's stand where its first one stood. */
+    val now: List<Plan> = before.takeWhile { !isOfProgram(it) }.let { first ->
+        first + program + before.drop(first.size).filterNot(isOfProgram)
+    }
+
+    /** Returns the plan that is like [plan], and takes the places of its steps from that; null: there is none. */
+    private fun takeLike(plan: Plan): Plan? {
+        val candidates = left[keyOf(plan)] ?: return null
+        for (candidate in candidates) {
+            val likeness = Likeness()
+            if (candidate.sourceFile != plan.sourceFile || !likeness.isAlike(candidate, plan)) continue
+            if (likeness.move()) candidate.srcInfo = plan.srcInfo
+            candidates.remove(candidate)
+            return candidate
+        }
+        return null
+    }
+
+    private fun keyOf(plan: Plan): Any = plan.trigger.let { if (it.literal.isVar) it.type else it.predicateIndicator }
+
+    /** Returns a line for a person. */
+    fun told(): String {
+        val gone = left.values.sumOf { it.size }
+        val changed = minOf(gone, isNew)
+        val parts = listOf(changed to "changed", isNew - changed to "added", gone - changed to "removed").filter { (count, _) -> count > 0 }
+        return if (parts.isEmpty()) "none of the $old plans has changed" else
+            parts.joinToString { (count, what) -> "${plans(count)} $what" } + "; ${old - gone} are as before"
+    }
+
+    private fun plans(count: Int) = if (count == 1) "1 plan" else "$count plans"
+}
+
+/**
+ * The rules of a program in [beliefs], and those [read] from its new text. Rules of a predicate are exchanged together.
+ */
+private class ExchangedRules(private val beliefs: BeliefBase, private val read: List<Rule>, private val isOfProgram: (Rule) -> Boolean) {
+    /** Exchanges the rules that differ. Returns a line for a person, if there are any. */
+    fun exchange(): List<String> {
+        val before = beliefs.asSequence().filterIsInstance<Rule>().filter(isOfProgram).groupBy { it.predicateIndicator }
+        val now = read.groupBy { it.predicateIndicator }
+        val different = (before.keys + now.keys).filterNot { isAllAlike(before[it].orEmpty(), now[it].orEmpty()) }
+        if (different.isEmpty()) return emptyList()
+        remove(different.flatMap { before[it].orEmpty() })
+        different.flatMap { now[it].orEmpty() }.forEach { beliefs.add(1, it) }
+        return listOf("rules exchanged: ${different.joinToString(transform = PredicateIndicator::toString)}")
+    }
+
+    private fun isAllAlike(one: List<Rule>, other: List<Rule>): Boolean {
+        val pairs = one.zip(other) { rule, newer -> Likeness().let { likeness -> likeness.takeIf { it.isAlike(rule, newer) } } }
+        if (one.size != other.size || null in pairs) return false
+        pairs.forEach { it?.move() }
+        return true
+    }
+
+    private fun remove(rules: List<Rule>) {
+        val all = beliefs.iterator()
+        while (all.hasNext()) all.next().let { belief -> if (rules.any { it === belief }) all.remove() }
+    }
+}

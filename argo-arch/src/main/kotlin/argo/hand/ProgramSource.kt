@@ -1,0 +1,67 @@
+package argo.hand
+
+import jason.asSemantics.Agent
+import jason.runtime.SourcePath
+import java.io.FileNotFoundException
+import java.io.IOException
+import java.net.MalformedURLException
+import java.net.URI
+import java.net.URISyntaxException
+import java.net.URL
+import java.nio.file.Path
+
+/** A file of a program: its address for Jason, and its content. */
+class ProgramSource(val address: String, val bytes: ByteArray) {
+    val text: String get() = bytes.decodeToString()
+
+    /** The path of the file; null: it is in a jar, on the class path or on another computer. */
+    val path: Path? by lazy { pathOf(address) }
+
+    companion object {
+        /**
+         * Reads the file at [address].
+         * @throws IOException if it cannot be read
+         */
+        fun at(address: String): ProgramSource = ProgramSource(address, open(address).use { it.readBytes() })
+
+        /**
+         * Reads the file that a program includes as [name], found as Jason finds it; null: there is none, and Jason goes on without it.
+         * [outer] is the address of the including file; null: the agent's program, at its beginning.
+         */
+        fun included(name: String, outer: String?, sourcePath: SourcePath): ProgramSource? {
+            val found = sourcePath.fixPath(name)
+            val paths = SourcePath().apply {
+                if (outer != null) addParentInPath(outer)
+                addAll(sourcePath)
+            }
+            return try {
+                at(if (outer == null) found else paths.fixPath(found))
+            } catch (_: IOException) {
+                null
+            }
+        }
+
+        private fun open(address: String) = when {
+            address.startsWith(SourcePath.CRPrefix) ->
+                Agent::class.java.getResourceAsStream(address.removePrefix(SourcePath.CRPrefix)) ?: throw FileNotFoundException(address)
+            else -> try {
+                URL(address).openStream()
+            } catch (_: MalformedURLException) {
+                URL("file:$address").openStream()
+            }
+        }
+
+        private fun pathOf(address: String): Path? = try {
+            when {
+                address.startsWith("file:/") -> Path.of(URI(address))
+                address.startsWith("file:") -> Path.of(address.removePrefix("file:"))
+                ':' in address.drop(2) -> null // a URL; the colon of a Windows drive stands further left
+                else -> Path.of(address)
+            }?.toAbsolutePath()?.normalize()
+        } catch (_: URISyntaxException) {
+            null
+        } catch (_: IllegalArgumentException) {
+            null
+        }
+    }
+}

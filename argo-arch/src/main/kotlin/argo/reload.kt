@@ -1,0 +1,44 @@
+package argo
+
+import argo.calls.ArgumentException
+import argo.calls.Failure
+import argo.hand.Offer
+import jason.asSyntax.ListTerm
+import jason.asSyntax.Term
+import java.util.logging.Logger
+
+/**
+ * The internal action `argo.reload`: reads the agent's program and its active filters anew, while the agent runs. Plans and rules that have
+ * changed are exchanged between two reasoning cycles; the others stay, as do plans that the agent has got at run time. Intentions finish
+ * the plans that they have begun. No port is closed. The log tells what has changed, and which initial beliefs and goals are new;
+ * `argo.reload([beliefs, goals])` also has the agent believe and begin these.
+ *
+ * The intention waits until the program is exchanged; files are read outside of the agent's thread.
+ *
+ * Fails the plan, without any change, with `error(bad_program)` if the program or a filter cannot be read, `error(wrong_arguments)` or
+ * `error(not_argo)`.
+ */
+@Suppress("ClassName")
+open class reload : BoardInternalAction("argo.reload", 0..1) {
+    override val suspends get() = true
+
+    override fun run(call: Call) {
+        val arch = call.arch
+        val takes = call.args.getOrNull(0)?.let(::offersIn).orEmpty()
+        val outcome = call.suspendIntention()
+        arch.reloading.start(takes) {
+            val log = Logger.getLogger("${Arch::class.java.name}.${arch.agName}")
+            it.told.forEach(log::info)
+            outcome(it.refusal?.let { why -> Failure("bad_program", why) }, null)
+        }
+    }
+
+    private fun offersIn(list: Term): Set<Offer> {
+        val known = Offer.entries.joinToString { it.word }
+        val options = (list as? ListTerm)?.takeIf { it.isList && it.tail == null }?.asList
+            ?: throw ArgumentException("the argument is a list of $known, not $list")
+        return options.mapTo(HashSet()) { option ->
+            Offer.entries.find { it.word == "$option" } ?: throw ArgumentException("$option is not an option; there are $known")
+        }
+    }
+}
