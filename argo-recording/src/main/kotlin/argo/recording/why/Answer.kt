@@ -7,10 +7,10 @@ import kotlinx.serialization.Serializable
  *
  * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
- * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
- * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
+ * @property frame the frame whose percept began the intention or met the critical rule; null: there is none
+ * @property frames all frames that caused the command, [frame] first, then those of percepts in contexts and tests
  * @property sent if a message is at the root, the sendings that led to it, in recordings that were given, the nearest first
- * @property had the counterfactuals: the agent's commands with another percept, if the question has one, or the search found one
+ * @property had the counterfactuals: the agent's commands with another percept, from the question or found by the search
  */
 @Serializable
 data class Answer(
