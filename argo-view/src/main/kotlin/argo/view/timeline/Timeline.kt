@@ -82,7 +82,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
     companion object {
-        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a message in it cannot be read. */
+        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a recorded message cannot be read. */
         fun of(recording: Recording, last: Duration? = null): Timeline = ofAll(listOf(recording), listOf(0), last)
 
         /**
