@@ -53,13 +53,13 @@ internal object Deliveries {
 }
 
 /**
- * Has an internal action wait for its messages to other computers, and fail if one is not known to have arrived. The intention is
- * suspended, the agent goes on. Belongs to one agent.
+ * Has an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
+ * intention is suspended. Belongs to one agent.
  *
  * @param questions the agent's questions to other computers, among them those that the action asks
  */
 internal class DeliveryWait(private val questions: Questions) {
-    /** Whether the call that was carried out last has suspended its intention. */
+    /** Whether the last call has suspended its intention. */
     var isWaiting = false
         private set
 
@@ -86,7 +86,7 @@ internal class DeliveryWait(private val questions: Questions) {
         }
     }
 
-    /** Jason suspends an intention before it asks; if that fails, the intention fails, and nothing waits for an answer. */
+    /** Jason suspends an intention before it sends a question. If sending fails, the intention must not wait for an answer. */
     private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
         it.tellFailure()
         ts.c.removePendingIntention(it.id ?: return@forEach)
@@ -101,5 +101,5 @@ internal fun errorOf(reason: Throwable): JasonException = when (val cause = reas
     else -> AwaitedOutside.exceptionOf("unreachable", cause.message ?: "$cause")
 }
 
-/** Returns the exception for a message to an agent that does not exist. Its error is that of one computer, too. */
+/** Returns the exception for a message to an agent that does not exist. Without a fleet, Jason gives the same error. */
 internal fun noAgent(message: String): JasonException = AwaitedOutside.exceptionOf(AwaitedOutside.NO_AGENT, message)

@@ -42,7 +42,7 @@ data class Computer(val name: String, val session: String)
 /**
  * The computers in touch.
  *
- * @property computers by their names
+ * @property computers the computers in touch, by their names
  * @property hasMajority whether they are more than half of [ClusterSettings.hosts]; false if no hosts are named
  */
 class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
@@ -50,8 +50,8 @@ class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean
 /** Is called by a [Cluster]. */
 interface ClusterListener {
     /**
-     * A computer of the last view has sent [message]. Until this returns, the next one waits. The sender gets an exception of this function
-     * as [Refused]; that of another class has the error `refused` there.
+     * A computer of the last view has sent [message]. The next message waits until this returns. The sender gets an exception of this
+     * function as [Refused]; that of another class has the error `refused` there.
      */
     fun message(from: String, message: ByteArray)
 

@@ -20,7 +20,7 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now; of several with one name the first one is the oldest. Calls are in order. */
+    /** [members] are in touch now; of several members with one name the oldest comes first. Views come in their order. */
     fun viewed(members: List<Computer>)
 }
 

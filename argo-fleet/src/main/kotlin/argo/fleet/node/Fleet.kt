@@ -47,8 +47,8 @@ internal class Fleet(
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
-    private val sessions = HashMap<String, String>() // the last ones of all computers; the cluster's thread
-    private val told = ConcurrentHashMap.newKeySet<String>() // what the log has said once
+    private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
+    private val told = ConcurrentHashMap.newKeySet<String>() // lines that the log must not repeat
     private val met = CompletableFuture<Unit>()
 
     /** The present places of agents and services. */
@@ -188,7 +188,7 @@ internal class Fleet(
                 // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may not know that this one lacks its roster
             }
             leases.changed(view)
         }
