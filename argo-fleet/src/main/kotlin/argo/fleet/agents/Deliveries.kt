@@ -18,7 +18,7 @@ import java.util.logging.Logger
 internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
     val end: CompletableFuture<Void> = end.toCompletableFuture()
 
-    /** Tells the log if the message does not arrive: nobody waits for it. */
+    /** Tells the log if the message does not arrive, since nobody waits for it. */
     fun tellFailure() {
         end.whenComplete { _, failed ->
             if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
@@ -56,7 +56,7 @@ internal object Deliveries {
  * Has an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
  * intention is suspended. Belongs to one agent.
  *
- * @param questions the agent's questions to other computers, among them those that the action asks
+ * @param questions the agent's questions to other computers, including those of the action
  */
 internal class DeliveryWait(private val questions: Questions) {
     /** Whether the last call has suspended its intention. */
@@ -81,7 +81,7 @@ internal class DeliveryWait(private val questions: Questions) {
     private fun await(sent: List<Delivery>, end: (JasonException?) -> Unit) {
         CompletableFuture.allOf(*sent.map { it.end }.toTypedArray()).whenComplete { _, _ ->
             val lost = sent.filter { it.end.isCompletedExceptionally }
-            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails for the first one
+            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails because of the first one
             end(lost.firstOrNull()?.end?.handle { _, failed -> errorOf(failed) }?.join())
         }
     }

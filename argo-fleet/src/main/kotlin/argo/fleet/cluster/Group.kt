@@ -1,8 +1,7 @@
 package argo.fleet.cluster
 
 /**
- * The computers in touch, its members, and frames among them, which may be lost or come twice. Another start of a program is another
- * member.
+ * The computers in touch, its members, and frames among them. Frames may be lost or come twice. Another run of a program is another member.
  */
 internal interface Group : AutoCloseable {
     val here: Computer

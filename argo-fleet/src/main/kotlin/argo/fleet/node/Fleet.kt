@@ -65,7 +65,7 @@ internal class Fleet(
         cluster.listen(Listener())
     }
 
-    /** Waits until the computers that are in touch now have told their agents, for [millis] at most. */
+    /** Waits until all computers that are in touch now have told their agents, at most [millis] ms. */
     fun awaitOthers(millis: Long) {
         met.completeOnTimeout(Unit, millis, TimeUnit.MILLISECONDS).join()
     }
@@ -89,7 +89,7 @@ internal class Fleet(
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
 
-    /** This computer cannot start [agent], which outlives its computer: others should. */
+    /** Notes that this computer cannot start [agent], which outlives its computer, so that others do. */
     fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
@@ -218,5 +218,5 @@ internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unrea
     return Unreachable("$agent cannot be reached: $reason")
 }
 
-/** The error if a message has arrived, and cannot be read. */
+/** The error of a message that has arrived, but cannot be read. */
 internal const val NOT_READABLE = "not_readable"

@@ -60,7 +60,7 @@ internal data class Offer(val agent: String, val service: String)
  * The agents and services of the sending computer.
  *
  * @property isWhole true: these are all agents and services; false: only the changes since the last roster
- * @property unable agents that outlive their computer, and that the sender cannot start
+ * @property unable the agents that outlive their computers and that the sender cannot start
  * @property asksBack whether the receiver must send its own roster, since the sender does not know it
  */
 @Serializable
