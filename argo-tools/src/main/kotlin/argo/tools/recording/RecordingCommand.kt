@@ -58,7 +58,7 @@ internal class RecordingCommand : DataCommand() {
         return withAll(files, emptyMap(), ::show)
     }
 
-    /** Does [work] with the recordings in [left], besides those that are [open]. */
+    /** Does [work] with the recordings that are [open] and those in [left]. */
     private fun withAll(left: List<Path>, open: Map<Path, McapReader>, work: (Map<Path, McapReader>) -> Int): Int =
         if (left.isEmpty()) work(open) else McapReader(left.first()).use { withAll(left.drop(1), open + (left.first() to it), work) }
 
