@@ -159,9 +159,9 @@ class LayersSpec : FunSpec({
     }
 
     context("robots that speak ROS") {
-        test("know links and filters, and of ARGO nothing else") {
+        test("know links, filters and the format of bags, and of ARGO nothing else") {
             noClasses().that().resideInAnyPackage("argo.ros", "argo.ros.bridge", "argo.ros.mapping").should()
-                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", *lines)).check(product)
+                .dependOnClassesThat(productBut("argo.ros..", "argo.links", "argo.filters..", "argo.mcap", *lines)).check(product)
         }
         test("take boards in knowing links, observed agents, the platform, filters and what a tool is") {
             val known = arrayOf(
