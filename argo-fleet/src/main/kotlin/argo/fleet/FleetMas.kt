@@ -41,9 +41,9 @@ internal class FleetMas :
     private val log = Logger.getLogger(LOG)
 
     /**
-     * Reads the project in [file]; Jason ends the program if it has a wrong form.
+     * Reads the project in [file]. Jason ends the program if the file has a wrong form.
      *
-     * @throws FleetProjectException if it holds a character that no project has
+     * @throws FleetProjectException if the file contains a character that no project has
      */
     fun read(file: String): FleetProject {
         try {
@@ -118,7 +118,7 @@ internal class FleetMas :
         getAg(agent)?.let(::stop)
     }
 
-    /** Stops [agent]; another one may have its name by now. */
+    /** Stops [agent]. Another agent may have the same name by now. */
     private fun stop(agent: LocalAgArch) {
         agent.stopAg()
         if (getAg(agent.agName) === agent) delAg(agent.agName)

@@ -26,17 +26,17 @@ internal class PlacedAgent(val name: String, val parameters: AgentParameters, va
 }
 
 /**
- * The fleet that a `.mas2j` describes:
+ * The fleet in a `.mas2j`, as in this example:
  *
  *     infrastructure: Fleet(name(garden), hosts([base("10.8.0.1"), scout1("10.8.0.11:4712")]), port(4711), tls("certificates"))
  *
- * `hosts` names the computers, with the addresses at which they listen; without an address the name is a host name. A name that is no word
+ * `hosts` names the computers, with the addresses at which they listen. Without an address, the name is a host name. A name that is no word
  * of AgentSpeak stands in quotes: `"rasp-pi"`, or `host("rasp-pi","10.8.0.1")`. Without `hosts`, computers of one network find each other.
- * In place of `tls`, `insecure` allows connections that everybody can read and forge.
+ * `insecure`, in place of `tls`, allows connections that everybody can read and forge.
  *
- * @property hosts the computers with their addresses; empty: they find each other
+ * @property hosts the addresses of the computers, by their names; empty: computers find each other
  * @property agents the agents of all computers
- * @throws FleetProjectException if the description has no meaning
+ * @throws FleetProjectException if the description of the fleet is wrong
  */
 internal class FleetProject(project: MAS2JProject) {
     private val options: List<Term> = optionsOf(project)

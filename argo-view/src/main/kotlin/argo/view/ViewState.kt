@@ -12,7 +12,7 @@ import kotlinx.serialization.Serializable
  * @property moreCritical the number of critical rules left out of [critical]
  * @property agents the agents whose views this server has
  * @property moreAgents the number of agents left out of [agents]
- * @property computers the computers of the system; empty: it is on one
+ * @property computers the computers of the system; empty: the system is on one computer
  * @property waitingToStart whether the agent has not run a reasoning cycle yet
  */
 @Serializable
@@ -53,7 +53,7 @@ internal data class ComputerState(val name: String, val here: Boolean, val on: B
 /**
  * An agent on a computer.
  *
- * @property viewPort the port of its live view on that computer; null: it has none, or any
+ * @property viewPort the port of the agent's live view on that computer; null: there is no view, or its port is not fixed
  */
 @Serializable
 internal data class AgentState(val name: String, val viewPort: Int?)

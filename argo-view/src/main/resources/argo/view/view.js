@@ -336,7 +336,7 @@ function showAgents({ agent, agents, moreAgents }) {
   });
 }
 
-/** Returns a link to the view of an agent of this computer, or the name of another one, with the way to its view. */
+/** Returns a link to the view of an agent of this computer, or the name of another agent with the way to its view. */
 function agentThere({ name, viewPort }, computer) {
   const isNear = computer.here && viewPort;
   const made = element(isNear ? 'a' : 'span');

@@ -19,7 +19,7 @@ class AgentOption(val name: Token, val value: Token?)
  * @property architectures the names behind `agentArchClass`
  * @property hasOwnClass true if the agent has an agent class or a belief base class of its own. Such a class may choose other events,
  *   options and intentions, or hold other beliefs.
- * @property computers the string behind `at`, the computers that it may run on; null: there is none
+ * @property computers the computers that the agent may run on, the string behind `at`; null: there is none
  */
 class MasAgent(
     val name: Token,
@@ -61,7 +61,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     /** True if its agents may meet agents of other programs: on a platform, on other computers. */
     val isDistributed: Boolean = infrastructure?.let { it.text !in LOCAL } == true
 
-    /** Its fleet of several computers; null: it has none. */
+    /** The fleet of several computers in this project; null: none. */
     val fleet: MasFleet? = infrastructure?.takeIf { it.text == "Fleet" }?.let { MasFleet(after("infrastructure").drop(1)) }
 
     val sourcePaths: List<String> = after("aslSourcePath").takeWhile { it.kind == TokenKind.STRING || it.isSymbol(";") }
@@ -109,7 +109,7 @@ class MasFile(path: Path, text: String) : ProjectFile(path, text) {
     internal val error: SyntaxError? by lazy { MasFrame(tokens, Token(TokenKind.UNKNOWN, "", lines.end)).error() }
 
     companion object {
-        /** The infrastructures of one computer. */
+        /** The infrastructures that run on one computer. */
         internal val LOCAL = setOf("Centralised", "Local")
     }
 }

@@ -11,10 +11,10 @@ import argo.check.syntax.TokenKind
 class MasFleet internal constructor(private val tokens: List<Token>) {
     private val begins = begins()
 
-    /** The names of its options. */
+    /** The names of the fleet's options. */
     val options: List<Token> = begins.filter { it.depth == 1 }.map { tokens[it.at] }
 
-    /** The names of its computers, some in quotes; empty: the file does not tell them. */
+    /** The names of the fleet's computers, some in quotes; empty: the file does not name them. */
     val hosts: List<Token> = begins.filter { it.depth == OF_HOSTS && it.option == "hosts" }.map { nameOf(it.at) }
 
     /** A token that begins an item: an argument or a part of a list, in [depth] brackets and in the [option] of the fleet. */
@@ -42,7 +42,7 @@ class MasFleet internal constructor(private val tokens: List<Token>) {
     }
 
     private companion object {
-        /** Those of `Fleet(`, `hosts(` and `[`. */
+        /** The depth inside of `Fleet(`, `hosts(` and `[`. */
         const val OF_HOSTS = 3
         val OPENING = setOf("(", "[")
         val CLOSING = setOf(")", "]")

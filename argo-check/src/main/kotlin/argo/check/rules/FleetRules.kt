@@ -5,7 +5,7 @@ import argo.check.project.MasFile
 import argo.check.project.MasFleet
 import argo.check.syntax.Token
 
-/** The computers of a fleet in a project file, and the agents on them. */
+/** Checks the computers of a fleet in a project file, and the agents on these computers. */
 internal object FleetRules {
     private const val RULE = "fleet"
     private const val REFUSED = "the fleet refuses the project"

@@ -18,7 +18,7 @@ import java.util.logging.Logger
 internal class Delivery(val id: String?, private val receiver: String, private val log: Logger, end: CompletionStage<Void>) {
     val end: CompletableFuture<Void> = end.toCompletableFuture()
 
-    /** Tells the log if the message does not arrive: nobody waits for it. */
+    /** Tells the log if the message does not arrive, since nobody waits for it. */
     fun tellFailure() {
         end.whenComplete { _, failed ->
             if (failed != null) log.warning("a message to $receiver has not arrived: ${failed.reason().message}")
@@ -53,13 +53,13 @@ internal object Deliveries {
 }
 
 /**
- * Has an internal action wait for its messages to other computers, and fail if one is not known to have arrived. The intention is
- * suspended, the agent goes on. Belongs to one agent.
+ * Has an internal action wait for its messages to other computers, and fail unless all are known to have arrived. Meanwhile only the
+ * intention is suspended. Belongs to one agent.
  *
- * @param questions the agent's questions to other computers, among them those that the action asks
+ * @param questions the agent's questions to other computers, including those of the action
  */
 internal class DeliveryWait(private val questions: Questions) {
-    /** Whether the call that was carried out last has suspended its intention. */
+    /** Whether the last call has suspended its intention. */
     var isWaiting = false
         private set
 
@@ -81,12 +81,12 @@ internal class DeliveryWait(private val questions: Questions) {
     private fun await(sent: List<Delivery>, end: (JasonException?) -> Unit) {
         CompletableFuture.allOf(*sent.map { it.end }.toTypedArray()).whenComplete { _, _ ->
             val lost = sent.filter { it.end.isCompletedExceptionally }
-            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails for the first one
+            lost.drop(1).forEach(Delivery::tellFailure) // the plan fails because of the first one
             end(lost.firstOrNull()?.end?.handle { _, failed -> errorOf(failed) }?.join())
         }
     }
 
-    /** Jason suspends an intention before it asks; if that fails, the intention fails, and nothing waits for an answer. */
+    /** Jason suspends an intention before it sends a question. If sending fails, the intention must not wait for an answer. */
     private fun forget(ts: TransitionSystem, sent: List<Delivery>) = sent.forEach {
         it.tellFailure()
         ts.c.removePendingIntention(it.id ?: return@forEach)
@@ -101,5 +101,5 @@ internal fun errorOf(reason: Throwable): JasonException = when (val cause = reas
     else -> AwaitedOutside.exceptionOf("unreachable", cause.message ?: "$cause")
 }
 
-/** Returns the exception for a message to an agent that does not exist. Its error is that of one computer, too. */
+/** Returns the exception for a message to an agent that does not exist. Without a fleet, Jason gives the same error. */
 internal fun noAgent(message: String): JasonException = AwaitedOutside.exceptionOf(AwaitedOutside.NO_AGENT, message)

@@ -27,11 +27,11 @@ import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
 
 /**
- * The infrastructure of an agent in a [Fleet]: the last of its architectures. Its messages go to agents of other computers, too.
+ * The infrastructure of an agent in a [Fleet]: the last of its architectures. The agent can also send to agents of other computers.
  *
- * @param reign the time during which an agent that outlives its computer runs here; null: the agent is not one of these
- * @param begun the mind with which such an agent begins; null: it begins as its program says
- * @param keep takes the mind of such an agent; fails if a computer that may run it has not got it
+ * @param reign the time during which an agent that outlives its computer runs here; null: the agent does not outlive its computer
+ * @param begun the mind with which such an agent begins; null: the agent begins as its program says
+ * @param keep takes the mind of an agent that outlives its computer; fails if a computer that may run it has not got it
  */
 internal class FleetAgArch(
     private val fleet: Fleet,
@@ -39,7 +39,7 @@ internal class FleetAgArch(
     private val begun: MindNews? = null,
     private val keep: (MindNews) -> CompletionStage<Void> = { CompletableFuture.completedStage(null) },
 ) : LocalAgArch(), SeveralComputers {
-    /** The term of the reign in which an agent that outlives its computer runs here; 0: it is no such agent. */
+    /** The term of the reign in which the agent runs here; 0: the agent does not outlive its computer. */
     val term: Long = reign?.term ?: 0
     private val questions = Questions()
     private val sleepLock = ReentrantLock()

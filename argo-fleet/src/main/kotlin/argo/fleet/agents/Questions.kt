@@ -12,21 +12,21 @@ import java.util.concurrent.ConcurrentHashMap
  */
 internal class Questions {
     private class Question {
-        val asked = ConcurrentHashMap<String, String>() // those that have not answered, each with its computer
+        val asked = ConcurrentHashMap<String, String>() // the agents that have not answered, each with its computer
         val end = CompletableFuture<JasonException?>()
     }
 
     private val open = ConcurrentHashMap<String, Question>()
 
-    /** The question [id] goes to an agent of another [computer], perhaps as one of several. */
+    /** Notes that the question [id] goes to [agent] on another [computer], and perhaps to further agents. */
     fun ask(id: String, agent: String, computer: String) {
         open.computeIfAbsent(id) { Question() }.asked[agent] = computer
     }
 
-    /** Returns the end of the question [id]: an exception if it has failed, or null; null: there is no such question. */
+    /** Returns the future end of the question [id]: an exception if it fails, otherwise null. Without such a question, returns null. */
     fun end(id: String?): CompletableFuture<JasonException?>? = id?.let(open::get)?.end
 
-    /** [agent] has answered the question [id]. */
+    /** Notes that [agent] has answered the question [id]. */
     fun answered(id: String, agent: String) {
         open[id]?.asked?.remove(agent)
     }
@@ -35,7 +35,7 @@ internal class Questions {
         if (id != null) open.remove(id)?.end?.complete(errorOf(reason))
     }
 
-    /** Fails the questions to agents that are, by [now], not where they were asked, and have not answered. */
+    /** Fails the questions to agents that have not answered and, by [now], have left the computer where they were asked. */
     fun failLost(now: Directory) = open.forEach { (id, question) ->
         question.asked.entries.find { (agent, computer) -> !now.runs(agent, computer) }?.let { (agent, computer) ->
             val reason = if (now.isMet(computer)) "it has ended there" else "its computer $computer is off"
@@ -43,6 +43,6 @@ internal class Questions {
         }
     }
 
-    /** Ends the questions for which no intention waits any more: the agent has all answers, their time is over, or it has dropped them. */
+    /** Ends the questions for which no intention waits any more: all answers are there, the time is over, or the agent has dropped them. */
     fun endAllBut(waiting: Set<String>) = open.keys.filter { it !in waiting }.forEach { open.remove(it)?.end?.complete(null) }
 }

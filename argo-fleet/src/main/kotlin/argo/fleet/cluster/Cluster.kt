@@ -42,16 +42,16 @@ data class Computer(val name: String, val session: String)
 /**
  * The computers in touch.
  *
- * @property computers by their names
+ * @property computers the computers in touch, by their names
  * @property hasMajority whether they are more than half of [ClusterSettings.hosts]; false if no hosts are named
  */
 class ClusterView(val computers: Map<String, Computer>, val hasMajority: Boolean)
 
-/** Is called by a [Cluster]. */
+/** A [Cluster] calls these functions. */
 interface ClusterListener {
     /**
-     * A computer of the last view has sent [message]. Until this returns, the next one waits. The sender gets an exception of this function
-     * as [Refused]; that of another class has the error `refused` there.
+     * A computer of the last view has sent [message]. The next message waits until this returns. If this throws, the sender gets a
+     * [Refused], with the error `refused` unless the exception was a [Refused].
      */
     fun message(from: String, message: ByteArray)
 
@@ -77,7 +77,7 @@ class Overloaded(message: String) : Exception(message)
  * @property error the reason in one word, for plans
  */
 class Refused(val error: String, message: String) : Exception(message) {
-    /** The form in which it goes to the sender. */
+    /** The form in which the refusal goes to the sender. */
     internal val line: String get() = "$error $message"
 
     internal companion object {
@@ -86,7 +86,7 @@ class Refused(val error: String, message: String) : Exception(message) {
 
         fun of(failure: Exception) = failure as? Refused ?: Refused(OTHER, failure.message ?: "$failure")
 
-        /** Reads the form of [line]. */
+        /** Reads a refusal in the form of [line]. */
         fun of(line: String): Refused {
             val (error, reason) = LINE.matchEntire(line)?.destructured ?: return Refused(OTHER, line)
             return Refused(error, reason)

@@ -6,8 +6,8 @@ import java.security.MessageDigest
 import java.util.HexFormat
 
 /**
- * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So
- * computers of other fleets, other versions and other lists of hosts, and strangers, are refused before JGroups reads a byte of theirs.
+ * The line with which a computer begins a connection, and with which the other end answers: `argo-fleet 2 garden scout1 5f3a…`. So JGroups
+ * reads no byte from strangers, or from computers of another fleet, version or list of hosts.
  *
  * @property hosts a digest of the fleet's computers and their addresses: if the names differed, two sides could both count a majority; if
  * the addresses did, two computers could have one name
@@ -26,7 +26,7 @@ internal data class Greeting(val fleet: String, val name: String, val hosts: Str
         private const val WORD = "argo-fleet"
         private const val REFUSED = "refused "
 
-        /** Raised when frames, or anything in JGroups' messages, change. */
+        /** Must be raised with each change of frames or of anything in JGroups' messages. */
         private const val FORMAT = 2
         private const val MAX_LINE = 400
         private const val PRINTABLE = 40

@@ -1,8 +1,7 @@
 package argo.fleet.cluster
 
 /**
- * The computers in touch, its members, and frames among them, which may be lost or come twice. Another start of a program is another
- * member.
+ * The computers in touch, its members, and frames among them. Frames may be lost or come twice. Another run of a program is another member.
  */
 internal interface Group : AutoCloseable {
     val here: Computer
@@ -20,7 +19,7 @@ internal interface Group : AutoCloseable {
 internal interface GroupListener {
     fun arrived(from: Computer, frame: ByteArray)
 
-    /** [members] are in touch now; of several with one name the first one is the oldest. Calls are in order. */
+    /** [members] are in touch now; of several members with one name the oldest comes first. Views come in their order. */
     fun viewed(members: List<Computer>)
 }
 

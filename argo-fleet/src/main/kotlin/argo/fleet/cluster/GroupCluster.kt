@@ -10,7 +10,7 @@ import java.util.concurrent.CompletionStage
  * @param hosts the computers of the fleet; empty: not known
  */
 internal class GroupCluster(private val group: Group, private val hosts: Set<String>, private val loop: Loop) : Cluster, GroupListener {
-    /** The session with another member, kept while it may come back. */
+    /** The session with another member, which is kept as long as that member may come back. */
     private inner class Peer(member: Computer) {
         val outgoing = Outgoing(member.name, nextPiece)
         val incoming = Incoming()
@@ -67,7 +67,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
     }
 
     override fun arrived(from: Computer, frame: ByteArray): Unit = synchronized(lock) {
-        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // it sends again until each has the other in its view
+        val peer = peers[from]?.takeIf { called(from.name) == from } ?: return // the sender will repeat the frame
         try {
             when (val news = Frame.of(frame)) {
                 is Frame.Piece -> take(from, peer, news)
@@ -147,7 +147,7 @@ internal class GroupCluster(private val group: Group, private val hosts: Set<Str
         peers.keys.removeAll(gone.dropLast(MAX_GONE).toSet())
     }
 
-    /** A computer of this name that was there before: the program that ran here until a moment ago, or another computer. */
+    /** Returns true if [member] has this computer's name and is older: this program's last run, or another computer. */
     private fun isOlderRival(member: Computer) =
         member.name == here && member != group.here && members.indexOf(member) < members.indexOf(group.here)
 

@@ -21,7 +21,7 @@ internal sealed interface Place {
     /** On another computer, which is in touch. */
     data class There(val computer: String) : Place
 
-    /** On one of [computers], each of which is off, has not told its agents yet, or does not run this one. */
+    /** On one of [computers]. Each of these is off, has not told its agents yet, or does not run this agent. */
     data class Off(val computers: List<String>) : Place
 
     data object Unknown : Place
@@ -63,7 +63,7 @@ internal data class Directory(
 
     fun runs(agent: String, computer: String): Boolean = isMet(computer) && agent in roster(computer).agents
 
-    /** Returns the place of [agent]. Of equal names on several computers, this computer's comes first, then the least computer's. */
+    /** Returns the place of [agent]. If several computers have such an agent, prefers this one, then the first by name. */
     fun find(agent: String): Place {
         val owner = owners[agent]
         if (owner != null) return if (owner == here) Place.Here else Place.There(owner)

@@ -47,8 +47,8 @@ internal class Fleet(
 ) : AutoCloseable {
     private lateinit var agents: LocalAgents
     private lateinit var leases: Leases
-    private val sessions = HashMap<String, String>() // the last ones of all computers; the cluster's thread
-    private val told = ConcurrentHashMap.newKeySet<String>() // what the log has said once
+    private val sessions = HashMap<String, String>() // each computer's last session; for the cluster's thread
+    private val told = ConcurrentHashMap.newKeySet<String>() // lines that the log must not repeat
     private val met = CompletableFuture<Unit>()
 
     /** The present places of agents and services. */
@@ -65,7 +65,7 @@ internal class Fleet(
         cluster.listen(Listener())
     }
 
-    /** Waits until the computers that are in touch now have told their agents, for [millis] at most. */
+    /** Waits until all computers that are in touch now have told their agents, at most [millis] ms. */
     fun awaitOthers(millis: Long) {
         met.completeOnTimeout(Unit, millis, TimeUnit.MILLISECONDS).join()
     }
@@ -89,7 +89,7 @@ internal class Fleet(
         tell(RosterNews(gone = setOf(agent), withdrawn = directory.roster(here).offers.filter { it.agent == agent }.toSet()))
     }
 
-    /** This computer cannot start [agent], which outlives its computer: others should. */
+    /** Notes that this computer cannot start [agent], which outlives its computer, so that others do. */
     fun cannotStart(agent: String) = tell(RosterNews(unable = setOf(agent)))
 
     fun offer(offer: Offer) = tell(RosterNews(offered = setOf(offer)))
@@ -188,7 +188,7 @@ internal class Fleet(
                 // a computer whose program goes on may have noticed nothing: its roster here stays valid, and it tells later changes
                 change { it.without(begun.map(Computer::name)).with(view.computers.keys) }
                 noteMet()
-                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may have missed nobody, and would tell nothing
+                come.forEach { tellAll(it.name, asksBack = it in begun) } // it may not know that this one lacks its roster
             }
             leases.changed(view)
         }
@@ -218,5 +218,5 @@ internal fun unreachable(agent: String, place: Place.Off, now: Directory): Unrea
     return Unreachable("$agent cannot be reached: $reason")
 }
 
-/** The error if a message has arrived, and cannot be read. */
+/** The error of a message that has arrived, but cannot be read. */
 internal const val NOT_READABLE = "not_readable"

@@ -15,7 +15,7 @@ import kotlin.random.Random
 /** Starts and stops agents that outlive their computers. One thread of [Leases] calls these functions. */
 internal interface LeasedAgents {
     /**
-     * Starts [agent] with [mind]; null: it is not known what it believed, or this is its first start. If that fails, calls
+     * Starts [agent] with [mind]; null: the agent's mind is not known, or this is its first start. If starting fails, calls
      * [Leases.cannotStart] later.
      */
     fun start(agent: String, reign: Reign, mind: MindNews?)
@@ -85,10 +85,10 @@ internal class Leases(
         message.term != 0L && synchronized(this) { message.term < (held[message.from]?.lease?.term ?: 0) }
 
     /**
-     * Notes the mind of an agent that this computer runs, and tells it to all others in touch: of those that grant the agent to its next
-     * computer, at least one has it. Any thread.
+     * Notes the mind of an agent that this computer runs, and sends the mind to all others in touch. So of the computers that grant the
+     * agent to its next computer, at least one has the mind. Any thread.
      *
-     * @return completed when all of these have it; fails if one has not got it, which the log tells once until it has
+     * @return completed when all of these have the mind; fails if one has not got it, which the log tells once until it has
      */
     fun keep(mind: MindNews): CompletionStage<Void> {
         synchronized(this) { held(mind.agent).take(mind) }
@@ -103,7 +103,7 @@ internal class Leases(
         return CompletableFuture.allOf(*ends.toTypedArray())
     }
 
-    /** This computer cannot run [agent] in its [reign]: gives it up, so that the next computer runs it. Any thread. */
+    /** Gives up [agent] in its [reign], since this computer cannot run it, so that the next computer runs it. Any thread. */
     fun cannotStart(agent: String, reign: Reign) {
         synchronized(this) { held(agent).giveUp(reign) }
         fleet.cannotStart(agent)

@@ -14,7 +14,7 @@ enum class Kind {
     /** A new view: the names of its computers. */
     VIEWED,
 
-    /** An agent that outlives its computer has acted here: its name, and the term of the reign in which it has. Each reign's is greater. */
+    /** An agent that outlives its computer has acted here: its name, and the term of its reign. Each new reign has a greater term. */
     ACTED,
 
     /** All messages have ended, and nothing follows; or somebody else has noted that the program was killed. */

@@ -11,22 +11,22 @@ import java.util.concurrent.atomic.AtomicBoolean
 
 /**
  * One of Jason's internal actions as an infrastructure carries it out: a direct subclass of Jason's, which needs no arguments to be made.
- * A recording has its calls under Jason's name. Its intention may wait for others, by [AwaitedOutside].
+ * A recording has the action's calls under Jason's name. The intention may wait for other computers, by [AwaitedOutside].
  */
 interface OfInfrastructure
 
-/** The waits of intentions for what is outside of their agent, as another computer's answer, for internal actions [OfInfrastructure]. */
+/** Has intentions wait for something outside of their agent, such as another computer's answer, for internal actions [OfInfrastructure]. */
 object AwaitedOutside {
-    /** The error of a message to an agent that does not exist. Jason has a name of its own for it, which plans may match, too. */
+    /** The error of a message to an agent that does not exist. Plans may also match Jason's own name for this error. */
     const val NO_AGENT = "no_agent"
     private const val NO_RECEIVER = "receiver_not_found"
 
     /**
-     * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action has suspended
-     * it already, as a question does, only a failure ends that.
+     * Suspends the intention whose internal action the calling thread, that of the agent of [ts], carries out. If the action itself has
+     * suspended the intention, as for a question, only a failure ends the wait.
      *
-     * @return ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the first call counts.
-     * A recording of the agent has the end
+     * @return a function that ends the wait, on any thread: with null the intention goes on, with an exception its plan fails. Only the
+     * first call counts. A recording of the agent contains that end
      */
     fun begin(ts: TransitionSystem): (JasonException?) -> Unit {
         val question = ts.c.pendingIntentions.entries.find { it.value === ts.c.selectedIntention }?.key
@@ -40,7 +40,7 @@ object AwaitedOutside {
         return { failed -> if (!hasEnded.getAndSet(true)) end(failed?.let { RecordedFailure(callFailure(it)) }, null) }
     }
 
-    /** Returns the exception that fails a plan with `error(…)`, which [error] is the text of, and [message] for a person. */
+    /** Returns the exception that fails a plan with `error(…)`, whose text is [error], and with [message] for the user. */
     fun exceptionOf(error: String, message: String): JasonException {
         val failed = JasonException(message, if (error.isEmpty()) null else termOf(error))
         if (error == NO_AGENT) failed.addErrorAnnot(ASSyntax.createStructure("error", ASSyntax.createAtom(NO_RECEIVER)))
@@ -49,11 +49,11 @@ object AwaitedOutside {
 
     private fun exceptionOf(failure: CommandFailure) = exceptionOf(failure.error, failure.cause)
 
-    /** For its way to suspend an intention. */
+    /** Gives access to Jason's way to suspend an intention. */
     private object Suspension : ConcurrentInternalAction() {
         override fun timeout(ts: TransitionSystem, intentionKey: String) = failInt(ts, intentionKey)
     }
 }
 
-/** Returns the exception that was recorded as this failure. */
+/** Returns the exception behind this recorded failure. */
 internal fun CallFailure.exception(): JasonException = AwaitedOutside.exceptionOf(error, message)

@@ -72,7 +72,7 @@ internal object JasonCode {
 
     fun natureOf(type: Class<*>): Nature? = natureOf(typeOf(type).name)
 
-    /** Returns Jason's class that the class [type] stands for. */
+    /** Returns Jason's class in whose place [type] stands; [type] itself if it stands for none. */
     fun typeOf(type: Class<*>): Class<*> = if (OfInfrastructure::class.java.isAssignableFrom(type)) type.superclass else type
 
     /** Returns true if a replay takes the recorded result of code of this [nature]. */

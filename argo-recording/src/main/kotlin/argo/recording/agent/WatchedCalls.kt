@@ -25,7 +25,7 @@ internal class WatchedAction(private val name: String, override val code: Intern
     private fun writeReplace(): Any =
         if (code is OfInfrastructure) JasonCode.typeOf(code.javaClass).getConstructor().newInstance() else code
 
-    /** Has its intention wait if the watch suspends the call, as a replay does where the recorded intention waited for others. */
+    /** Has the intention wait if the watch suspends the call. A replay does so where the recorded intention waited for other computers. */
     override fun execute(ts: TransitionSystem, un: Unifier, args: Array<Term>): Any {
         isWaiting = false
         val call = InternalCall(name, args, un) {

@@ -26,7 +26,7 @@ import java.util.IdentityHashMap
 
 /** The owner of an internal action. */
 internal enum class WatchedKind(val isOfProject: Boolean) {
-    /** Jason or ARGO. The results of the action come from outside. */
+    /** Jason or ARGO owns the action, whose results come from outside. */
     OUTSIDE(false),
 
     /** Jason. See [Nature.SENDING]. */

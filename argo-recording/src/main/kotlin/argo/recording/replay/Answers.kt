@@ -113,8 +113,8 @@ internal fun answer(recorded: Call, call: InternalCall, suspending: (suspend: ()
 }
 
 /**
- * Carries [call], which sends, out by [live]. Then its intention waits, or its plan fails, if that was [recorded]; null: nothing was, as on
- * one computer, where it never waits.
+ * Has [live] carry out [call], which sends a message. Then the intention waits or its plan fails, as [recorded]. Null: nothing was
+ * recorded, as without a fleet, where no intention waits.
  */
 internal fun send(recorded: Call?, call: InternalCall, live: (Unifier) -> Any, suspending: (suspend: () -> Unit) -> Unit): Any {
     val result = try {

@@ -6,14 +6,14 @@ import java.util.ArrayDeque
 import kotlin.math.abs
 
 /**
- * The messages that agents of several [recordings] sent to each other, as of the computers of a fleet, and by them the differences of their
- * clocks. A message is found by its sender and its name, which are those of one program. For one thread.
+ * Finds the messages that agents of several [recordings], such as those of a fleet's computers, sent to each other. These messages show the
+ * differences of the recordings' clocks. Messages are found by sender and name. For one thread.
  */
 class JointRecordings(private val recordings: List<Recording>) {
     /**
      * A message that was sent.
      *
-     * @property recording the place of the recording among all
+     * @property recording the place of the sender's recording among all
      * @property cycle the sender's cycle
      */
     class Sending(val recording: Int, val agent: String, val cycle: Cycle, val mail: Mail)
@@ -24,16 +24,13 @@ class JointRecordings(private val recordings: List<Recording>) {
 
     private val differences: Map<Pair<Int, Int>, List<Long>> by lazy { messageTimes() }
 
-    /**
-     * The difference of a recording's clock from that of the first recording; null: no messages connect them. The recordings of one program
-     * have none.
-     */
+    /** For each recording, the difference of its clock from the first recording's clock; null: no messages connect the two. */
     val differencesOfClocks: List<ClockDifference?> by lazy { ofAll() }
 
     private fun sendings(place: Int, agent: String, cycle: Cycle) =
         cycle.course.mail.filter { it.failure == null }.map { Sending(place, agent, cycle, it) }
 
-    /** Returns the sending of [mail], which the agent [receiver] of the recording at [place] has taken; null: no recording has it. */
+    /** Returns the sending of [mail], which the agent [receiver] of the recording at [place] has taken; null: not recorded. */
     fun sending(place: Int, receiver: String, mail: Mail): Sending? {
         val own = mail.sender in recordings[place].agents
         return sent[mail.sender to mail.id]?.find { one ->
@@ -41,7 +38,7 @@ class JointRecordings(private val recordings: List<Recording>) {
         }
     }
 
-    /** By two recordings: the times of messages at the receiver's, less those at the sender's, in ns. */
+    /** Returns, for each pair of recordings, the receiver's time of each message less the sender's, in ns. */
     private fun messageTimes(): Map<Pair<Int, Int>, List<Long>> = recordings.flatMapIndexed { place, recording ->
         recording.agents.keys.flatMap { agent ->
             recording.cycles(agent).flatMap { cycle ->
@@ -72,11 +69,11 @@ class JointRecordings(private val recordings: List<Recording>) {
 }
 
 /**
- * How far a recording's clock is ahead of another one's.
+ * The time by which a recording's clock is ahead of another recording's clock.
  *
  * @property ns the difference in ns
- * @property withinNs how far from that it may be, in ns; null: not known, as messages went one way only
- * @property messages the number of messages that show it
+ * @property withinNs the largest error of [ns], in ns; null: not known, since messages went only one way
+ * @property messages the number of messages that show the difference
  */
 data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int) {
     internal operator fun plus(next: ClockDifference) =
@@ -86,9 +83,9 @@ data class ClockDifference(val ns: Long, val withinNs: Long?, val messages: Int)
         val NONE = ClockDifference(0, 0, 0)
 
         /**
-         * Returns how far the clock of one program is ahead of that of another, by messages from the other one, which were [there] so many
-         * ns after their sending by the clocks of both, and by messages [back]; null: there is none. A message takes time; so one way shows
-         * the most that the clock is ahead, and the other way the least.
+         * Returns the time by which the receiver's clock is ahead of the sender's; null: there are no messages. [there] has the ns from
+         * each sending to the arrival, by both clocks, and [back] those of messages the other way. Messages take time, so [there] shows the
+         * most, and [back] the least.
          */
         internal fun of(there: List<Long>, back: List<Long>): ClockDifference? {
             val (most, least) = there.minOrNull() to back.minOrNull()?.unaryMinus()

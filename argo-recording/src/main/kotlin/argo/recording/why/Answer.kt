@@ -7,10 +7,10 @@ import kotlinx.serialization.Serializable
  *
  * @property cause the step of a plan that issued the command; null: no plan issued it, or the replay did not see the step
  * @property reflex the critical rule whose reflex it was; null: it was no reflex
- * @property frame the frame at the root: its percept began the intention, or met the critical rule; null: there is none
- * @property frames all frames that caused the command, [frame] first: also the frames of percepts in contexts and tests
- * @property sent if a message is at the root, the sendings that led to it, in recordings that were given, the nearest first
- * @property had the counterfactuals: the agent's commands with another percept, if the question has one, or the search found one
+ * @property frame the frame whose percept began the intention or met the critical rule; null: there is none
+ * @property frames all frames that caused the command, [frame] first, then those of percepts in contexts and tests
+ * @property sent if the root is a message, its sending and earlier ones that led to it, in the given recordings, the nearest first
+ * @property had the counterfactuals: the agent's commands with another percept, from the question or found by the search
  */
 @Serializable
 data class Answer(
@@ -28,11 +28,10 @@ data class Answer(
  *
  * @property file the recording
  * @property agent the sender
- * @property seconds when it was sent, since the first cycle of that recording
- * @property delayMs the time until the receiver took it, in ms, by the clocks of both recordings as they were found to differ; null: that
- *   is not known
- * @property clock how the clock of that recording differs from the first one's, in words; null: both are of one program
- * @property cause the step that sent it; null: it was not found, for the reason [trouble]
+ * @property seconds the time of the sending, since the first cycle of [file]
+ * @property delayMs the time until the receiver took the message, in ms, corrected by the difference of both clocks; null: not known
+ * @property clock the difference between the clocks of [file] and the first recording, in words; null: it is the first
+ * @property cause the step that sent the message; null: not found, for the reason [trouble]
  */
 @Serializable
 data class SentCause(

@@ -78,7 +78,7 @@ data class ReflexCause(val rule: String, val isByBoard: Boolean, val failure: St
  * A message of another agent.
  *
  * @property id the message's name
- * @property seconds the beginning of the cycle in which the agent took it
+ * @property seconds the beginning of the cycle in which the agent took the message
  */
 @Serializable
 @SerialName("message")

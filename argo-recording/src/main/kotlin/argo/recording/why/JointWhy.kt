@@ -5,9 +5,9 @@ import argo.recording.replay.Recording
 import argo.recording.replay.RecordingException
 
 /**
- * Follows messages from the recordings of their receivers into those of their senders, as of the computers of a fleet.
+ * Follows messages from recordings of receivers into recordings of senders, such as those of a fleet's computers.
  *
- * Close it at the end. For one thread.
+ * Close the object at the end. For one thread.
  *
  * @param recordings the recordings by their names; the first one is asked about
  */
@@ -19,7 +19,7 @@ class JointWhy(private val recordings: Map<String, Recording>) : AutoCloseable {
     /** Explains the commands of the first recording. */
     val first: Why get() = whys.first()
 
-    /** Returns [answer], of [first], with the sendings of the messages at its root. */
+    /** Returns [answer], which [first] has given, with the sendings of the messages at its root. */
     fun follow(answer: Answer): Answer = answer.copy(sent = sendings(0, answer.command.agent, answer.cause))
 
     private fun sendings(place: Int, agent: String, cause: Cause?): List<SentCause> {

@@ -83,7 +83,7 @@ class Why(private val recording: Recording) : AutoCloseable {
     }
 
     /**
-     * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see it.
+     * Returns the step by which [agent] sent the message [id] in [cycle]; null: the replay did not see the step.
      * @throws RecordingException like [answer]
      */
     internal fun sending(agent: String, cycle: Cycle, id: String): StepCause? {

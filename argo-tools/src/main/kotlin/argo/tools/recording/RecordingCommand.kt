@@ -1,6 +1,5 @@
 package argo.tools.recording
 
-import argo.mcap.McapMessage
 import argo.mcap.McapReader
 import argo.recording.replay.ClockDifference
 import argo.tools.command.DataCommand
@@ -25,12 +24,13 @@ import java.nio.file.Path
     name = "recording",
     description = [
         "Shows what a recording in the MCAP format (FILE.mcap) holds, with --messages each message, with --file a file inside.",
+        "A bag of ROS 2 in that format is shown likewise, its messages in JSON.",
         "The messages of several recordings, as of a fleet's computers, are in one order: messages of agents show how the clocks differ.",
         "Of a recording that was cut off or is damaged it shows the whole parts; then the exit status is 1.",
     ],
 )
 internal class RecordingCommand : DataCommand() {
-    @Parameters(arity = "1..*", paramLabel = "FILE", description = ["recordings in the MCAP format"])
+    @Parameters(arity = "1..*", paramLabel = "FILE", description = ["recordings, or bags of ROS 2, in the MCAP format"])
     private lateinit var files: List<Path>
 
     @Option(names = ["--messages"], description = ["prints the messages in their order, with their seconds since the first one"])
@@ -48,6 +48,8 @@ internal class RecordingCommand : DataCommand() {
     @Option(names = ["--file"], paramLabel = "NAME", description = ["prints the file of this name inside, and nothing else"])
     private var inside: String? = null
 
+    private val texts = MessageTexts()
+
     override fun call(): Int {
         if (wantsMessages && inside != null) misuse("--messages and --file exclude each other")
         if (!wantsMessages && (topics != null || from != null || until != null)) misuse("--topic, --from and --until go with --messages")
@@ -56,14 +58,15 @@ internal class RecordingCommand : DataCommand() {
         return withAll(files, emptyMap(), ::show)
     }
 
-    /** Does [work] with the recordings in [left], besides those that are [open]. */
+    /** Does [work] with the recordings that are [open] and those in [left]. */
     private fun withAll(left: List<Path>, open: Map<Path, McapReader>, work: (Map<Path, McapReader>) -> Int): Int =
         if (left.isEmpty()) work(open) else McapReader(left.first()).use { withAll(left.drop(1), open + (left.first() to it), work) }
 
     private fun show(recordings: Map<Path, McapReader>): Int {
         if (wantsMessages) printMessages(JointMessages(recordings), recordings) else recordings.forEach(::printContents)
         recordings.forEach { (file, one) -> one.problems.forEach { err.println("$file: ${printable(it)}") } }
-        return if (recordings.values.all { it.isComplete }) ExitStatus.DONE else ExitStatus.FAILED
+        texts.problems.forEach { err.println(printable(it)) }
+        return if (texts.problems.isEmpty() && recordings.values.all { it.isComplete }) ExitStatus.DONE else ExitStatus.FAILED
     }
 
     private fun printContents(file: Path, recording: McapReader) {
@@ -108,17 +111,17 @@ internal class RecordingCommand : DataCommand() {
         if (json) {
             val from = if (files.size == 1) emptyArray() else arrayOf("file" to "${timed.file}")
             val members = arrayOf("topic" to message.channel.topic, "seconds" to seconds, "ns" to message.logTimeNs)
-            out.println(jsonOf(*from, *members, "message" to parsed(message)))
+            out.println(jsonOf(*from, *members, "message" to parsed(texts.of(message))))
         } else {
             val from = if (files.size == 1) "" else "${timed.file}  "
-            out.println("%9.3f s  %s%s  %s".format(seconds, from, printable(message.channel.topic), printable(message.text)))
+            out.println("%9.3f s  %s%s  %s".format(seconds, from, printable(message.channel.topic), printable(texts.of(message))))
         }
     }
 
-    private fun parsed(message: McapMessage): JsonElement = try {
-        Json.parseToJsonElement(message.text)
+    private fun parsed(text: String): JsonElement = try {
+        Json.parseToJsonElement(text)
     } catch (_: SerializationException) {
-        JsonPrimitive(message.text) // another program's recording may contain other formats
+        JsonPrimitive(text) // another program's recording may contain other formats
     }
 
     private fun Long.after(seconds: BigDecimal?): Long? = seconds?.let {

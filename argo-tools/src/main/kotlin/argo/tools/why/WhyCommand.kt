@@ -59,7 +59,7 @@ internal class WhyCommand : JasonCommand() {
         if (!McapReader.isMcap(file)) throw ToolException("$file is no recording of an agent, which the option argo_record makes")
     }
 
-    /** Does [work] with the recordings in [files], by their names, besides those that are [open]. */
+    /** Does [work] with the recordings that are [open] and those in [files], by their names. */
     private fun withAll(files: List<Path>, open: Map<String, Recording>, work: (Map<String, Recording>) -> Int): Int {
         val file = files.firstOrNull() ?: return work(open)
         return Recording(file).use { withAll(files.drop(1), open + ("$file" to it), work) }

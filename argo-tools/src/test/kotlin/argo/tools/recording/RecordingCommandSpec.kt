@@ -65,6 +65,21 @@ class RecordingCommandSpec : FunSpec({
         argo("recording", "$file", "$other", "--file", "x").err shouldContain "--file goes with one recording, not with 2"
     }
 
+    test("--messages shows messages of a bag of ROS 2 in JSON, and tells those that cannot be read") {
+        val bag = "../argo-recording/src/test/resources/bags/zstd.mcap"
+        argo("recording", bag, "--messages", "--topic", "/said", "--until", "0.1") shouldBe
+            Output(0, "    0.000 s  /said  {\"data\":\"go\"}\n", "")
+        argo("recording", bag.replace("zstd", "odd"), "--messages").run {
+            status shouldBe 1
+            out.lines().take(5) shouldBe listOf(
+                "    0.000 s  /said  {\"data\":\"a\"}", "    1.000 s  /said  (9 bytes)", "    2.000 s  /said  {\"data\":\"b\"}",
+                "    3.000 s  /idl  \\u0000\\u0001", "    3.000 s  /text  {}",
+            )
+            err shouldContain "messages of /said are left out: a message of std_msgs/String ends within a field"
+            err shouldContain "messages of /idl are shown as they are: the type of /idl is described by ros2idl"
+        }
+    }
+
     test("recording --json is data") {
         val json = Json.parseToJsonElement(argo("recording", "$file", "--json").out).jsonObject
         json.getValue("messages").jsonPrimitive.int shouldBe 5

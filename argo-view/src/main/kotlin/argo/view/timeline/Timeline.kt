@@ -82,13 +82,13 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
         binarySearch { if (it.from < time || isAfter && it.from == time) -1 else 1 }.let { -it - 1 }
 
     companion object {
-        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a message in it cannot be read. */
+        /** Reads [recording], or only its [last] part. Throws [IllegalArgumentException] if a recorded message cannot be read. */
         fun of(recording: Recording, last: Duration? = null): Timeline = ofAll(listOf(recording), listOf(0), last)
 
         /**
          * Reads [recordings] of several programs, as of the computers of a fleet.
          *
-         * @param aheadNs of each recording: how far its clock is ahead of that of the first one, in ns
+         * @param aheadNs the time by which each recording's clock is ahead of the first one's, in ns
          */
         fun ofAll(recordings: List<Recording>, aheadNs: List<Long>, last: Duration? = null): Timeline {
             val all = recordings.flatMapIndexed { place, one -> one.agents.keys.sorted().map { Recorded(it, one, aheadNs[place]) } }
@@ -101,7 +101,7 @@ internal class Timeline(val agents: List<String>, val seconds: Double, val items
             return Timeline(all.map { it.name }, items.maxOfOrNull { it.until ?: it.from } ?: 0.0, items)
         }
 
-        /** Returns the step that sent [mail] to an agent. Its sender is of the same recording, if that has an agent of its name. */
+        /** Returns the step that sent [mail] to an agent. An agent of the same recording with the sender's name is the sender. */
         private fun sendingOf(mail: Mail, to: Recorded, made: List<Pair<Recorded, AgentItems>>): Int? {
             val senders = made.filter { (agent) -> agent.name == mail.sender }
             val own = senders.filter { (agent) -> agent.recording === to.recording }

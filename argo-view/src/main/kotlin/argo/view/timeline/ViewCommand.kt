@@ -48,7 +48,7 @@ internal class ViewCommand : ToolCommand() {
         }
     }
 
-    /** Does [work] with the recordings in [left], behind those that are [open]. */
+    /** Does [work] with the recordings that are [open] and then those in [left]. */
     private fun <T> withAll(left: List<Path>, open: List<Recording>, work: (List<Recording>) -> T): T =
         if (left.isEmpty()) work(open) else Recording(left.first()).use { withAll(left.drop(1), open + it, work) }
 
