@@ -51,7 +51,11 @@ const PORTS = { on: 'good', off: 'bad', timeout: 'warn' };
 
 function text(element, words) { if (element.textContent !== words) element.textContent = words; }
 function showOrHide(element, words) { text(element, words || ''); element.hidden = !words; }
-function showProblem(words) { text($('problem'), words); $('trouble').hidden = !words; }
+function tell(words, isProblem) {
+  text($('problem'), words);
+  $('trouble').classList.toggle('problem', isProblem);
+  $('trouble').hidden = !words;
+}
 function chip(element, words, kind) { text(element, words); element.className = `chip ${kind}`.trim(); }
 function element(tag, name) { const made = document.createElement(tag); if (name) made.className = name; return made; }
 
@@ -343,7 +347,7 @@ function showHead(shown) {
   text($('percepts'), shown.perceiving ? 'Block percepts' : 'Open percepts');
   $('percepts').title = shown.perceiving ? 'The agent stops perceiving its board and goes on acting on what it believes'
     : 'The agent perceives its board again';
-  disable($('percepts'));
+  ['percepts', 'reload'].forEach(id => disable($(id)));
   document.querySelectorAll('form.send button').forEach(disable);
 }
 
@@ -402,12 +406,12 @@ async function ask(path, body) {
 /** Has the agent do something, and returns its answer; null: it refuses, and the page tells why. */
 async function order(path, body) {
   waits = true;
-  showProblem('');
+  tell('', false);
   show();
   try {
     return (await ask(path, body)).message;
   } catch (trouble) {
-    showProblem(trouble.message);
+    tell(trouble.message, true);
     return null;
   } finally {
     waits = false;
@@ -463,7 +467,7 @@ async function loadFilters() {
   try {
     filters = (await ask('filters')).filters;
   } catch (trouble) {
-    showProblem(trouble.message);
+    tell(trouble.message, true);
   }
   show();
 }
@@ -504,9 +508,13 @@ $('freeze').addEventListener('click', () => {
   show();
 });
 $('percepts').addEventListener('click', () => order('percepts', { open: !(frozen ? frozen.state : state).perceiving }));
+$('reload').addEventListener('click', async () => {
+  const report = await order('reload', {});
+  if (report !== null) tell(report, false);
+});
 
 $('find').addEventListener('input', show);
-$('dismiss').addEventListener('click', () => showProblem(''));
+$('dismiss').addEventListener('click', () => tell('', false));
 
 document.querySelectorAll('form.send').forEach(form => form.addEventListener('submit', event => {
   event.preventDefault();

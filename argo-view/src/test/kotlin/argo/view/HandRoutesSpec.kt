@@ -22,6 +22,10 @@ class HandRoutesSpec : FunSpec({
         val agent = Ordered()
         agent.outcome = Outcome("there is no plan for +!fly")
         agent.ask("/begin", """{"text":"fly"}""") shouldBe (422 to """{"message":"there is no plan for +!fly"}""")
+        agent.outcome = Outcome(null, listOf("1 plan changed", "new initial beliefs, not believed: limit(9)"))
+        agent.ask("/reload", "{}") shouldBe (200 to """{"message":"1 plan changed\nnew initial beliefs, not believed: limit(9)"}""")
+        agent.outcome = Outcome("robot.asl, line 3: a plan ends with a dot")
+        agent.ask("/reload", "{}") shouldBe (422 to """{"message":"robot.asl, line 3: a plan ends with a dot"}""")
         agent.outcome = Outcome(null, listOf("the agent believed tea already"))
         agent.ask("/believe", """{"text":"tea"}""") shouldBe (200 to """{"message":"the agent believed tea already"}""")
     }
@@ -46,6 +50,9 @@ private class Ordered : ObservedAgent by Nobody {
         outcome?.let(done)
     }
 
+    override fun reload(done: (Outcome) -> Unit) = outcome?.let(done) ?: Unit
+
     fun ask(path: String, json: String): Pair<Int, String> =
-        routes.getValue(path).respond(Request("POST", path, null, HttpResponse.JSON, json.toByteArray())).run { status to body.decodeToString() }
+        routes.getValue(path).respond(Request("POST", path, null, HttpResponse.JSON, json.toByteArray()))
+            .run { status to body.decodeToString() }
 }
